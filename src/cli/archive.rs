@@ -7,19 +7,20 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use serde_json::json;
-use slipmode::archive::{CODECHECK_FILE, Facts, Parts, ReleaseTime, contents, open_fields, pack, sha256_hex};
-use slipmode::report::{Product, without_environment};
+use slipmode::archive::{
+    CODECHECK_FILE, Facts, Files, Parts, ReleaseTime, contents, open_fields, pack, sha256_hex,
+};
+use slipmode::report::{Folder, Product, without_environment};
 
+use crate::cli::answer::Answer;
 use crate::cli::claim::refuse_contradictions;
 use crate::cli::environment::{Environment, SOURCE_SHA256, versions};
 use crate::cli::failure::Failure;
 use crate::cli::folder::{Source, read_report_from};
-use crate::cli::inputs::SCHEMA;
 use crate::cli::output::{Output, machine_write};
 use crate::cli::progress::Progress;
 use crate::cli::replay::{recompute, theorems};
-use crate::cli::report::{LimitOption, summary, verdicts_json};
-use crate::cli::terminal;
+use crate::cli::report::{LimitOption, verdicts};
 
 /// Options of `archive`.
 #[derive(Debug, Args)]
@@ -50,41 +51,27 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     let (mut archive, mut timings) =
         (Output::create(&options.output)?, Output::create(&timings_file(&options.output))?);
     let (folder, inputs) = read_report_from(Source::Folder(options.folder.clone()), options.limit.limits()?)?;
-    let Product { ledger, files } = recompute(&folder, &options.folder, progress)?;
-    refuse_contradictions(&ledger)?;
+    let product = recompute(&folder, &options.folder, progress)?;
+    refuse_contradictions(&product.ledger)?;
     let facts = facts(time);
-    let (name, title) = (&folder.plan.name, &folder.plan.title);
-    let codecheck = options.codecheck.then_some(&folder.plan.paper);
-    let theorems = theorems(&folder, &ledger)?;
-    let parts = Parts {
-        name,
-        title,
-        inputs: &inputs,
-        product: &files,
-        ledger: &ledger,
-        theorems: &theorems,
-        facts: &facts,
-        codecheck,
-    };
+    let theorems = theorems(&folder, &product.ledger)?;
+    let parts = parts(&folder, &inputs, &product, &theorems, &facts, options.codecheck);
     let packed = pack(&contents(&parts), time).map_err(Failure::Refused)?;
     archive.write_all(&packed).map_err(|error| machine_write(&error))?;
     timings.write_all(environment.to_json().as_bytes()).map_err(|error| machine_write(&error))?;
     archive.commit()?;
     timings.commit()?;
-    let open = codecheck.map_or_else(Vec::new, open_fields);
-    if options.json {
-        return terminal::print_json(&json!({
-            "schema": SCHEMA,
-            "inputs": { "report": options.folder },
-            "verdicts": verdicts_json(&ledger),
-            "sha256": sha256_hex(&packed),
-            "codecheck_open_fields": open,
-            "output": options.output,
-        }));
-    }
+    let open = parts.codecheck.map_or_else(Vec::new, open_fields);
     let place = options.output.display();
-    let open: String = open.iter().map(|field| format!("{CODECHECK_FILE}: open: {field}\n")).collect();
-    terminal::print(&format!("{}{open}{}  {place}\n", summary(&ledger), sha256_hex(&packed)))
+    let open_lines: String = open.iter().map(|field| format!("{CODECHECK_FILE}: open: {field}\n")).collect();
+    let digest = sha256_hex(&packed);
+    Answer::to(json!({ "report": options.folder }))
+        .and(verdicts(&product.ledger))
+        .text(&format!("{open_lines}{digest}  {place}\n"))
+        .with("sha256", &digest)
+        .with("codecheck_open_fields", open)
+        .with("output", &options.output)
+        .print(options.json)
 }
 
 /// What is known of this program.
@@ -96,6 +83,19 @@ pub fn facts(time: ReleaseTime) -> Facts {
         source_sha256: SOURCE_SHA256.into(),
         time,
     }
+}
+
+/// Collects what is archived of a report.
+pub fn parts<'p>(
+    Folder { plan, .. }: &'p Folder,
+    inputs: &'p Files,
+    Product { ledger, files: product, .. }: &'p Product,
+    theorems: &'p BTreeMap<String, String>,
+    facts: &'p Facts,
+    has_codecheck: bool,
+) -> Parts<'p> {
+    let codecheck = has_codecheck.then_some(&plan.paper);
+    Parts { name: &plan.name, title: &plan.title, inputs, product, ledger, theorems, facts, codecheck }
 }
 
 /// The texts of a report without what depends on the machine.

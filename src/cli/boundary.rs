@@ -5,20 +5,21 @@ mod over_box;
 use std::path::PathBuf;
 
 use clap::Args;
-use serde_json::{Value, json};
 use slipmode::experiments::boundary::{END_ERROR, boundary_columns, boundary_row, vanishes};
 use slipmode::experiments::pictures::boundary_picture;
+use slipmode::experiments::shared::bands::Band;
 use slipmode::scene::{Limits, Problem, Quantity};
 use slipmode_core::friction::Slider;
 use slipmode_core::number::{Ball, Rational};
 use slipmode_core::stability::boundary::{BoundaryCurve, BoundaryPoint};
 use slipmode_plot::table::Table;
 
+use crate::cli::answer::Answer;
 use crate::cli::failure::Failure;
-use crate::cli::inputs::{SCHEMA, slider_json};
+use crate::cli::inputs::slider_json;
 use crate::cli::new::Ranges;
 use crate::cli::options::{Arguments, MaterialOptions};
-use crate::cli::output::{Output, is_stream};
+use crate::cli::output::Output;
 use crate::cli::roots::MOST_DIGITS;
 use crate::cli::terminal;
 
@@ -74,8 +75,15 @@ struct Request {
     slider: Slider<Rational>,
     points: usize,
     digits: u32,
-    at_velocity: Option<Rational>,
-    at_normal_stress: Option<Rational>,
+    at: [Option<Rational>; 2],
+}
+
+/// Holds what the command writes.
+struct Found<'r> {
+    answer: Answer,
+    table: Table,
+    /// Draws the picture, when one is wanted.
+    picture: Box<dyn FnOnce() -> Result<String, Failure> + 'r>,
 }
 
 /// Runs the command.
@@ -85,38 +93,36 @@ struct Request {
 pub fn run(options: &Options) -> Result<(), Failure> {
     let mut arguments = Arguments::default();
     if options.slider.is_uncertain() {
-        return run_over_box(options, arguments);
+        let request = over_box::Request::read(options, &mut arguments);
+        let request = arguments.finish(request)?;
+        return options.write(|| request.compute(), "the boundary and the transition have no point there");
     }
     let request = Request::read(options, &mut arguments);
     let request = arguments.finish(request)?;
-    let output = Output::create(&options.output)?;
-    let svg = options.svg.as_deref().map(Output::create).transpose()?;
-    let points = request.points();
-    if options.json {
-        output.finish(format!("{:#}\n", request.json(&points)))?;
-    } else {
-        output.finish(request.table(&points).to_csv())?;
-    }
-    svg.map_or(Ok(()), |svg| svg.finish(request.picture(&points)?))?;
-    if points.is_empty() {
-        terminal::message("the boundary has no point there");
-    }
-    Ok(())
+    options.write(|| Ok(request.compute()), "the boundary has no point there")
 }
 
-/// The ranges within error bars.
-fn run_over_box(options: &Options, mut arguments: Arguments) -> Result<(), Failure> {
-    let request = over_box::Request::read(options, &mut arguments);
-    let request = arguments.finish(request)?;
-    let output = Output::create(&options.output)?;
-    let svg = options.svg.as_deref().map(Output::create).transpose()?;
-    let (text, picture, is_empty) = request.answer(options.json, svg.is_some())?;
-    output.finish(text)?;
-    svg.zip(picture).map_or(Ok(()), |(svg, picture)| svg.finish(picture))?;
-    if is_empty {
-        terminal::message("the boundary and the transition have no point there");
+impl Options {
+    fn has_single_points(&self) -> bool {
+        self.at_velocity.is_some() || self.at_normal_stress.is_some()
     }
-    Ok(())
+
+    /// Opens the outputs, computes, and writes; says so where nothing was found.
+    fn write<'r>(
+        &self,
+        compute: impl FnOnce() -> Result<Found<'r>, Failure>,
+        nothing: &str,
+    ) -> Result<(), Failure> {
+        let output = Output::create(&self.output)?;
+        let svg = self.svg.as_deref().map(Output::create).transpose()?;
+        let Found { answer, table, picture } = compute()?;
+        output.finish(if self.json { format!("{:#}\n", answer.json()) } else { table.to_csv() })?;
+        svg.map_or(Ok(()), |svg| svg.finish(picture()?))?;
+        if table.rows.is_empty() {
+            terminal::message(nothing);
+        }
+        Ok(())
+    }
 }
 
 /// The limit on the number of points.
@@ -125,29 +131,28 @@ fn limit_on_points(options: &Options, arguments: &mut Arguments) -> u64 {
     limit.unwrap_or(Limits::default().max_points)
 }
 
-/// The velocity and the normal stress of single points, where they are given; none when they are at fault.
-fn coordinates(options: &Options, arguments: &mut Arguments) -> [Option<Option<Rational>>; 2] {
+/// The velocity and the normal stress of single points, where they are given; none when one is at fault.
+fn coordinates(options: &Options, arguments: &mut Arguments) -> Option<[Option<Rational>; 2]> {
     let given = [
         ("--at-velocity", Quantity::LoadingVelocity, &options.at_velocity),
         ("--at-normal-stress", Quantity::NormalStress, &options.at_normal_stress),
     ];
-    given.map(|(option, quantity, text)| match text {
+    let [velocity, stress] = given.map(|(option, quantity, text)| match text {
         Some(text) => arguments.measured(option, text, quantity.unit()).map(Some),
         None => Some(None),
-    })
+    });
+    Some([velocity?, stress?])
 }
 
 /// Notes options that single points have no use for, and a picture without a file.
 fn refuse_beside_single_points(options: &Options, arguments: &mut Arguments) {
-    if options.at_velocity.is_some() || options.at_normal_stress.is_some() {
+    if options.has_single_points() {
         let needs = "neither --at-velocity nor --at-normal-stress, which ask for single points";
         arguments.refuse("--points", options.points.is_some(), needs);
         arguments.refuse("--max-points", options.max_points.is_some(), needs);
         arguments.refuse("--svg", options.svg.is_some(), needs);
     }
-    let is_stream = options.svg.as_deref().is_some_and(is_stream);
-    let needs = "a file: standard output has the points";
-    arguments.refuse_value("--svg", Some("-").filter(|_| is_stream), needs);
+    arguments.refuse_stream("--svg", options.svg.as_deref(), "the points");
 }
 
 impl Request {
@@ -161,12 +166,11 @@ impl Request {
         };
         let needs = "CSV: the numbers of --json have 64 bits";
         arguments.refuse_value("--digits", options.digits.as_deref().filter(|_| options.json), needs);
-        let [at_velocity, at_normal_stress] = coordinates(options, arguments);
-        let is_sampled = options.at_velocity.is_none() && options.at_normal_stress.is_none();
+        let at = coordinates(options, arguments);
         refuse_beside_single_points(options, arguments);
         let points = given.unwrap_or(DEFAULT_POINTS);
         if let Some(problem) =
-            digits.filter(|_| is_sampled).and_then(|digits| too_many(points, limit, digits))
+            digits.filter(|_| !options.has_single_points()).and_then(|digits| too_many(points, limit, digits))
         {
             arguments.fault::<()>("--points", Some(&points.to_string()), problem);
         }
@@ -174,42 +178,17 @@ impl Request {
             slider: slider?,
             points: usize::try_from(points).ok()?,
             digits: u32::try_from(digits?).ok()?,
-            at_velocity: at_velocity?,
-            at_normal_stress: at_normal_stress?,
+            at: at?,
         })
     }
 
-    /// The table of the points that were requested.
-    fn table(&self, points: &[BoundaryPoint]) -> Table {
+    /// Computes the points: a table, and an object with the inputs and the points under the names of the columns.
+    fn compute(&self) -> Found<'_> {
+        let points = self.points();
         let mut table = Table::new("boundary", "Boundary", boundary_columns());
         points.iter().for_each(|point| table.push(boundary_row(point, self.digits as usize)));
-        table
-    }
-
-    /// One object: the inputs, and the points under the names of the columns.
-    fn json(&self, points: &[BoundaryPoint]) -> Value {
-        let point = |point: &BoundaryPoint| {
-            json!({
-                "arc": point.arc.as_str(),
-                "double_root": point.double_root.to_f64(),
-                "normal_stress_pa": point.normal_stress_pa.to_f64(),
-                "loading_velocity_m_per_s": point.loading_velocity_m_per_s.to_f64(),
-                "asymptote": point.asymptote.as_str(),
-                "asymptote_value": point.asymptote_value.to_f64(),
-                "relative_error": point.relative_error.to_f64(),
-                "log10_distance": point.log10_distance.to_f64(),
-                "condition_number": point.condition_number.to_f64(),
-                "mark": point.mark.map(|mark| mark.as_str()),
-            })
-        };
-        let points: Vec<Value> = points.iter().map(point).collect();
-        json!({ "schema": SCHEMA, "inputs": slider_json(&self.slider), "points": points })
-    }
-
-    /// The boundary over the axes that `new` would choose.
-    fn picture(&self, points: &[BoundaryPoint]) -> Result<String, Failure> {
-        let ranges = Ranges::around(&self.slider).map_err(Failure::Refused)?;
-        Ok(boundary_picture(&self.slider, points, &[], ranges.velocity.ends(), ranges.stress.ends()))
+        let answer = Answer::to(slider_json(&self.slider)).list("points", points.iter().map(part));
+        Found { answer, table, picture: Box::new(move || picture(&self.slider, &points, &[])) }
     }
 
     /// The points, computed with more digits than requested where inputs hundreds of decades apart take them.
@@ -226,29 +205,49 @@ impl Request {
 
     fn points_to(&self, digits: u32) -> Vec<BoundaryPoint> {
         let curve = BoundaryCurve::new(&self.slider, digits);
-        if self.at_velocity.is_none() && self.at_normal_stress.is_none() {
+        let [velocity, stress] = &self.at;
+        if velocity.is_none() && stress.is_none() {
             return curve.sample(self.points, END_ERROR);
         }
-        let at_velocity = self.at_velocity.iter().flat_map(|velocity| curve.at_velocity(velocity));
-        let at_stress = self.at_normal_stress.iter().flat_map(|stress| curve.at_normal_stress(stress));
+        let at_velocity = velocity.iter().flat_map(|velocity| curve.at_velocity(velocity));
+        let at_stress = stress.iter().flat_map(|stress| curve.at_normal_stress(stress));
         at_velocity.chain(at_stress).collect()
     }
 
     /// Whether every number of a point has all digits, or is zero to all of them.
     fn is_enclosed(&self, point: &BoundaryPoint) -> bool {
-        let numbers = [
-            &point.double_root,
-            &point.normal_stress_pa,
-            &point.loading_velocity_m_per_s,
-            &point.asymptote_value,
-            &point.relative_error,
-            &point.log10_distance,
-            &point.condition_number,
-        ];
         let wanted = -f64::from(self.digits + GUARD_DIGITS) * std::f64::consts::LOG2_10;
         let has_digits = |ball: &Ball| ball.relative_radius_log2() < wanted;
-        numbers.into_iter().all(|ball| has_digits(ball) || vanishes(ball, self.digits as usize))
+        numbers(point).iter().all(|(_, ball)| has_digits(ball) || vanishes(ball, self.digits as usize))
     }
+}
+
+/// Draws the boundary over the axes that `new` would choose.
+fn picture(slider: &Slider<Rational>, points: &[BoundaryPoint], bands: &[Band]) -> Result<String, Failure> {
+    let ranges = Ranges::around(slider).map_err(Failure::Refused)?;
+    Ok(boundary_picture(slider, points, bands, ranges.velocity.ends(), ranges.stress.ends()))
+}
+
+/// Lists the numbers of a point, under the names of their columns.
+fn numbers(point: &BoundaryPoint) -> [(&'static str, &Ball); 7] {
+    [
+        ("double_root", &point.double_root),
+        ("normal_stress_pa", &point.normal_stress_pa),
+        ("loading_velocity_m_per_s", &point.loading_velocity_m_per_s),
+        ("asymptote_value", &point.asymptote_value),
+        ("relative_error", &point.relative_error),
+        ("log10_distance", &point.log10_distance),
+        ("condition_number", &point.condition_number),
+    ]
+}
+
+/// States a point, with 64-bit numbers.
+fn part(point: &BoundaryPoint) -> Answer {
+    let words = Answer::default()
+        .with("arc", point.arc.as_str())
+        .with("asymptote", point.asymptote.as_str())
+        .with("mark", point.mark.map(|mark| mark.as_str()));
+    numbers(point).iter().fold(words, |part, (name, ball)| part.with(name, ball.to_f64()))
 }
 
 /// Why so many points are not computed, if they are not.

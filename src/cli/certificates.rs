@@ -7,18 +7,16 @@ use serde_json::json;
 use slipmode::archive::sha256_hex;
 use slipmode::experiments::Scene;
 use slipmode::experiments::certificates::{CertificateFile, Stored, certify_grid, prove_again, written};
-use slipmode::scene::{Fault, Problem, first_lines};
 use slipmode_core::friction::EvolutionLaw;
 
+use crate::cli::answer::Answer;
 use crate::cli::failure::Failure;
 use crate::cli::folder::read_scene;
-use crate::cli::input::{fault_of, read_small_file};
-use crate::cli::inputs::SCHEMA;
+use crate::cli::input::{lacks, read_small_file};
 use crate::cli::options::Arguments;
 use crate::cli::output::Output;
 use crate::cli::progress::Progress;
 use crate::cli::report::LimitOption;
-use crate::cli::terminal;
 use crate::cli::words::law_of_word;
 
 /// Options of `certificates`.
@@ -59,7 +57,8 @@ impl Options {
         let bytes = read_small_file(&self.scene)?;
         let scene = Scene::parse(&self.scene.display().to_string(), &bytes, &self.limit.limits()?)?;
         let (Some(section), Some(parameters)) = (&scene.simulations, &scene.parameters) else {
-            return Err(self.lacks("simulations", "a grid of loading velocities and normal stresses"));
+            let allowed = "a grid of loading velocities and normal stresses";
+            return Err(lacks(&self.scene, "simulations", allowed).into());
         };
         let is_stream = place.as_os_str() == "-";
         if self.json && is_stream {
@@ -71,24 +70,21 @@ impl Options {
         let text = written(&rows);
         let digest = sha256_hex(text.as_bytes());
         output.finish(text)?;
-        if self.json {
-            let certificates = rows.iter().filter(|row| row.certificate.is_ok()).count();
-            return terminal::print_json(&json!({
-                "schema": SCHEMA,
-                "inputs": { "scene": self.scene, "law": law.as_str() },
-                "points": rows.len(),
-                "certificates": certificates,
-                "sha256": digest,
-                "output": place,
-            }));
-        }
-        if is_stream { Ok(()) } else { terminal::print(&format!("sha256 = \"{digest}\"\n")) }
+        let line = if is_stream { String::new() } else { format!("sha256 = \"{digest}\"\n") };
+        Answer::to(json!({ "scene": self.scene, "law": law.as_str() }))
+            .with("points", rows.len())
+            .with("certificates", rows.iter().filter(|row| row.certificate.is_ok()).count())
+            .with("sha256", &digest)
+            .with("output", place)
+            .text(&line)
+            .print(self.json)
     }
 
     fn prove(&self, progress: Progress) -> Result<(), Failure> {
         let lone = read_scene(&self.scene, self.limit.limits()?)?;
         let Some(section) = &lone.scene.certificates else {
-            return Err(self.lacks("certificates", "a section that names files of certificates"));
+            let allowed = "a section that names files of certificates";
+            return Err(lacks(&self.scene, "certificates", allowed).into());
         };
         let of = |file: &CertificateFile| lone.references.certificates.get(&file.name).cloned();
         let rows: Vec<Stored> = section.files.iter().filter_map(of).flatten().collect();
@@ -99,35 +95,17 @@ impl Options {
             .filter_map(|one| Some(format!("{}: {}", rows[one.row].place(), one.refusal.as_ref()?)))
             .collect();
         let proved = again.len() - refused.len();
-        if self.json {
-            terminal::print_json(&json!({
-                "schema": SCHEMA,
-                "inputs": { "scene": self.scene },
-                "points": rows.len(),
-                "certificates": again.len(),
-                "proved_again": proved,
-                "refused": refused,
-            }))?;
-        } else {
-            let without = rows.len() - again.len();
-            let rest = if without == 0 {
-                String::new()
-            } else {
-                format!("; {without} of {} points have none", rows.len())
-            };
-            terminal::print(&format!("{proved} of {} certificates proved again{rest}\n", again.len()))?;
-        }
-        if refused.is_empty() {
-            Ok(())
-        } else {
-            Err(Failure::Check(
-                first_lines(refused, |more| format!("and {more} more; --json lists all")).join("\n"),
-            ))
-        }
-    }
-
-    fn lacks(&self, key: &str, allowed: &str) -> Failure {
-        let problem = Problem::Missing { allowed: allowed.into() };
-        Fault { key: key.into(), ..fault_of(&self.scene, problem) }.into()
+        let rest = match rows.len() - again.len() {
+            0 => String::new(),
+            without => format!("; {without} of {} points have none", rows.len()),
+        };
+        Answer::to(json!({ "scene": self.scene }))
+            .with("points", rows.len())
+            .with("certificates", again.len())
+            .with("proved_again", proved)
+            .with("refused", &refused)
+            .text(&format!("{proved} of {} certificates proved again{rest}\n", again.len()))
+            .print(self.json)?;
+        Failure::check_none(refused)
     }
 }

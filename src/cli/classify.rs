@@ -17,13 +17,9 @@ use crate::cli::failure::Failure;
 use crate::cli::options::{Arguments, SliderOptions, ThresholdOption};
 use crate::cli::points::{self, RowsOptions};
 use crate::cli::progress::Progress;
-use crate::cli::terminal;
-use box_view::BoxView;
-use derived::ClassifyPoints;
 use grid::GridOptions;
 use rows::ClassifyRows;
 use sample::SampleOptions;
-use view::PointView;
 
 /// Options of `classify`.
 #[derive(Debug, Args)]
@@ -78,11 +74,10 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     if is_box {
         let region = options.slider.region(None, &mut arguments);
         let sample = options.sample.read(&mut arguments);
-        let view = threshold
+        let answer = threshold
             .zip(region)
-            .and_then(|(threshold, region)| BoxView::new(region, &threshold, sample.as_ref()));
-        let view = arguments.finish(view)?;
-        return if options.json { terminal::print_json(&view.json()) } else { terminal::print(&view.text()) };
+            .and_then(|(threshold, region)| box_view::answer(&region, &threshold, sample.as_ref()));
+        return arguments.finish(answer)?.print(options.json);
     }
     if options.grid.is_given() {
         let request = options.grid.read(&options.slider, options.rows.output(), options.json, &mut arguments);
@@ -92,10 +87,9 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     let Some(points) = &options.points else {
         let parameters = options.slider.parameters(&mut arguments);
         let (parameters, threshold) = arguments.finish(parameters.zip(threshold))?;
-        let view = PointView::new(&parameters, &threshold);
-        return if options.json { terminal::print_json(&view.json()) } else { terminal::print(&view.text()) };
+        return view::answer(&parameters, &threshold).print(options.json);
     };
     options.slider.refuse_beside_points(&mut arguments);
     let threshold = arguments.finish(threshold)?;
-    points::run(points, &options.rows, ClassifyPoints(ClassifyRows { threshold }), *progress)
+    points::run(points, &options.rows, ClassifyRows::<true> { threshold }, *progress)
 }

@@ -12,7 +12,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use slipmode::scene::{AllowedRange, Problem, first_lines};
+use slipmode::scene::{AllowedRange, first_lines};
 use slipmode_core::number::nearest_f64;
 
 use crate::cli::environment::Environment;
@@ -79,14 +79,12 @@ pub fn run(options: &Options, progress: Progress) -> Result<(), Failure> {
     if let Some(folder) = folder {
         folder.commit(&page::files(&options.runs, &done, &environment)?)?;
     }
-    let takes_stdout = output.is_some() && options.writes_rows_to_stdout();
+    let takes_stdout = options.output.as_deref().is_some_and(is_stream);
     if let Some(output) = output {
         output.commit()?;
     }
-    if options.json {
-        terminal::print_json(&view::json(&done.kept, done.counts.faulty))?;
-    } else if !takes_stdout {
-        terminal::print(&view::text(&done.kept))?;
+    if options.json || !takes_stdout {
+        view::answer(&done.kept, done.counts.faulty).print(options.json)?;
     }
     let faults = done.faults.iter().map(ToString::to_string);
     first_lines(faults, |more| format!("and at least {more} more like these"))
@@ -97,19 +95,12 @@ pub fn run(options: &Options, progress: Progress) -> Result<(), Failure> {
 }
 
 impl Options {
-    fn writes_rows_to_stdout(&self) -> bool {
-        self.output.as_deref().is_some_and(is_stream)
-    }
-
     fn command(&self) -> Result<CompareRows, Failure> {
         let mut arguments = Arguments::default();
         let law = self.law.as_ref().and_then(|word| arguments.number("--law", word, law_of_word));
         let range = AllowedRange::RUN_TOLERANCE;
         let tolerance = arguments.number("--tolerance", &self.tolerance, |text| range.parse(text));
-        if self.json && self.writes_rows_to_stdout() {
-            let file = Problem::Needs("a file: standard output has the object".into());
-            arguments.fault::<()>("--output", Some("-"), file);
-        }
+        arguments.refuse_stream("--output", self.output.as_deref().filter(|_| self.json), "the object");
         let tolerance = arguments.finish(tolerance)?;
         // Standard input has no folder: trajectories are looked for in the current one.
         let folder = self.runs.parent().filter(|folder| !folder.as_os_str().is_empty());

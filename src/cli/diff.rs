@@ -6,11 +6,11 @@ use clap::Args;
 use serde_json::json;
 use slipmode::archive::{REPORT_FOLDER, ledger_differences};
 
+use crate::cli::answer::Answer;
 use crate::cli::failure::Failure;
 use crate::cli::input::read_file_up_to;
-use crate::cli::inputs::SCHEMA;
 use crate::cli::replay::open;
-use crate::cli::terminal;
+use crate::cli::terminal::count_of;
 
 /// The most bytes that are read of a ledger.
 const MOST_LEDGER_BYTES: u64 = 1 << 26;
@@ -38,17 +38,15 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let (one, other) = (options.first.display(), options.second.display());
     let differences = ledger_differences(&first, &second, |old, new| old == new)
         .map_err(|fault| Failure::Refused(format!("{one}, {other}: {fault}")))?;
-    if options.json {
-        let inputs = json!({ "first": options.first, "second": options.second });
-        terminal::print_json(&json!({ "schema": SCHEMA, "inputs": inputs, "differences": differences }))?;
-    } else {
-        let lines: String = differences.iter().map(|line| format!("{line}\n")).collect();
-        terminal::print(if differences.is_empty() { "no differences\n" } else { &lines })?;
-    }
+    let lines: String = differences.iter().map(|line| format!("{line}\n")).collect();
+    Answer::to(json!({ "first": options.first, "second": options.second }))
+        .with("differences", &differences)
+        .text(if differences.is_empty() { "no differences\n" } else { &lines })
+        .print(options.json)?;
     if differences.is_empty() {
         return Ok(());
     }
-    Err(Failure::Check(terminal::count_of(differences.len(), "difference")))
+    Err(Failure::Check(count_of(differences.len(), "difference")))
 }
 
 /// The ledger's bytes: of the file itself, or out of the archive that it is.

@@ -4,21 +4,21 @@ use slipmode_core::friction::{OperatingPoint, Slider};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 use slipmode::archive::sha256_hex;
 use slipmode::experiments::Scene;
 use slipmode::explorer::{Families, NamedPoint, Window, explorer};
 use slipmode::report::{ExplorerPage, PAGE_BUDGET_BYTES, render_explorer};
-use slipmode::scene::{Limits, ParametersSection, Quantity};
+use slipmode::scene::{Limits, LogAxis, ParametersSection, Quantity};
 use slipmode_core::number::{Rational, nearest_f64};
 
+use crate::cli::answer::Answer;
 use crate::cli::failure::Failure;
 use crate::cli::input::read_small_file;
-use crate::cli::inputs::{SCHEMA, quantities_json, slider_json};
+use crate::cli::inputs::slider_json;
 use crate::cli::new::Ranges;
 use crate::cli::options::{Arguments, operating_point};
 use crate::cli::output::{Output, is_stream};
-use crate::cli::terminal;
 
 /// Options of `explore`.
 #[derive(Debug, Args)]
@@ -50,12 +50,11 @@ const MOST_POINTS: usize = 8;
 pub fn run(options: &Options) -> Result<(), Failure> {
     let mut arguments = Arguments::default();
     let own = options.point(&mut arguments);
-    let stream = options.output.as_deref().filter(|place| options.json && is_stream(place)).map(|_| "-");
-    arguments.refuse_value("--output", stream, "a file: standard output has the object");
+    arguments.refuse_stream("--output", options.output.as_deref().filter(|_| options.json), "the object");
     let own = arguments.finish(own)?;
     let bytes = read_small_file(&options.scene).map_err(|fault| Failure::Input(vec![fault]))?;
     let scene = Scene::parse(&options.scene.display().to_string(), &bytes, &Limits::default())?;
-    let refused = |why: &str| Failure::Refused(format!("{}: {why}", options.scene.display()));
+    let refused = |why: &str| Failure::place(&options.scene, why);
     let parameters = scene.parameters.as_ref().ok_or_else(|| refused("has no [parameters] to explore"))?;
     let own_point = own.clone().or_else(|| parameters.point());
     let window = window(&scene, &parameters.slider, own_point.as_ref()).map_err(|why| refused(&why))?;
@@ -65,11 +64,9 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     if parameters.error_bars.is_some() {
         marks += " The bands and the slip modes hold for all values within the scene's error bars, the lines and numbers for the middle values.";
     }
-    let followed = points.iter().map(|point| {
-        let values = point_json(&point.normal_stress_pa, &point.loading_velocity_m_per_s);
-        (point.name.clone(), values)
+    let followed = points.iter().fold(Answer::default(), |followed, point| {
+        followed.with(&point.name, point_json(&point.normal_stress_pa, &point.loading_velocity_m_per_s))
     });
-    let followed: Map<String, Value> = followed.collect();
     let families =
         Families::of(&parameters.slider, parameters.error_bars.as_ref(), points, &scene.threshold());
     let file = options.scene.file_name().unwrap_or_default().to_string_lossy().into_owned();
@@ -84,29 +81,25 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let html = render_explorer(&explorer(&families, window), &page)
         .map_err(|error| Failure::machine("the page cannot be made", &error))?;
     if html.len() > PAGE_BUDGET_BYTES {
-        return Err(refused(&format!(
-            "its page would have {} bytes (allowed: {PAGE_BUDGET_BYTES})",
-            html.len()
-        )));
+        let bytes = html.len();
+        return Err(refused(&format!("its page would have {bytes} bytes (allowed: {PAGE_BUDGET_BYTES})")));
     }
     output.finish(html)?;
-    if options.json {
-        let own = own.map(|point| point_json(&point.normal_stress_pa, &point.loading_velocity_m_per_s));
-        return terminal::print_json(&json!({
-            "schema": SCHEMA,
-            "inputs": { "scene": options.scene, "operating_point": own },
-            "scene_sha256": page.digest,
-            "slider": slider_json(&parameters.slider),
-            "points": followed,
-            "output": place,
-        }));
-    }
-    if is_stream(&place) { Ok(()) } else { terminal::print(&format!("{}\n", place.display())) }
+    let own = own.map(|point| point_json(&point.normal_stress_pa, &point.loading_velocity_m_per_s));
+    let line = if is_stream(&place) { String::new() } else { format!("{}\n", place.display()) };
+    Answer::to(json!({ "scene": options.scene, "operating_point": own }))
+        .with("scene_sha256", page.digest)
+        .with("slider", slider_json(&parameters.slider))
+        .part("points", followed)
+        .with("output", &place)
+        .text(&line)
+        .print(options.json)
 }
 
 /// σ and V0 under their names.
 fn point_json(stress: &Rational, velocity: &Rational) -> Value {
-    quantities_json([(Quantity::NormalStress, stress), (Quantity::LoadingVelocity, velocity)].into_iter())
+    let [stress, velocity] = [stress, velocity].map(nearest_f64);
+    json!({ Quantity::NormalStress.key(): stress, Quantity::LoadingVelocity.key(): velocity })
 }
 
 /// The file to write: inside a folder that is named, it has the scene's name.
@@ -140,15 +133,16 @@ fn window(
     slider: &Slider<Rational>,
     own: Option<&OperatingPoint<Rational>>,
 ) -> Result<Window, String> {
-    let ends = |from: &Rational, to: &Rational| (nearest_f64(from), nearest_f64(to));
+    let axis = |axis: &LogAxis, own: Option<&Rational>| {
+        let ends = (nearest_f64(&axis.from), nearest_f64(&axis.to));
+        own.map_or(ends, |own| including(ends, own))
+    };
     let map = scene.map.as_ref().map(|map| &map.rectangle);
     if let Some(rectangle) = map.or(scene.zones.as_ref().map(|zones| &zones.rectangle)) {
-        let (velocity, stress) = (&rectangle.loading_velocity_m_per_s, &rectangle.normal_stress_pa);
-        let (velocity, stress) = (ends(&velocity.from, &velocity.to), ends(&stress.from, &stress.to));
-        let Some(own) = own else { return Ok(Window { velocity, stress }) };
+        let velocity = own.map(|own| &own.loading_velocity_m_per_s);
         return Ok(Window {
-            velocity: including(velocity, &own.loading_velocity_m_per_s),
-            stress: including(stress, &own.normal_stress_pa),
+            velocity: axis(&rectangle.loading_velocity_m_per_s, velocity),
+            stress: axis(&rectangle.normal_stress_pa, own.map(|own| &own.normal_stress_pa)),
         });
     }
     let ranges = Ranges::around(slider)?.showing(own);
@@ -168,30 +162,15 @@ fn points(
     own: Option<&OperatingPoint<Rational>>,
     window: Window,
 ) -> (Vec<NamedPoint>, String) {
-    let mut points = Vec::new();
-    if let Some(point) = own.cloned() {
-        points.push(NamedPoint {
-            name: "operating point".into(),
-            normal_stress_pa: point.normal_stress_pa,
-            loading_velocity_m_per_s: point.loading_velocity_m_per_s,
-            has_error_bars: false,
-        });
-    }
-    if let Some(point) = parameters.point() {
-        points.push(NamedPoint {
-            name: "scene".into(),
-            normal_stress_pa: point.normal_stress_pa,
-            loading_velocity_m_per_s: point.loading_velocity_m_per_s,
-            has_error_bars: true,
-        });
-    }
-    let named = scene.trajectories.iter().flat_map(|section| &section.points);
-    points.extend(named.map(|point| NamedPoint {
-        name: point.id.clone(),
-        normal_stress_pa: point.normal_stress_pa.clone(),
-        loading_velocity_m_per_s: point.loading_velocity_m_per_s.clone(),
-        has_error_bars: false,
-    }));
+    let own_point = own.map(|own| named("operating point", own.clone(), false));
+    let of_the_scene = parameters.point().map(|point| named("scene", point, true));
+    let trajectories = scene.trajectories.iter().flat_map(|section| &section.points).map(|point| {
+        let (stress, velocity) = (point.normal_stress_pa.clone(), point.loading_velocity_m_per_s.clone());
+        let point_of_operation =
+            OperatingPoint { normal_stress_pa: stress, loading_velocity_m_per_s: velocity };
+        named(&point.id, point_of_operation, false)
+    });
+    let mut points: Vec<_> = own_point.into_iter().chain(of_the_scene).chain(trajectories).collect();
     let stated = points.len();
     points.truncate(MOST_POINTS);
     let words = match stated {
@@ -216,10 +195,11 @@ fn middle(window: Window) -> NamedPoint {
         let decade = (libm::log10(low) + libm::log10(high)) / 2.0;
         Rational::from_f64(libm::exp10(decade)).unwrap_or_default()
     };
-    NamedPoint {
-        name: "middle".into(),
-        normal_stress_pa: middle(window.stress),
-        loading_velocity_m_per_s: middle(window.velocity),
-        has_error_bars: false,
-    }
+    let (normal_stress_pa, loading_velocity_m_per_s) = (middle(window.stress), middle(window.velocity));
+    named("middle", OperatingPoint { normal_stress_pa, loading_velocity_m_per_s }, false)
+}
+
+fn named(name: &str, point: OperatingPoint<Rational>, has_error_bars: bool) -> NamedPoint {
+    let OperatingPoint { normal_stress_pa, loading_velocity_m_per_s } = point;
+    NamedPoint { name: name.into(), normal_stress_pa, loading_velocity_m_per_s, has_error_bars }
 }

@@ -53,6 +53,15 @@ impl Failure {
         }
     }
 
+    /// Fails with the first of these lines; succeeds where there is none.
+    ///
+    /// # Errors
+    /// When there is a line.
+    pub fn check_none(lines: impl IntoIterator<Item = String>) -> Result<(), Self> {
+        let lines = first_lines(lines, |more| format!("and {more} more; --json lists all"));
+        if lines.is_empty() { Ok(()) } else { Err(Self::Check(lines.join("\n"))) }
+    }
+
     /// The exit code of the process.
     pub fn exit_code(&self) -> u8 {
         match self {

@@ -8,12 +8,12 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use slipmode::archive::{Files, sha256_hex};
-use slipmode::claims::{procedures, row_faults};
+use slipmode::claims::{equation_faults, procedures, row_faults};
 use slipmode::experiments::{References, Scene, check_distinct_scene_names};
 use slipmode::report::{Folder, InputView, formula_faults};
 use slipmode::scene::{
-    ClaimEntry, Fault, Faults, Limits, Problem, ReportPlan, file_text, join_proofs, paper_faults,
-    read_claims, read_equations, read_equations_partly, read_proofs,
+    Fault, Faults, Limits, Problem, ReportPlan, file_text, join_proofs, read_claims, read_equations,
+    read_equations_partly, read_proofs,
 };
 use slipmode_core::theory::Equations;
 use slipmode_core::theory::stated_proofs::StatedProofs;
@@ -98,10 +98,8 @@ pub fn read_report_from(source: Source, limits: Limits) -> Result<(Folder, Files
     let equations = equations.map(|equations| equations.with_proofs(proofs.unwrap_or_default()));
     let sound = equations.as_ref().filter(|_| faults.is_empty() && has_proofs);
     let claims = reader.read("claims.toml", |file, bytes, _| read_claims(file, bytes, &procedures(), sound));
-    if let (Some(equations), Some(claims)) = (&equations, &claims)
-        && claims.iter().any(ClaimEntry::has_check)
-    {
-        faults.extend(paper_faults(&reader.name("equations.toml"), equations, &faults));
+    if let (Some(equations), Some(claims)) = (sound, &claims) {
+        faults.extend(equation_faults(&reader.name("claims.toml"), claims, equations));
     }
     reader.faults.extend(faults);
     let of_rows =

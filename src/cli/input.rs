@@ -117,6 +117,11 @@ pub fn unreadable(path: &Path, error: &io::Error) -> Fault {
     fault_of(path, Problem::Unreadable(error.to_string()))
 }
 
+/// Names a section that a scene needs and lacks.
+pub fn lacks(path: &Path, section: &str, allowed: &str) -> Fault {
+    Fault { key: section.into(), ..fault_of(path, Problem::Missing { allowed: allowed.into() }) }
+}
+
 /// A fault of a whole file.
 pub fn fault_of(path: &Path, problem: Problem) -> Fault {
     Fault { file: path.display().to_string(), line: None, key: String::new(), value: None, problem }

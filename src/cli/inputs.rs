@@ -7,57 +7,60 @@ use slipmode_core::number::format::exact_text;
 use slipmode_core::number::{Rational, nearest_f64};
 use slipmode_core::stability::ParameterBox;
 
+use crate::cli::answer::Answer;
 use crate::cli::options::SliderOptions;
-
-/// The version of the JSON objects.
-pub const SCHEMA: u32 = 1;
 
 /// The seven values under their names; each is the 64-bit number nearest to the exact value.
 pub fn inputs_json(parameters: &Parameters<Rational>) -> Value {
-    let values: [Rational; 7] = parameters.clone().into();
-    quantities_json(Quantity::ALL.into_iter().zip(&values))
+    quantities_json(exact_values(parameters, None))
 }
 
 /// The ends of the seven error bars under their names, but for those that are not given.
 pub fn ranges_json(region: &ParameterBox, without: &[Quantity]) -> Value {
     let [lower, upper]: [[Rational; 7]; 2] = [region.lower().into(), region.upper().into()];
-    let ends = Quantity::ALL
-        .into_iter()
-        .zip(lower.iter().zip(&upper))
-        .filter(|(quantity, _)| !without.contains(quantity));
-    let range = |(lower, upper)| json!([nearest_f64(lower), nearest_f64(upper)]);
-    ends.map(|(quantity, ends)| (quantity.key().to_string(), range(ends))).collect::<Map<_, _>>().into()
+    let ends = Quantity::ALL.into_iter().zip(lower.iter().zip(&upper));
+    let given = ends.filter(|(quantity, _)| !without.contains(quantity));
+    object(
+        given.map(|(quantity, (lower, upper))| (quantity, json!([nearest_f64(lower), nearest_f64(upper)]))),
+    )
 }
 
-/// The exact values of a point under their names, as decimals or fractions, but for one that plays no part.
-pub fn exact_json(parameters: &Parameters<Rational>, without: Option<Quantity>) -> Value {
+/// The exact values of a point, but for one that plays no part.
+pub fn exact_values(
+    parameters: &Parameters<Rational>,
+    without: Option<Quantity>,
+) -> impl Iterator<Item = (Quantity, Rational)> {
     let values: [Rational; 7] = parameters.clone().into();
-    let pairs = Quantity::ALL.into_iter().zip(&values).filter(|(quantity, _)| Some(*quantity) != without);
-    pairs
-        .map(|(quantity, value)| (quantity.key().to_string(), json!(exact_text(value))))
-        .collect::<Map<_, _>>()
-        .into()
+    Quantity::ALL.into_iter().zip(values).filter(move |(quantity, _)| Some(*quantity) != without)
+}
+
+/// [`exact_values`] under their names, as decimals or fractions.
+pub fn exact_json(parameters: &Parameters<Rational>, without: Option<Quantity>) -> Value {
+    object(exact_values(parameters, without).map(|(quantity, value)| (quantity, json!(exact_text(&value)))))
 }
 
 /// The five values of the material and the machine.
 pub fn slider_json(slider: &Slider<Rational>) -> Value {
     let values: [Rational; 5] = slider.clone().into();
-    quantities_json(Quantity::OF_THE_SLIDER.into_iter().zip(&values))
+    quantities_json(Quantity::OF_THE_SLIDER.into_iter().zip(values))
 }
 
 /// The numbers that were given, valid, under their names: a value, or the ends of its error bar.
-pub fn given_json(slider: &SliderOptions) -> Map<String, Value> {
+pub fn given_json(slider: &SliderOptions) -> Answer {
     let given = |quantity: Quantity| {
         let ends = Uncertain::parse(slider.text(quantity)?, |number| quantity.parse(number)).ok()?;
         let [lower, upper] = [&ends.lower, &ends.upper].map(nearest_f64);
-        let value = if ends.is_certain() { json!(lower) } else { json!([lower, upper]) };
-        Some((quantity.key().to_string(), value))
+        Some((quantity, if ends.is_certain() { json!(lower) } else { json!([lower, upper]) }))
     };
-    Quantity::ALL.into_iter().filter_map(given).collect()
+    let given = Quantity::ALL.into_iter().filter_map(given);
+    given.fold(Answer::default(), |answer, (quantity, value)| answer.with(quantity.key(), value))
 }
 
 /// Values under their names.
-pub fn quantities_json<'v>(values: impl Iterator<Item = (Quantity, &'v Rational)>) -> Value {
-    let number = |value: &Rational| json!(nearest_f64(value));
-    values.map(|(quantity, value)| (quantity.key().to_string(), number(value))).collect::<Map<_, _>>().into()
+pub fn quantities_json(values: impl Iterator<Item = (Quantity, Rational)>) -> Value {
+    object(values.map(|(quantity, value)| (quantity, json!(nearest_f64(&value)))))
+}
+
+fn object(values: impl Iterator<Item = (Quantity, Value)>) -> Value {
+    values.map(|(quantity, value)| (quantity.key().to_string(), value)).collect::<Map<_, _>>().into()
 }

@@ -7,18 +7,17 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use serde_json::{Value, json};
+use serde_json::json;
 use slipmode::sweep::{Shard, array_string};
 
+use crate::cli::answer::Answer;
 use crate::cli::failure::Failure;
-use crate::cli::inputs::SCHEMA;
 use crate::cli::options::Arguments;
-use crate::cli::output::{Output, is_stream};
+use crate::cli::output::Output;
 use crate::cli::sweep::MOST_SHARDS;
 use crate::cli::sweep::block_file::{
     Contents, Heading, OpenBlock, Origin, Unsound, block_name, block_of_name,
 };
-use crate::cli::terminal;
 use whole::Whole;
 
 /// Options of `merge`.
@@ -50,8 +49,8 @@ const MOST_FAULTS: usize = 20;
 pub fn run(options: &Options) -> Result<(), Failure> {
     let mut arguments = Arguments::default();
     let shards = arguments.whole("--shards", options.shards.as_deref(), 1..=MOST_SHARDS);
-    let stream = options.json && !options.missing && is_stream(&options.output);
-    arguments.refuse_value("--output", stream.then_some("-"), "a file: standard output has the object");
+    let rows = Some(options.output.as_path()).filter(|_| options.json && !options.missing);
+    arguments.refuse_stream("--output", rows, "the object");
     let shards = arguments.finish(Some(shards))?;
     let folder = Folder::read(&options.folder)?;
     let shards = shards.unwrap_or(folder.origin.blocks);
@@ -61,21 +60,19 @@ pub fn run(options: &Options) -> Result<(), Failure> {
             return Err(refusal);
         }
         let missing: BTreeSet<u64> = found.missing.union(&found.damaged_shards).copied().collect();
-        if options.json {
-            return terminal::print_json(&options.json(&folder, shards, &missing));
-        }
-        let missing = array_string(missing);
-        return terminal::print(&if missing.is_empty() { missing } else { format!("{missing}\n") });
+        let line = array_string(missing.clone());
+        let line = if line.is_empty() { line } else { format!("{line}\n") };
+        return options.answer(&folder, shards, &missing).text(&line).print(options.json);
     }
     let whole = Whole::of(folder.origin.content, Output::create(&options.output)?);
     let (found, whole) = folder.join(shards, whole)?;
     if let Some(refusal) = refusal(&[found.foreign, found.damaged].concat()) {
         return Err(refusal);
     }
-    let object = options.json.then(|| options.json(&folder, shards, &found.missing));
-    let print_object = || object.iter().try_for_each(terminal::print_json);
+    // Without --json nothing is printed: standard output may have the rows.
+    let answer = options.answer(&folder, shards, &found.missing);
     if !found.missing.is_empty() {
-        print_object()?;
+        answer.print(options.json)?;
         let missing = array_string(found.missing);
         return Err(Failure::Check(format!(
             "{}: {} of {} blocks are missing; the shards to run, of {shards}: {missing}",
@@ -85,21 +82,18 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         )));
     }
     whole.commit()?;
-    print_object()
+    answer.print(options.json)
 }
 
 impl Options {
-    /// One object: the sweep, and the shards that are to run.
-    fn json(&self, folder: &Folder<'_>, shards: u64, missing: &BTreeSet<u64>) -> Value {
-        json!({
-            "schema": SCHEMA,
-            "inputs": { "folder": self.folder, "shards": shards },
-            "version": folder.origin.version,
-            "scene_sha256": folder.origin.scene,
-            "blocks": folder.origin.blocks,
-            "missing_shards": missing,
-            "output": (!self.missing && missing.is_empty()).then_some(&self.output),
-        })
+    /// States the sweep, and the shards that are to run.
+    fn answer(&self, folder: &Folder<'_>, shards: u64, missing: &BTreeSet<u64>) -> Answer {
+        Answer::to(json!({ "folder": self.folder, "shards": shards }))
+            .with("version", &folder.origin.version)
+            .with("scene_sha256", &folder.origin.scene)
+            .with("blocks", folder.origin.blocks)
+            .with("missing_shards", missing)
+            .with("output", (!self.missing && missing.is_empty()).then_some(&self.output))
     }
 }
 

@@ -3,6 +3,7 @@
 // These macros panic where standard output or standard error cannot be written.
 #![deny(clippy::print_stdout, clippy::print_stderr)]
 
+mod answer;
 mod archive;
 mod boundary;
 mod capture;

@@ -12,16 +12,15 @@ use slipmode_core::number::Rational;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use serde_json::{Map, Value, json};
 use slipmode::scene::{Limits, Problem, Quantity, check_name};
 
+use crate::cli::answer::Answer;
 use crate::cli::failure::Failure;
 use crate::cli::folder::{Source, read_report_from};
-use crate::cli::inputs::{SCHEMA, given_json};
-use crate::cli::options::{Arguments, MaterialOptions, SliderOptions};
+use crate::cli::inputs::given_json;
+use crate::cli::options::{Arguments, MATERIAL, SliderOptions};
 use crate::cli::output::OutputFolder;
 use crate::cli::progress::Progress;
-use crate::cli::terminal;
 use crate::cli::tree::{Files, listing};
 
 use files::folder_files;
@@ -37,7 +36,7 @@ pub struct Options {
     #[command(flatten)]
     slider: SliderOptions,
     /// A folder for the claims of another paper instead: its equations and its claims, with one example of each
-    #[arg(long, conflicts_with_all = ["MaterialOptions", "SliderOptions"])]
+    #[arg(long, conflicts_with = MATERIAL)]
     paper: bool,
     /// The folder to write; it must not exist [default: NAME]
     #[arg(short, long, value_name = "DIR")]
@@ -72,7 +71,7 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
         arguments.finish(Some(()))?;
         let place = free_place(options)?;
         let written = OutputFolder::create(&place)?;
-        return options.write(written, &paper::files(&options.name), "verify", &place, Map::new());
+        return options.write(written, &paper::files(&options.name), "verify", &place, Answer::default());
     }
     let Request { typed, parameters, point } = read(options)?;
     let place = free_place(options)?;
@@ -103,22 +102,16 @@ impl Options {
         files: &Files,
         next: &str,
         place: &Path,
-        mut inputs: Map<String, Value>,
+        inputs: Answer,
     ) -> Result<(), Failure> {
         output.commit(files)?;
         let next = format!("slipmode {next} {}", place.display());
-        if self.json {
-            inputs.insert("name".into(), json!(self.name));
-            inputs.insert("paper".into(), json!(self.paper));
-            return terminal::print_json(&json!({
-                "schema": SCHEMA,
-                "inputs": inputs,
-                "output": place,
-                "files": files.keys().collect::<Vec<_>>(),
-                "next": next,
-            }));
-        }
-        terminal::print(&format!("{}next: {next}\n", listing(files, place)))
+        Answer::to(inputs.with("name", &self.name).with("paper", self.paper).json())
+            .with("output", place)
+            .with("files", files.keys().collect::<Vec<_>>())
+            .text(&format!("{}next: {next}\n", listing(files, place)))
+            .with("next", &next)
+            .print(self.json)
     }
 }
 
@@ -154,22 +147,11 @@ fn read(options: &Options) -> Result<Request, Failure> {
     };
     let given = Quantity::OF_THE_SLIDER.map(|quantity| centre.text(quantity));
     let is_example = given.iter().all(Option::is_none);
-    let [a, b, d, k, m] = if is_example { PAPER.map(Some) } else { given };
-    let own = |text: Option<&str>| text.map(str::to_string);
-    let material = MaterialOptions {
-        direct_effect: own(a),
-        evolution_effect: own(b),
-        critical_slip_distance_m: own(d),
-        stiffness_pa_per_m: own(k),
-        mass_per_area_kg_per_m2: own(m),
-    };
-    let parameters = material.slider(&mut arguments);
+    let or_example = |slider: SliderOptions| if is_example { slider.with_material(PAPER) } else { slider };
+    let (centre, slider) = (or_example(centre), or_example(options.slider.clone()));
+    let parameters = centre.slider(&mut arguments);
     let point = centre.point(&mut arguments);
     let (parameters, point) = arguments.finish(parameters.zip(point))?;
-    let mut slider = options.slider.clone();
-    if is_example {
-        slider.material = material;
-    }
     let typed = Typed { name: options.name.clone(), slider, is_example };
     Ok(Request { typed, parameters, point })
 }

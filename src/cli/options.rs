@@ -1,8 +1,10 @@
 //! Options that commands share, and the reading of their values: exact, checked, all faults at once.
 
+use slipmode::scene::cited;
 use std::ops::RangeInclusive;
+use std::path::Path;
 
-use clap::Args;
+use clap::{Arg, ArgGroup, ArgMatches, Args, Command};
 
 use slipmode::scene::{AllowedRange, Fault, Faults, Problem, Quantity, Uncertain, parse_whole};
 use slipmode_core::friction::{OperatingPoint, Parameters, Slider};
@@ -11,140 +13,152 @@ use slipmode_core::number::{Rational, nearest_f64};
 use slipmode_core::stability::{InertialThreshold, ParameterBox, is_allowed_over_box};
 
 use crate::cli::failure::Failure;
+use crate::cli::output::is_stream;
 use crate::cli::terminal;
 use crate::cli::unit_warnings::unit_warnings;
 
-/// The five arguments that are the material and the machine, in SI or with a unit; decimals are taken exactly as written.
-#[derive(Debug, Clone, Args)]
-#[command(
-    next_help_heading = "Slider (SI, or with a unit: 8um, 2MPa/mm, 12kg/50cm2; decimals are exact: 0.004 is 1/250)"
-)]
-pub struct MaterialOptions {
-    /// a of eq 1
-    #[arg(short = 'a', long, value_name = "A", allow_hyphen_values = true)]
-    pub direct_effect: Option<String>,
-    /// b of eq 1
-    #[arg(short = 'b', long, value_name = "B", allow_hyphen_values = true)]
-    pub evolution_effect: Option<String>,
-    /// D_c
-    #[arg(short = 'd', long, value_name = "D", allow_hyphen_values = true)]
-    pub critical_slip_distance_m: Option<String>,
-    /// K, shear stress per slip
-    #[arg(short = 'k', long, value_name = "K", allow_hyphen_values = true)]
-    pub stiffness_pa_per_m: Option<String>,
-    /// M
-    #[arg(short = 'm', long, value_name = "M", allow_hyphen_values = true)]
-    pub mass_per_area_kg_per_m2: Option<String>,
+/// Physical arguments, in SI or with a unit: the first `N` of [`Quantity::ALL`]; decimals are taken exactly as written.
+#[derive(Debug, Clone)]
+pub struct QuantityOptions<const N: usize>([Option<String>; N]);
+
+/// The five arguments that are the material and the machine.
+pub type MaterialOptions = QuantityOptions<5>;
+/// All seven arguments.
+pub type SliderOptions = QuantityOptions<7>;
+
+/// The group of the arguments that are the material and the machine.
+pub const MATERIAL: &str = "material";
+
+const HEADING: &str =
+    "Slider (SI, or with a unit: 8um, 2MPa/mm, 12kg/50cm2; decimals are exact: 0.004 is 1/250)";
+
+/// Letter, name, name of the value and meaning of each argument.
+const ARGUMENTS: [(char, &str, &str, &str); 7] = [
+    ('a', "direct-effect", "A", "a of {friction}"),
+    ('b', "evolution-effect", "B", "b of {friction}"),
+    ('d', "critical-slip-distance-m", "D", "D_c"),
+    ('k', "stiffness-pa-per-m", "K", "K, shear stress per slip"),
+    ('m', "mass-per-area-kg-per-m2", "M", "M"),
+    ('s', "normal-stress-pa", "S", "σ"),
+    ('v', "loading-velocity-m-per-s", "V", "V0"),
+];
+
+impl<const N: usize> clap::FromArgMatches for QuantityOptions<N> {
+    fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
+        let text = |index: usize| matches.get_one::<String>(ARGUMENTS[index].1).cloned();
+        Ok(Self(std::array::from_fn(text)))
+    }
+
+    fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {
+        *self = Self::from_arg_matches(matches)?;
+        Ok(())
+    }
 }
 
-impl MaterialOptions {
-    /// The text given for a quantity; none for those of a point of operation.
+impl<const N: usize> Args for QuantityOptions<N> {
+    fn augment_args(command: Command) -> Command {
+        let argument = |(short, long, value, meaning)| {
+            Arg::new(long)
+                .short(short)
+                .long(long)
+                .value_name(value)
+                .help(cited(meaning))
+                .allow_hyphen_values(true)
+        };
+        let [material @ .., _, _] = ARGUMENTS.map(|(_, long, ..)| long);
+        command
+            .next_help_heading(HEADING)
+            .args(ARGUMENTS.into_iter().take(N).map(argument))
+            .group(ArgGroup::new(MATERIAL).multiple(true).args(material))
+    }
+
+    fn augment_args_for_update(command: Command) -> Command {
+        Self::augment_args(command)
+    }
+}
+
+impl<const N: usize> QuantityOptions<N> {
+    /// The text given for a quantity.
     pub fn text(&self, quantity: Quantity) -> Option<&str> {
-        match quantity {
-            Quantity::DirectEffect => self.direct_effect.as_deref(),
-            Quantity::EvolutionEffect => self.evolution_effect.as_deref(),
-            Quantity::CriticalSlipDistance => self.critical_slip_distance_m.as_deref(),
-            Quantity::Stiffness => self.stiffness_pa_per_m.as_deref(),
-            Quantity::MassPerArea => self.mass_per_area_kg_per_m2.as_deref(),
-            Quantity::NormalStress | Quantity::LoadingVelocity => None,
-        }
+        self.0.get(quantity as usize)?.as_deref()
+    }
+
+    /// The same with other texts for the material and the machine.
+    pub fn with_material(mut self, texts: [&str; 5]) -> Self {
+        self.0.iter_mut().zip(texts).for_each(|(text, given)| *text = Some(given.to_string()));
+        self
     }
 
     /// Whether a value has an error bar.
     pub fn is_uncertain(&self) -> bool {
-        Quantity::OF_THE_SLIDER
-            .into_iter()
-            .filter_map(|quantity| self.text(quantity))
-            .any(Uncertain::is_meant)
+        self.0.iter().flatten().any(|text| Uncertain::is_meant(text))
     }
 
-    /// All values within the error bars, and 1 for σ and V0; what is missing or faulty is collected in `arguments`.
-    pub fn region(&self, arguments: &mut Arguments) -> Option<ParameterBox> {
-        let unknown = [Quantity::NormalStress, Quantity::LoadingVelocity];
-        region(|quantity| self.text(quantity), &unknown, arguments)
-    }
-
-    /// All five values; what is missing or faulty is collected in `arguments`.
+    /// The five values of the material and the machine; what is missing or faulty is collected in `arguments`.
     pub fn slider(&self, arguments: &mut Arguments) -> Option<Slider<Rational>> {
-        let values = Quantity::ALL.map(|quantity| match quantity {
-            Quantity::NormalStress | Quantity::LoadingVelocity => None,
-            of_the_slider => required(of_the_slider, self.text(of_the_slider), arguments),
-        });
-        arguments.check_units(&values);
-        let [Some(a), Some(b), Some(d), Some(k), Some(m), ..] = values else { return None };
+        let is_of_the_slider = |quantity| Quantity::OF_THE_SLIDER.contains(&quantity);
+        let [Some(a), Some(b), Some(d), Some(k), Some(m), ..] = self.values(is_of_the_slider, arguments)
+        else {
+            return None;
+        };
         Some(Slider::from([a, b, d, k, m]))
     }
-}
 
-/// The seven physical arguments, in SI or with a unit; decimals are taken exactly as written.
-#[derive(Debug, Clone, Args)]
-#[command(
-    next_help_heading = "Slider (SI, or with a unit: 8um, 2MPa/mm, 12kg/50cm2; decimals are exact: 0.004 is 1/250)"
-)]
-pub struct SliderOptions {
-    #[command(flatten)]
-    pub material: MaterialOptions,
-    /// σ
-    #[arg(short = 's', long, value_name = "S", allow_hyphen_values = true)]
-    pub normal_stress_pa: Option<String>,
-    /// V0
-    #[arg(short = 'v', long, value_name = "V", allow_hyphen_values = true)]
-    pub loading_velocity_m_per_s: Option<String>,
+    /// The values of some quantities, each of which must be given.
+    fn values(&self, of: impl Fn(Quantity) -> bool, arguments: &mut Arguments) -> [Option<Rational>; 7] {
+        let values = Quantity::ALL.map(|quantity| match of(quantity) {
+            true => required(quantity, self.text(quantity), arguments),
+            false => None,
+        });
+        arguments.check_units(&values);
+        values
+    }
+
+    /// All values within the error bars, and 1 for the unknown and what is no argument; what is missing or faulty is collected in
+    /// `arguments`.
+    pub fn region(&self, unknown: Option<Quantity>, arguments: &mut Arguments) -> Option<ParameterBox> {
+        let is_known = |quantity: Quantity| (quantity as usize) < N && Some(quantity) != unknown;
+        let values = Quantity::ALL.map(|quantity| match is_known(quantity) {
+            true => uncertain(quantity, self.text(quantity), arguments),
+            false => Some(Uncertain { lower: Rational::from(1), upper: Rational::from(1) }),
+        });
+        let middle = |quantity: Quantity| {
+            values[quantity as usize].as_ref().filter(|_| is_known(quantity)).map(Uncertain::middle)
+        };
+        arguments.check_units(&Quantity::ALL.map(middle));
+        let [Some(a), Some(b), Some(d), Some(k), Some(m), Some(s), Some(v)] = values else { return None };
+        uncertain_box([a, b, d, k, m, s, v])
+    }
+
+    /// The same with the middle of each error bar in its place; none where one is at fault.
+    pub fn centre(&self, arguments: &mut Arguments) -> Option<Self> {
+        let mut centre = self.clone();
+        let mut is_sound = true;
+        for (quantity, text) in Quantity::ALL.into_iter().zip(&mut centre.0) {
+            if text.as_deref().is_some_and(Uncertain::is_meant) {
+                let ends = uncertain(quantity, text.as_deref(), arguments);
+                is_sound &= ends.is_some();
+                *text = ends.map(|ends| exact_text(&ends.middle()));
+            }
+        }
+        is_sound.then_some(centre)
+    }
 }
 
 impl SliderOptions {
-    /// The text given for a quantity.
-    pub fn text(&self, quantity: Quantity) -> Option<&str> {
-        match quantity {
-            Quantity::NormalStress => self.normal_stress_pa.as_deref(),
-            Quantity::LoadingVelocity => self.loading_velocity_m_per_s.as_deref(),
-            of_the_material => self.material.text(of_the_material),
-        }
-    }
-
     /// All seven values; what is missing or faulty is collected in `arguments`.
     pub fn parameters(&self, arguments: &mut Arguments) -> Option<Parameters<Rational>> {
-        let values = Quantity::ALL.map(|quantity| self.required(quantity, arguments));
-        arguments.check_units(&values);
-        let [Some(a), Some(b), Some(d), Some(k), Some(m), Some(s), Some(v)] = values else { return None };
+        let [Some(a), Some(b), Some(d), Some(k), Some(m), Some(s), Some(v)] =
+            self.values(|_| true, arguments)
+        else {
+            return None;
+        };
         Some(Parameters::from([a, b, d, k, m, s, v]))
     }
 
     /// σ and V0, as [`operating_point`].
     pub fn point(&self, arguments: &mut Arguments) -> Option<Option<OperatingPoint<Rational>>> {
-        let [stress, velocity] = [&self.normal_stress_pa, &self.loading_velocity_m_per_s];
-        operating_point(stress.as_deref(), velocity.as_deref(), arguments)
-    }
-
-    /// Whether a value has an error bar.
-    pub fn is_uncertain(&self) -> bool {
-        Quantity::ALL.into_iter().filter_map(|quantity| self.text(quantity)).any(Uncertain::is_meant)
-    }
-
-    /// All values within the error bars, and 1 for the unknown; what is missing or faulty is collected in `arguments`.
-    pub fn region(&self, unknown: Option<Quantity>, arguments: &mut Arguments) -> Option<ParameterBox> {
-        region(|quantity| self.text(quantity), unknown.as_slice(), arguments)
-    }
-
-    /// The same with the middle of each error bar in its place; none where one is at fault.
-    pub fn centre(&self, arguments: &mut Arguments) -> Option<Self> {
-        let middle = |quantity: Quantity| {
-            let text = self.text(quantity);
-            let Some(given) = text.filter(|text| Uncertain::is_meant(text)) else {
-                return Some(text.map(str::to_string));
-            };
-            let ends = uncertain(quantity, Some(given), arguments)?;
-            Some(Some(exact_text(&ends.middle())))
-        };
-        let [a, b, d, k, m, s, v] = Quantity::ALL.map(middle);
-        let material = MaterialOptions {
-            direct_effect: a?,
-            evolution_effect: b?,
-            critical_slip_distance_m: d?,
-            stiffness_pa_per_m: k?,
-            mass_per_area_kg_per_m2: m?,
-        };
-        Some(Self { material, normal_stress_pa: s?, loading_velocity_m_per_s: v? })
+        operating_point(self.text(Quantity::NormalStress), self.text(Quantity::LoadingVelocity), arguments)
     }
 
     /// Notes every quantity that was given although a file's columns give the slider.
@@ -154,31 +168,6 @@ impl SliderOptions {
             arguments.refuse_value(&option_of(quantity), self.text(quantity), needs);
         }
     }
-
-    /// The value of one quantity that must be given.
-    pub fn required(&self, quantity: Quantity, arguments: &mut Arguments) -> Option<Rational> {
-        required(quantity, self.text(quantity), arguments)
-    }
-}
-
-/// All values within the error bars of texts, and 1 for what is unknown.
-fn region<'t>(
-    text: impl Fn(Quantity) -> Option<&'t str>,
-    unknown: &[Quantity],
-    arguments: &mut Arguments,
-) -> Option<ParameterBox> {
-    let values = Quantity::ALL.map(|quantity| {
-        if unknown.contains(&quantity) {
-            return Some(Uncertain { lower: Rational::from(1), upper: Rational::from(1) });
-        }
-        uncertain(quantity, text(quantity), arguments)
-    });
-    let middle = |quantity: Quantity| {
-        values[quantity as usize].as_ref().filter(|_| !unknown.contains(&quantity)).map(Uncertain::middle)
-    };
-    arguments.check_units(&Quantity::ALL.map(middle));
-    let [Some(a), Some(b), Some(d), Some(k), Some(m), Some(s), Some(v)] = values else { return None };
-    uncertain_box([a, b, d, k, m, s, v])
 }
 
 /// A value with or without an error bar, which must be given.
@@ -316,6 +305,12 @@ impl Arguments {
         if is_given {
             self.fault::<()>(option, None, Problem::Needs(needs.to_string()));
         }
+    }
+
+    /// Notes an output on standard output, where that has something else.
+    pub fn refuse_stream(&mut self, option: &str, place: Option<&Path>, else_there: &str) {
+        let stream = place.filter(|place| is_stream(place)).map(|_| "-");
+        self.refuse_value(option, stream, &format!("a file: standard output has {else_there}"));
     }
 
     /// Notes values of [`Quantity::ALL`] that look like another unit's, unless they were given with their unit.

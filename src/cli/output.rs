@@ -48,6 +48,14 @@ impl Output {
         Self::replace(place)
     }
 
+    /// Starts the files that are wanted of two.
+    ///
+    /// # Errors
+    /// As [`Self::create`].
+    pub fn create_both([first, second]: [Option<&Path>; 2]) -> Result<[Option<Self>; 2], Failure> {
+        Ok([first.map(Self::create).transpose()?, second.map(Self::create).transpose()?])
+    }
+
     /// Starts a file in a folder of the command's own, of which it may have read the earlier version.
     ///
     /// # Errors

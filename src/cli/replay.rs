@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use serde_json::json;
 use slipmode::archive::{
-    Budget, CODECHECK_FILE, Caps, Facts, Files, INPUT_FOLDER, Maker, Parts, ReleaseTime, Reproduction,
+    Budget, CODECHECK_FILE, Caps, Facts, Files, INPUT_FOLDER, Maker, ReleaseTime, Reproduction,
     digest_faults, reproduction, requests, unpack,
 };
 use slipmode::claims::Ledger;
@@ -17,16 +17,15 @@ use slipmode::scene::{AllowedRange, Limits, first_lines};
 use slipmode::theorems::{Published, archived};
 use slipmode_core::number::nearest_f64;
 
-use crate::cli::archive::{facts, machine_free};
+use crate::cli::answer::Answer;
+use crate::cli::archive::{facts, machine_free, parts};
 use crate::cli::claim::contradictions;
 use crate::cli::failure::Failure;
 use crate::cli::folder::{Source, read_report_from};
 use crate::cli::input::read_file_up_to;
-use crate::cli::inputs::SCHEMA;
 use crate::cli::options::Arguments;
 use crate::cli::progress::Progress;
-use crate::cli::report::{LimitOption, drift, summary, unrenderable, verdicts_json};
-use crate::cli::terminal;
+use crate::cli::report::{LimitOption, drift, unrenderable, verdicts};
 use watch::Watch;
 
 /// Options of `replay`.
@@ -88,27 +87,15 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     if options.strict {
         differences.extend(not_verified.iter().map(|line| format!("{line}: cannot be verified")));
     }
-    let open: Vec<String> = not_verified.iter().map(|line| format!("not verified: {line}\n")).collect();
-    if options.json {
-        terminal::print_json(&json!({
-            "schema": SCHEMA,
-            "inputs": { "archive": options.archive },
-            "verdicts": verdicts_json(&product.ledger),
-            "compared": replay.compared(),
-            "not_verified": not_verified,
-            "differences": differences,
-        }))?;
-    } else {
-        terminal::print(&format!("{}{}\n{}", summary(&product.ledger), replay.compared(), open.concat()))?;
-    }
-    if differences.is_empty() {
-        Ok(())
-    } else {
-        Err(Failure::Check(
-            first_lines(of_each_file(differences), |more| format!("and {more} more; --json lists all"))
-                .join("\n"),
-        ))
-    }
+    let open: String = not_verified.iter().map(|line| format!("not verified: {line}\n")).collect();
+    Answer::to(json!({ "archive": options.archive }))
+        .and(verdicts(&product.ledger))
+        .with("compared", replay.compared())
+        .with("not_verified", &not_verified)
+        .with("differences", &differences)
+        .text(&format!("{}\n{open}", replay.compared()))
+        .print(options.json)?;
+    Failure::check_none(of_each_file(differences))
 }
 
 /// The first line on each file or claim, then the others: a message that is cut short names all of them.
@@ -178,19 +165,9 @@ impl Replay<'_> {
         self.refuse(self.budget.faults(&requests))?;
         watch.name_requests(&requests);
         let product = recompute(&folder, &inside, progress)?;
-        let (name, title) = (&folder.plan.name, &folder.plan.title);
-        let (product_files, ledger) = (&product.files, &product.ledger);
-        let theorems = theorems(&folder, ledger)?;
-        let parts = Parts {
-            name,
-            title,
-            inputs: &read,
-            product: product_files,
-            ledger,
-            theorems: &theorems,
-            facts: self.facts,
-            codecheck: self.opened.files.contains_key(CODECHECK_FILE).then_some(&folder.plan.paper),
-        };
+        let theorems = theorems(&folder, &product.ledger)?;
+        let has_codecheck = self.opened.files.contains_key(CODECHECK_FILE);
+        let parts = parts(&folder, &read, &product, &theorems, self.facts, has_codecheck);
         let mut found = reproduction(&self.opened.container, &self.opened.files, &parts, &self.maker);
         found.differences.extend(contradictions(&product.ledger));
         found.differences.extend(drift(&product.ledger));

@@ -3,24 +3,24 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use serde_json::{Map, Value, json};
+use serde_json::json;
 use slipmode::claims::{Ledger, Verdict};
 use slipmode::report::{
     PAGE_BUDGET_BYTES, Product, ReportError, produce, produce_scene, without_environment,
 };
 use slipmode::scene::{Limits, Source, first_lines};
 
+use crate::cli::answer::Answer;
 use crate::cli::claim::{contradictions, print_warnings, refuse_contradictions, verify_claim};
 use crate::cli::environment::{ENVIRONMENT_FILE, Environment};
 use crate::cli::failure::Failure;
 use crate::cli::folder::{read_report, read_scene};
-use crate::cli::inputs::SCHEMA;
 use crate::cli::options::Arguments;
 use crate::cli::output::{Output, OutputFolder, note_input_folder};
 
 use crate::cli::planted_faults::verify_planted_faults;
 use crate::cli::progress::Progress;
-use crate::cli::terminal::{self, count_of};
+use crate::cli::terminal::count_of;
 use crate::cli::tree::{Files, differences, listing};
 
 /// The file name of a report's page.
@@ -107,13 +107,11 @@ pub fn run(options: &RunOptions, progress: &Progress) -> Result<(), Failure> {
     let (names, listing) = (json!(files.keys().collect::<Vec<_>>()), listing(&files, &place));
     files.insert(ENVIRONMENT_FILE.into(), environment.to_json());
     output.commit(&files)?;
-    if options.json {
-        let inputs = json!({ "scene": options.scene });
-        return terminal::print_json(
-            &json!({ "schema": SCHEMA, "inputs": inputs, "output": place, "files": names }),
-        );
-    }
-    terminal::print(&listing)
+    Answer::to(json!({ "scene": options.scene }))
+        .with("output", &place)
+        .with("files", names)
+        .text(&listing)
+        .print(options.json)
 }
 
 /// Makes a report.
@@ -124,17 +122,13 @@ pub fn report(options: &ReportOptions, progress: &Progress) -> Result<(), Failur
     let Made { product, place, publish_page } = make(options, progress)?;
     let sound = refuse_contradictions(&product.ledger);
     let main_file = if options.for_publication && !publish_page { "report.md" } else { PAGE };
-    if options.json {
-        terminal::print_json(&json!({
-            "schema": SCHEMA,
-            "inputs": { "report": options.folder },
-            "verdicts": verdicts_json(&product.ledger),
-            "operating_points": product.ledger.operating_points,
-            "output": place.join(main_file),
-        }))?;
-    } else {
-        terminal::print(&format!("{}{}\n", summary(&product.ledger), place.join(main_file).display()))?;
-    }
+    let place = place.join(main_file);
+    Answer::to(json!({ "report": options.folder }))
+        .and(verdicts(&product.ledger))
+        .with("operating_points", &product.ledger.operating_points)
+        .with("output", &place)
+        .text(&format!("{}\n", place.display()))
+        .print(options.json)?;
     sound
 }
 
@@ -166,37 +160,28 @@ pub fn verify(options: &VerifyOptions, progress: &Progress) -> Result<(), Failur
     drift.extend(product.ledger.overstated().map(|entry| {
         format!("{}: the strength {} is above its weakest part's", entry.id, entry.finding.strength.as_str())
     }));
-    let mut text: String = product.ledger.claims.iter().map(claim_line).collect();
-    text += &summary(&product.ledger);
     let (steps, argued) = product.ledger.proof_steps();
-    text += &format!("{}, {argued} of them without a certificate\n", count_of(steps, "distinct proof step"));
-    text += &format!("{}\n", place.join(PAGE).display());
-    if !published.exists() {
-        text += "there is no published copy: only the verdicts were compared\n";
+    let place = place.join(PAGE);
+    let copy =
+        if published.exists() { "" } else { "there is no published copy: only the verdicts were compared\n" };
+    let answer = Answer::to(json!({ "report": options.folder }))
+        .list("claims", product.ledger.claims.iter().map(claim_part))
+        .and(verdicts(&product.ledger))
+        .text(&format!(
+            "{}, {argued} of them without a certificate\n",
+            count_of(steps, "distinct proof step")
+        ))
+        .text(&format!("{}\n{copy}", place.display()))
+        .with("operating_points", &product.ledger.operating_points)
+        .with("output", &place)
+        .with("has_published_copy", published.exists())
+        .with("differences", drift.iter().chain(&moved).collect::<Vec<_>>());
+    if let Some(output) = junit_output {
+        let result = slipmode::report::junit(&product.ledger, &drift, &moved);
+        output.finish(result.map_err(|error| unrenderable(&options.folder, &error))?)?;
     }
-    if options.json {
-        let differences: Vec<&String> = drift.iter().chain(&moved).collect();
-        let result = json!({
-            "schema": SCHEMA,
-            "inputs": { "report": options.folder },
-            "verdicts": verdicts_json(&product.ledger),
-            "operating_points": product.ledger.operating_points,
-            "claims": product.ledger.claims.iter().map(claim_json).collect::<Vec<_>>(),
-            "output": place.join(PAGE),
-            "has_published_copy": published.exists(),
-            "differences": differences,
-        });
-        text = format!("{result:#}\n");
-    }
-    match junit_output {
-        Some(output) => {
-            let result = slipmode::report::junit(&product.ledger, &drift, &moved);
-            output.finish(result.map_err(|error| unrenderable(&options.folder, &error))?)?;
-            if junit.as_deref() != Some(Path::new("-")) {
-                terminal::print(&text)?;
-            }
-        }
-        None => terminal::print(&text)?,
+    if junit.as_deref() != Some(Path::new("-")) {
+        answer.print(options.json)?;
     }
     if drift.is_empty() && moved.is_empty() {
         return Ok(());
@@ -268,12 +253,18 @@ pub fn unrenderable(folder: &Path, error: &ReportError) -> Failure {
     Failure::Refused(lines.join("\n"))
 }
 
-fn claim_line(entry: &slipmode::claims::Entry) -> String {
+/// States a claim with its verdict.
+fn claim_part(entry: &slipmode::claims::Entry) -> Answer {
     let finding = &entry.finding;
     let limit = finding.limit.as_ref().or(finding.counter_example.as_ref());
     let limit = limit.map(|text| format!("  {text}")).unwrap_or_default();
     let (verdict, strength) = (finding.verdict.as_str(), finding.strength.as_str());
-    format!("{:<4} {verdict:<13} {strength:<10}{limit}\n", entry.id)
+    Answer::line(&format!("{:<4} {verdict:<13} {strength:<10}{limit}", entry.id))
+        .with("id", &entry.id)
+        .with("verdict", verdict)
+        .with("recorded", entry.expected.as_str())
+        .with("strength", strength)
+        .with("error_bars", entry.error_bars)
 }
 
 /// The claims whose verdict is not the recorded one, with both, and those whose theorems are about something else.
@@ -286,29 +277,16 @@ pub fn drift(ledger: &Ledger) -> Vec<String> {
     ledger.drift().map(verdict).chain(untied).collect()
 }
 
-fn claim_json(entry: &slipmode::claims::Entry) -> Value {
-    let finding = &entry.finding;
-    json!({
-        "id": entry.id,
-        "verdict": finding.verdict.as_str(),
-        "recorded": entry.expected.as_str(),
-        "strength": finding.strength.as_str(),
-        "error_bars": entry.error_bars,
-    })
-}
-
-/// How many claims have each verdict, under the verdict's word.
-pub fn verdicts_json(ledger: &Ledger) -> Value {
+/// Counts the claims of each verdict, under the verdict's word.
+pub fn verdicts(ledger: &Ledger) -> Answer {
     let all = [Verdict::Holds, Verdict::HoldsWithin, Verdict::Fails, Verdict::NotChecked];
     let count = |verdict| ledger.claims.iter().filter(|entry| entry.finding.verdict == verdict).count();
-    all.into_iter()
-        .map(|verdict| (verdict.as_str().to_string(), json!(count(verdict))))
-        .collect::<Map<_, _>>()
-        .into()
+    let counts = all.into_iter().fold(Answer::default(), |counts, it| counts.with(it.as_str(), count(it)));
+    Answer::default().text(&summary(ledger)).part("verdicts", counts)
 }
 
 /// How many claims have each verdict: those of the paper, and apart from them those of each other source.
-pub fn summary(ledger: &Ledger) -> String {
+fn summary(ledger: &Ledger) -> String {
     let line = |source: Source| {
         let name = match source {
             Source::Paper => "claim",

@@ -5,12 +5,12 @@ use std::cmp::Ordering;
 use clap::Args;
 use rug::Float;
 use rug::float::Round;
-use serde_json::{Value, json};
 use slipmode_core::friction::Parameters;
 use slipmode_core::number::format::{certain_digits, round_float};
 use slipmode_core::number::{Ball, Rational};
 use slipmode_core::roots::{CertifiedRoot, certified_roots};
 
+use crate::cli::answer::Answer;
 use crate::cli::failure::Failure;
 use crate::cli::options::{Arguments, SliderOptions};
 use crate::cli::terminal;
@@ -47,11 +47,9 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let digits = digits.and_then(|digits| u32::try_from(digits).ok());
     let (parameters, digits) = arguments.finish(parameters.zip(digits))?;
     let roots = print_roots(&parameters, digits);
-    if options.json {
-        return terminal::print_json(&roots.iter().map(PrintedRoot::json).collect());
-    }
-    let lines: Vec<String> = roots.iter().map(|root| format!("{}\n", root.text())).collect();
-    terminal::print(&lines.concat())
+    let answer = Answer::default()
+        .list("roots", roots.iter().map(|root| root.answer().text(&format!("{}\n", root.text()))));
+    if options.json { terminal::print_json(answer.value("roots")) } else { answer.print(false) }
 }
 
 /// A root in 1/s as decimals: the true one lies within `radius` of re + i·im as printed.
@@ -79,8 +77,12 @@ impl PrintedRoot {
     }
 
     /// The object of the JSON list.
-    pub fn json(&self) -> Value {
-        json!({ "re": self.re, "im": self.im, "radius": self.radius, "multiplicity": self.multiplicity })
+    pub fn answer(&self) -> Answer {
+        Answer::default()
+            .with("re", &self.re)
+            .with("im", &self.im)
+            .with("radius", &self.radius)
+            .with("multiplicity", self.multiplicity)
     }
 
     /// One line for people.

@@ -11,21 +11,21 @@ use std::path::PathBuf;
 
 use clap::Args;
 use slipmode::scene::{AllowedRange, Problem};
-use slipmode_core::dynamics::Simulation;
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::nearest_f64;
 use slipmode_core::stability::ParameterBox;
 
+use crate::cli::answer::Answer;
 use crate::cli::failure::Failure;
 use crate::cli::options::{Arguments, SliderOptions};
-use crate::cli::output::{Output, is_stream};
+use crate::cli::output::Output;
 use crate::cli::points::{self, RowsOptions};
 use crate::cli::progress::Progress;
 use crate::cli::terminal;
 use crate::cli::words::{LAWS, law_of_word, start_of_word};
-use certified::{Certified, CertifiedRows};
+use certified::Certified;
 use history::{Extent, History};
-use rows::{Answer, SimulateRows};
+use rows::{SimulateRows, Simulated};
 use run::{Settings, simulate_point};
 
 /// The most samples of a trajectory: 500 MB of text.
@@ -99,11 +99,10 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     };
     options.slider.refuse_beside_points(&mut arguments);
     let settings = arguments.finish(settings)?;
-    let rows = SimulateRows { law, settings };
     if options.certify {
-        return points::run(points, &options.rows, CertifiedRows(rows), *progress);
+        return points::run(points, &options.rows, SimulateRows::<true> { law, settings }, *progress);
     }
-    points::run(points, &options.rows, rows, *progress)
+    points::run(points, &options.rows, SimulateRows::<false> { law, settings }, *progress)
 }
 
 impl Options {
@@ -134,10 +133,7 @@ impl Options {
         let ((region, law), settings) = arguments.finish(region.zip(law).zip(settings))?;
         let parameters = region.middle();
         // An output that cannot be written is reported before the work, not after it.
-        let outputs =
-            [&self.trajectory, &self.svg].map(|place| place.as_deref().map(Output::create).transpose());
-        let [csv, svg] = outputs;
-        let outputs = [csv?, svg?];
+        let outputs = Output::create_both([self.trajectory.as_deref(), self.svg.as_deref()])?;
         for warning in range::outside_tested(&parameters) {
             terminal::message(&format!("warning: {warning}"));
         }
@@ -151,11 +147,13 @@ impl Options {
             let written = found.as_ref().ok().map(follow);
             (found, written.unwrap_or(Ok(())))
         });
-        let answer = Answer::new(found, &parameters);
-        let certified = self
-            .certify
-            .then(|| progress.spinner("certifying", || Certified::new(&region, law, settings.start)));
-        self.print_remarks(&answer, &region, law, settings, certified.as_ref())?;
+        let simulated = Simulated::new(found, &parameters);
+        let mut answer = view::answer(&simulated, &region, law, settings);
+        if self.certify {
+            let certified = progress.spinner("certifying", || Certified::new(&region, law, settings.start));
+            answer = answer.and(certified.answer());
+        }
+        self.print_remarks(&answer, simulated.found.err())?;
         written
     }
 
@@ -166,10 +164,9 @@ impl Options {
         arguments.refuse_value("--duration-s", duration, "--trajectory or --svg");
         let samples = self.samples.as_deref().filter(|_| !is_written);
         arguments.refuse_value("--samples", samples, "--trajectory: a picture has all steps");
-        let streams = [&self.trajectory, &self.svg].map(|place| place.as_deref().is_some_and(is_stream));
-        let needs = "a file: standard output has something else";
-        arguments.refuse_value("--svg", Some("-").filter(|_| streams[1]), needs);
-        arguments.refuse_value("--trajectory", Some("-").filter(|_| streams[0] && self.json), needs);
+        arguments.refuse_stream("--svg", self.svg.as_deref(), "something else");
+        let trajectory = self.trajectory.as_deref().filter(|_| self.json);
+        arguments.refuse_stream("--trajectory", trajectory, "something else");
         let duration_s =
             self.duration_s.as_ref().and_then(|text| arguments.measured("--duration-s", text, "s"));
         let samples = arguments.whole("--samples", self.samples.as_deref(), 2..=MOST_SAMPLES);
@@ -177,32 +174,12 @@ impl Options {
     }
 
     /// Prints what was found; a failure is an object for programs, and a message in any case.
-    fn print_remarks(
-        &self,
-        answer: &Answer,
-        region: &ParameterBox,
-        law: EvolutionLaw,
-        settings: Settings,
-        certified: Option<&Certified>,
-    ) -> Result<(), Failure> {
-        if self.json {
-            let mut object = view::json_with_inputs(answer, region, law, settings);
-            object.extend(certified.map(Certified::json).into_iter().flatten());
-            terminal::print_json(&object.into())?;
+    fn print_remarks(&self, answer: &Answer, failure: Option<String>) -> Result<(), Failure> {
+        if self.json || failure.is_none() {
+            answer.print_beside(self.json, self.trajectory.as_deref())?;
         }
-        let text = |simulation: &Simulation| {
-            let proof = certified.map_or_else(String::new, Certified::text);
-            view::text(simulation, law, settings) + &proof
-        };
-        match &answer.found {
-            Ok(_) if self.json => Ok(()),
-            Ok(simulation) if self.trajectory.as_deref().is_some_and(is_stream) => {
-                terminal::message(text(simulation).trim_end());
-                Ok(())
-            }
-            Ok(simulation) => terminal::print(&text(simulation)),
-            Err(reason) => Err(Failure::Check(format!("error: the simulation failed: {reason}"))),
-        }
+        let failed = |reason| Err(Failure::Check(format!("error: the simulation failed: {reason}")));
+        failure.map_or(Ok(()), failed)
     }
 }
 

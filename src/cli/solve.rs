@@ -1,35 +1,24 @@
 //! `slipmode solve`: the normal stress, loading velocity, stiffness or mass at which the slider does what is stated.
 
-mod over_box;
-mod ranges;
+mod answers;
 mod rows;
-mod view;
 
 use std::path::PathBuf;
 
 use clap::Args;
-use serde_json::Value;
 use slipmode::scene::{AllowedRange, Problem, Quantity, of_word};
-use slipmode_core::friction::Parameters;
 use slipmode_core::number::Rational;
-use slipmode_core::stability::ParameterBox;
-use slipmode_core::stability::inverse::{Solution, Target, Undecided, Unknown, solve};
+use slipmode_core::stability::inverse::{Target, Unknown};
 
 use crate::cli::failure::Failure;
 use crate::cli::options::{Arguments, SliderOptions, option_of};
 use crate::cli::points::{self, RowsOptions};
 use crate::cli::progress::Progress;
 use crate::cli::roots::MOST_DIGITS;
-use crate::cli::terminal;
-use over_box::StableForBox;
-use ranges::RangesView;
 use rows::SolveRows;
-use view::View;
 
 /// The unit of SI of every target that is a number.
 const PER_SECOND: &str = "1/s";
-/// Digits computed beyond those printed, so that the last one is certain.
-const GUARD_DIGITS: u32 = 12;
 
 /// Options of `solve`.
 #[derive(Debug, Args)]
@@ -89,17 +78,9 @@ struct TargetOptions {
 #[derive(Debug, Clone)]
 struct Question {
     unknown: Unknown,
-    target: Target,
+    /// What is met at a solution; none for the stiffness above which the slider is stable at all values within the error bars.
+    target: Option<Target>,
     digits: u32,
-}
-
-/// What is asked of a slider, or of every row.
-#[derive(Debug, Clone)]
-enum Asked {
-    /// For the values at which a target is met.
-    Target(Question),
-    /// For the stiffness above which the slider is stable at all values within the error bars.
-    StableForBox { digits: u32 },
 }
 
 /// Runs the command.
@@ -108,108 +89,46 @@ enum Asked {
 /// When the arguments or the rows are at fault, or the output cannot be written.
 pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     let mut arguments = Arguments::default();
-    let asked = Asked::read(options, &mut arguments);
+    let question = Question::read(options, &mut arguments);
+    let slider = &options.slider;
     if let Some(points) = &options.points {
-        options.slider.refuse_beside_points(&mut arguments);
-        let asked = arguments.finish(asked)?;
-        return points::run(points, &options.rows, SolveRows { asked }, *progress);
+        slider.refuse_beside_points(&mut arguments);
+        let question = arguments.finish(question)?;
+        return points::run(points, &options.rows, SolveRows { question }, *progress);
     }
     options.rows.refuse_without_points(false, &mut arguments);
-    let task = asked.and_then(|asked| asked.about(&options.slider, &mut arguments));
-    let (text, json) = answer(arguments.finish(task)?)?;
-    if options.json { terminal::print_json(&json) } else { terminal::print(&text) }
-}
-
-/// A question about a point, or about all values within error bars.
-enum Task {
-    Point(Question, Parameters<Rational>),
-    Box(Question, ParameterBox),
-    StableForBox(u32, ParameterBox),
-}
-
-/// The answer as text and as one object.
-fn answer(task: Task) -> Result<(String, Value), Failure> {
-    Ok(match task {
-        Task::Point(question, parameters) => {
-            let view = View::new(&question, &parameters);
-            let view = view.map_err(|undecided| Failure::Check(format!("error: {undecided}")))?;
-            (view.text(), view.json())
-        }
-        Task::Box(question, region) => {
-            let view = RangesView::new(&question, region);
-            (view.text(), view.json())
-        }
-        Task::StableForBox(digits, region) => {
-            let view = StableForBox::new(region, digits);
-            (view.text(), view.json())
-        }
-    })
-}
-
-/// The values within the error bars, but for the unknown, which must not be given.
-fn region(slider: &SliderOptions, unknown: Quantity, arguments: &mut Arguments) -> Option<ParameterBox> {
-    let given = slider.text(unknown);
-    arguments.refuse_value(&option_of(unknown), given, "no value: it is what is solved for");
-    slider.region(Some(unknown), arguments)
-}
-
-impl Asked {
-    fn read(options: &Options, arguments: &mut Arguments) -> Option<Self> {
-        if !options.target.stable_for_box {
-            return Question::read(options, arguments).map(Self::Target);
-        }
-        if options.unknown != Unknown::Stiffness.as_str() {
-            arguments.refuse("--stable-for-box", true, "--for stiffness");
-        }
-        let digits = arguments.whole("--digits", Some(&options.digits), 1..=MOST_DIGITS);
-        Some(Self::StableForBox { digits: u32::try_from(digits?).ok()? })
-    }
-
-    /// The input that is solved for.
-    fn quantity(&self) -> Quantity {
-        match self {
-            Self::Target(question) => question.quantity(),
-            Self::StableForBox { .. } => Quantity::Stiffness,
-        }
-    }
-
-    /// The question with the values of a command line.
-    fn about(self, slider: &SliderOptions, arguments: &mut Arguments) -> Option<Task> {
-        match self {
-            Self::StableForBox { digits } => region(slider, Quantity::Stiffness, arguments)
-                .map(|region| Task::StableForBox(digits, region)),
-            Self::Target(question) if slider.is_uncertain() => {
-                region(slider, question.quantity(), arguments).map(|region| Task::Box(question, region))
-            }
-            Self::Target(question) => {
-                let parameters = question.parameters(slider, arguments)?;
-                Some(Task::Point(question, parameters))
-            }
-        }
-    }
+    let region = question.as_ref().and_then(|question| {
+        let unknown = question.quantity();
+        let needs = match question.is_of_point(slider) {
+            true => format!("another --for: {} is what is solved for", question.unknown.as_str()),
+            false => "no value: it is what is solved for".into(),
+        };
+        arguments.refuse_value(&option_of(unknown), slider.text(unknown), &needs);
+        slider.region(Some(unknown), &mut arguments)
+    });
+    let (question, region) = arguments.finish(question.zip(region))?;
+    let answer = question.answer(&region, question.is_of_point(slider));
+    answer.map_err(|undecided| Failure::Check(format!("error: {undecided}")))?.print(options.json)
 }
 
 impl Question {
     fn read(options: &Options, arguments: &mut Arguments) -> Option<Self> {
         let word = |text: &str| of_word(text, &Unknown::ALL, Unknown::as_str);
-        let unknown = arguments.number("--for", &options.unknown, word);
-        let target = options.target.read(arguments);
+        let (unknown, target) = if options.target.stable_for_box {
+            let is_other = options.unknown != Unknown::Stiffness.as_str();
+            arguments.refuse("--stable-for-box", is_other, "--for stiffness");
+            (Some(Unknown::Stiffness), Some(None))
+        } else {
+            let unknown = arguments.number("--for", &options.unknown, word);
+            (unknown, options.target.read(arguments).map(Some))
+        };
         let digits = arguments.whole("--digits", Some(&options.digits), 1..=MOST_DIGITS);
         Some(Self { unknown: unknown?, target: target?, digits: u32::try_from(digits?).ok()? })
     }
 
-    /// The six values that are given, and 1 for the unknown.
-    fn parameters(&self, slider: &SliderOptions, arguments: &mut Arguments) -> Option<Parameters<Rational>> {
-        let unknown = self.quantity();
-        let needs = format!("another --for: {} is what is solved for", self.unknown.as_str());
-        arguments.refuse_value(&option_of(unknown), slider.text(unknown), &needs);
-        let read = Quantity::ALL
-            .map(|quantity| (quantity != unknown).then(|| slider.required(quantity, arguments)).flatten());
-        arguments.check_units(&read);
-        let is_complete =
-            Quantity::ALL.iter().zip(&read).all(|(quantity, value)| *quantity == unknown || value.is_some());
-        let values = read.map(|value| value.unwrap_or_else(|| Rational::from(1)));
-        is_complete.then(|| Parameters::from(values))
+    /// Whether the question is about one point, not about values within error bars.
+    fn is_of_point(&self, slider: &SliderOptions) -> bool {
+        self.target.is_some() && !slider.is_uncertain()
     }
 
     /// The input that is solved for.
@@ -220,11 +139,6 @@ impl Question {
             Unknown::Stiffness => Quantity::Stiffness,
             Unknown::MassPerArea => Quantity::MassPerArea,
         }
-    }
-
-    /// The solutions, with digits to spare.
-    fn solve(&self, parameters: &Parameters<Rational>) -> Result<Vec<Solution>, Undecided> {
-        solve(parameters, self.unknown, &self.target, self.digits + GUARD_DIGITS)
     }
 }
 

@@ -22,16 +22,16 @@ use serde_json::{Value, json};
 use slipmode::scene::Problem;
 use slipmode::sweep::{Blocks, Shard};
 
+use crate::cli::answer::Answer;
 use crate::cli::failure::Failure;
-use crate::cli::inputs::SCHEMA;
 use crate::cli::options::Arguments;
 use crate::cli::progress::Progress;
 use crate::cli::terminal;
 use block_file::{Content, OpenBlock, Origin, Unsound, write_block};
-use load::{Loaded, Task};
+use load::Loaded;
 use points::{Job, Points};
 use summed::Summed;
-use work::{Lines, PointWork};
+use work::Lines;
 
 /// Options of `sweep`.
 #[derive(Debug, Args)]
@@ -102,71 +102,63 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
         .then(|| json!({ "scene": options.scene, "minutes": computes_nothing.then_some(minutes) }));
     match &options.out {
         Some(out) if options.slurm => {
-            loaded.perform(slurm::WriteScripts { scene: &options.scene, out, minutes, shards, inputs })
+            slurm::write_scripts(&loaded, [&options.scene, out], minutes, shards, &inputs)
         }
-        Some(out) if !options.plan => {
-            loaded.perform(ComputeShard { shard, out, progress: *progress, inputs })
-        }
-        _ => loaded.perform(plan::PrintPlan { minutes, shards, inputs }),
+        Some(out) if !options.plan => compute_shard(&loaded, shard, out, *progress, inputs),
+        _ => plan::print_plan(&loaded, minutes, shards, &inputs),
     }
 }
 
-/// Computes the blocks of a shard that are not there.
-struct ComputeShard<'o> {
+/// Computes the blocks of a shard that are not there; `inputs` are repeated by the JSON object, when one is printed.
+fn compute_shard(
+    loaded: &Loaded,
     shard: Shard,
-    out: &'o Path,
+    out: &Path,
     progress: Progress,
-    /// What the JSON object repeats, when one is printed.
     inputs: Option<Value>,
-}
-
-impl Task for ComputeShard<'_> {
-    fn perform<W: PointWork>(self, loaded: &Loaded, points: &Points<W>) -> Result<(), Failure> {
-        let blocks = points.blocks(loaded.section.block_points)?;
-        let columns = points.columns();
-        let summed =
-            loaded.section.summary.as_ref().map(|section| Summed::new(section, &columns)).transpose()?;
-        create_folder(self.out)?;
-        let origin = Origin {
-            scene: points.digest(&loaded.scene_digest),
-            version: load::version(),
-            blocks: blocks.count(),
-            content: summed.as_ref().map_or(Content::Rows, Summed::content),
-        };
-        let shard_blocks = blocks.of_shard(self.shard).count() as u64;
-        let writer = BlockWriter {
-            points,
-            blocks,
-            columns: summed.as_ref().map_or(columns, Summed::columns),
-            summed,
-            origin,
-            out: self.out,
-            bar: self.progress.count(shard_blocks),
-            computed: AtomicU64::new(0),
-            unanswered: AtomicU64::new(0),
-        };
-        // Blocks start in their order, each on one thread: what a kill can lose is one block a thread.
-        let done = points.jobs(blocks, self.shard)?.par_bridge().try_for_each(|job| writer.write(&job?));
-        writer.bar.finish_and_clear();
-        done?;
-        let unanswered = writer.unanswered.into_inner();
-        if unanswered > 0 {
-            terminal::message(&format!(
-                "{unanswered} points have no result; see their columns `status` or `error`"
-            ));
-        }
-        let Some(inputs) = self.inputs else { return Ok(()) };
-        terminal::print_json(&json!({
-            "schema": SCHEMA,
-            "inputs": inputs,
-            "scene_sha256": loaded.scene_digest,
-            "shard": { "index": self.shard.index, "count": self.shard.count },
-            "blocks": shard_blocks,
-            "computed_blocks": writer.computed.into_inner(),
-            "points_without_result": unanswered,
-            "output": self.out,
-        }))
+) -> Result<(), Failure> {
+    let points = loaded.points()?;
+    let blocks = points.blocks(loaded.section.block_points)?;
+    let columns = points.columns();
+    let summed = loaded.section.summary.as_ref().map(|section| Summed::new(section, &columns)).transpose()?;
+    create_folder(out)?;
+    let origin = Origin {
+        scene: points.digest(&loaded.scene_digest),
+        version: load::version(),
+        blocks: blocks.count(),
+        content: summed.as_ref().map_or(Content::Rows, Summed::content),
+    };
+    let shard_blocks = blocks.of_shard(shard).count() as u64;
+    let writer = BlockWriter {
+        points: &points,
+        blocks,
+        columns: summed.as_ref().map_or(columns, Summed::columns),
+        summed,
+        origin,
+        out,
+        bar: progress.count(shard_blocks),
+        computed: AtomicU64::new(0),
+        unanswered: AtomicU64::new(0),
+    };
+    // Blocks start in their order, each on one thread: what a kill can lose is one block a thread.
+    let done = points.jobs(blocks, shard)?.par_bridge().try_for_each(|job| writer.write(&job?));
+    writer.bar.finish_and_clear();
+    done?;
+    let unanswered = writer.unanswered.into_inner();
+    if unanswered > 0 {
+        terminal::message(&format!(
+            "{unanswered} points have no result; see their columns `status` or `error`"
+        ));
     }
+    let Some(inputs) = inputs else { return Ok(()) };
+    Answer::to(inputs)
+        .with("scene_sha256", &loaded.scene_digest)
+        .with("shard", json!({ "index": shard.index, "count": shard.count }))
+        .with("blocks", shard_blocks)
+        .with("computed_blocks", writer.computed.into_inner())
+        .with("points_without_result", unanswered)
+        .with("output", out)
+        .print(true)
 }
 
 /// Makes the folder of the blocks, if it is not there.
@@ -175,8 +167,8 @@ pub fn create_folder(folder: &Path) -> Result<(), Failure> {
 }
 
 /// Writes blocks from any thread.
-struct BlockWriter<'p, W> {
-    points: &'p Points<W>,
+struct BlockWriter<'p> {
+    points: &'p Points,
     blocks: Blocks,
     columns: Vec<u8>,
     summed: Option<Summed>,
@@ -187,7 +179,7 @@ struct BlockWriter<'p, W> {
     unanswered: AtomicU64,
 }
 
-impl<W: PointWork> BlockWriter<'_, W> {
+impl BlockWriter<'_> {
     fn write(&self, job: &Job) -> Result<(), Failure> {
         if !self.holds(job.block)? {
             let lines = self.lines(job)?;

@@ -48,9 +48,3 @@ pub fn count_of(count: usize, thing: &str) -> String {
 fn visible_lines(text: &str) -> String {
     text.split('\n').map(visible).collect::<Vec<_>>().join("\n")
 }
-
-/// Lines of name, value and remark.
-pub fn named_values(lines: &[(&str, String, &str)]) -> String {
-    let line = |(name, value, note): &(&str, String, &str)| format!("{name:<26} {value}  {note}");
-    lines.iter().map(line).map(|line| format!("{}\n", line.trim_end())).collect()
-}

@@ -52,8 +52,11 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         })
     });
     let published = published.collect::<Result<Vec<_>, Failure>>()?;
-    // What decides a slider with error bars is about the paper's equations.
-    let paper = published.iter().find(|report| report.equations.demand_paper().is_ok());
+    // What decides a slider with error bars is about the equations of the first report that has them.
+    let has_all = |report: &&Published| {
+        OF_A_BOX.iter().all(|id| library_proofs().missing(id, &report.equations).is_empty())
+    };
+    let paper = published.iter().find(has_all);
     let of_a_box = paper.map_or_else(
         || Ok(Vec::new()),
         |report| OF_A_BOX.map(|id| library_proofs().prove(id, &report.equations)).into_iter().collect(),

@@ -3,7 +3,7 @@
 mod over_box;
 
 use clap::Args;
-use serde_json::{Value, json};
+use serde_json::json;
 use slipmode::experiments::tolerance::{ToleranceRow, ToleranceSection, place_of_limit, tolerance_limits};
 use slipmode::scene::AllowedRange;
 use slipmode_core::friction::Slider;
@@ -11,10 +11,10 @@ use slipmode_core::number::format::{certain_digits, rational_to_decimal};
 use slipmode_core::number::{Ball, Rational, nearest_f64};
 use slipmode_core::stability::Asymptote;
 
+use crate::cli::answer::Answer;
 use crate::cli::failure::Failure;
-use crate::cli::inputs::{SCHEMA, slider_json};
+use crate::cli::inputs::slider_json;
 use crate::cli::options::{Arguments, MaterialOptions};
-use crate::cli::terminal;
 
 /// Options of `tolerance`.
 #[derive(Debug, Args)]
@@ -51,53 +51,48 @@ pub fn run(options: &Options) -> Result<(), Failure> {
             arguments.number("--relative-error", text, |text| AllowedRange::OPEN_UNIT.parse(text))
         })
         .collect();
-    if options.material.is_uncertain() {
-        let region = options.material.region(&mut arguments);
-        let region = arguments.finish(region)?;
-        return match options.json {
-            true => terminal::print_json(&over_box::json(&region, &relative)),
-            false => terminal::print(&over_box::text(&region, &relative)),
-        };
-    }
-    let parameters = options.material.slider(&mut arguments);
-    let parameters = arguments.finish(parameters)?;
-    let outcome = tolerance_limits(&parameters, &ToleranceSection { relative });
-    if options.json {
-        return terminal::print_json(&json(&parameters, &outcome.rows));
-    }
-    let lines = outcome.rows.iter().map(|row| line(&parameters, row));
-    let head = columns(WIDTH, ["formula", "", "good to", "where", "limit"]);
-    terminal::print(&std::iter::once(head).chain(lines).collect::<String>())
+    let answer = if options.material.is_uncertain() {
+        let region = options.material.region(None, &mut arguments);
+        over_box::answer(&arguments.finish(region)?, &relative)
+    } else {
+        let slider = options.material.slider(&mut arguments);
+        answer(&arguments.finish(slider)?, relative)
+    };
+    answer.print(options.json)
 }
 
-/// One object: the inputs, and every formula with the limit for each error.
-fn json(parameters: &Slider<Rational>, rows: &[ToleranceRow]) -> Value {
+/// Computes the limit of every formula for each error.
+fn answer(slider: &Slider<Rational>, relative: Vec<Rational>) -> Answer {
     let row = |row: &ToleranceRow| {
         let asymptote = row.limit.asymptote;
-        let [value, limit] = keys(asymptote);
-        json!({
-            "formula": asymptote.as_str(),
-            value: coefficient(parameters, asymptote).to_f64(),
-            "relative_error": nearest_f64(&row.tolerance),
-            "where": place_of_limit(asymptote, row.limit.whole_branch),
-            "limit": { limit: row.in_si.to_f64() },
-        })
+        let value = coefficient(slider, asymptote);
+        let place = place_of_limit(asymptote, row.limit.whole_branch);
+        let limit = format!("{} {}", certain_digits(&row.in_si, DIGITS), unit(asymptote));
+        let formula = formula(asymptote, &certain_digits(&value, DIGITS));
+        let [value_key, limit_key] = keys(asymptote);
+        part(asymptote, &row.tolerance, WIDTH, [&formula, place, &limit])
+            .with(value_key, value.to_f64())
+            .with("limit", json!({ limit_key: row.in_si.to_f64() }))
     };
-    let rows: Vec<Value> = rows.iter().map(row).collect();
-    json!({ "schema": SCHEMA, "inputs": slider_json(parameters), "formulas": rows })
+    let outcome = tolerance_limits(slider, &ToleranceSection { relative });
+    Answer::to(slider_json(slider))
+        .text(&columns(WIDTH, ["formula", "", "good to", "where", "limit"]))
+        .list("formulas", outcome.rows.iter().map(row))
 }
 
-fn line(parameters: &Slider<Rational>, row: &ToleranceRow) -> String {
-    let asymptote = row.limit.asymptote;
-    let unit = unit(asymptote);
-    let cells = [
-        asymptote.as_str(),
-        &formula(asymptote, &certain_digits(&coefficient(parameters, asymptote), DIGITS)),
-        &rational_to_decimal(&row.tolerance, DIGITS),
-        place_of_limit(asymptote, row.limit.whole_branch),
-        &format!("{} {unit}", certain_digits(&row.in_si, DIGITS)),
-    ];
-    columns(WIDTH, cells)
+/// States a formula with a relative error, in a line.
+fn part(
+    asymptote: Asymptote,
+    relative_error: &Rational,
+    width: usize,
+    [formula, place, limit]: [&str; 3],
+) -> Answer {
+    let error = rational_to_decimal(relative_error, DIGITS);
+    Answer::default()
+        .text(&columns(width, [asymptote.as_str(), formula, &error, place, limit]))
+        .with("formula", asymptote.as_str())
+        .with("relative_error", nearest_f64(relative_error))
+        .with("where", place)
 }
 
 /// The names of the formula's value and of its limit.

@@ -76,6 +76,18 @@ pub const fn names<T, const N: usize>(columns: &[Column<T>; N]) -> [&'static str
     names
 }
 
+/// The names of columns followed by those of more columns, of which there are `N` together.
+#[must_use]
+pub const fn joined<const N: usize>(first: &[&'static str], more: &[&'static str]) -> [&'static str; N] {
+    let mut names = [""; N];
+    let mut index = 0;
+    while index < N {
+        names[index] = if index < first.len() { first[index] } else { more[index - first.len()] };
+        index += 1;
+    }
+    names
+}
+
 /// Appends the cells of a result, each behind a comma.
 pub fn push_cells<T>(columns: &[Column<T>], result: &T, out: &mut Vec<u8>) {
     for (_, cell) in columns {

@@ -10,7 +10,7 @@ mod rows;
 mod wanted;
 mod work;
 
-pub use cells::{Column, Datum, names, push_cell, push_cells};
+pub use cells::{Column, Datum, joined, names, push_cell, push_cells};
 pub use header::{Header, is_named};
 pub use recording::read_recording;
 pub use row_work::{Cells, Remark, RowWork};

@@ -57,6 +57,15 @@ pub struct Remark<K = ()> {
     pub kept: K,
 }
 
+impl<K: Default> Remark<K> {
+    /// A remark on a row with these warnings.
+    #[must_use]
+    pub fn warning(warnings: &[String]) -> Self {
+        let warning = (!warnings.is_empty()).then(|| warnings.join("; "));
+        Self { warning, ..Self::default() }
+    }
+}
+
 /// The cells of a row, found by the header.
 #[derive(Debug, Clone, Copy)]
 pub struct Cells<'r, P = [usize; 7]> {

@@ -1,8 +1,6 @@
 //! `slipmode boundary` with error bars: the ranges within which the boundary and the transition lie, as CSV, JSON and a picture.
 
-use serde_json::{Value, json};
 use slipmode::experiments::boundary::END_ERROR;
-use slipmode::experiments::pictures::boundary_picture;
 use slipmode::experiments::shared::bands::{Band, BandOf, bands, velocities};
 use slipmode::scene::Quantity;
 use slipmode_core::friction::Slider;
@@ -13,11 +11,12 @@ use slipmode_core::stability::boundary::BoundaryCurve;
 use slipmode_core::stability::inverse::{SolutionRange, Unknown};
 use slipmode_plot::table::{Cell, Column, Table};
 
+use crate::cli::answer::Answer;
 use crate::cli::boundary::{
-    DEFAULT_POINTS, Options, coordinates, limit_on_points, refuse_beside_single_points,
+    DEFAULT_POINTS, Found, Options, coordinates, limit_on_points, picture, refuse_beside_single_points,
 };
 use crate::cli::failure::Failure;
-use crate::cli::inputs::{SCHEMA, ranges_json};
+use crate::cli::inputs::ranges_json;
 use crate::cli::new::Ranges;
 use crate::cli::options::Arguments;
 
@@ -53,84 +52,70 @@ impl Request {
     pub fn read(options: &Options, arguments: &mut Arguments) -> Option<Self> {
         let needs = "values without error bars: the ends of a range have 64 bits";
         arguments.refuse_value("--digits", options.digits.as_deref(), needs);
-        let region = options.slider.region(arguments);
+        let region = options.slider.region(None, arguments);
         let limit = limit_on_points(options, arguments);
         let given = arguments.whole("--points", options.points.as_deref(), 2..=limit);
-        let [velocity, stress] = coordinates(options, arguments);
-        let is_even = options.at_velocity.is_none() && options.at_normal_stress.is_none();
+        let places = coordinates(options, arguments);
         refuse_beside_single_points(options, arguments);
         let points = u32::try_from(given.unwrap_or(DEFAULT_POINTS)).ok()?;
-        let at = if is_even { Places::Even(points) } else { Places::Single([velocity?, stress?]) };
+        let at = if options.has_single_points() { Places::Single(places?) } else { Places::Even(points) };
         Some(Self { region: region?, at })
     }
 
-    /// Computes the ranges: CSV or JSON, the picture if it is wanted, and whether there is no range.
+    /// Computes the ranges; in the object, an end without bound is null.
     ///
     /// # Errors
     /// When the boundary lies beyond what axes can show.
-    pub fn answer(&self, is_json: bool, is_drawn: bool) -> Result<(String, Option<String>, bool), Failure> {
+    pub fn compute(&self) -> Result<Found<'_>, Failure> {
         let (bands, rows) = match &self.at {
             Places::Even(points) => {
                 let axes = Ranges::around(&self.middle()).map_err(Failure::Refused)?;
                 let bands = bands(&self.region, &velocities(axes.velocity.ends(), *points));
-                let rows = bands.iter().flat_map(rows_of_band).collect();
+                let columns =
+                    bands.iter().flat_map(|band| band.columns.iter().map(|column| (band.of, column)));
+                let rows = columns.flat_map(|(of, (velocity, ranges))| {
+                    rows_of(of, Unknown::NormalStress, velocity, ranges)
+                });
+                let rows = rows.collect();
                 (bands, rows)
             }
             Places::Single(places) => (Vec::new(), self.single(places)),
         };
-        let text = if is_json { format!("{:#}\n", self.json(&rows)) } else { table(&rows).to_csv() };
-        let picture = is_drawn.then(|| self.picture(&bands)).transpose()?;
-        Ok((text, picture, rows.is_empty()))
+        let inputs = ranges_json(&self.region, &[Quantity::NormalStress, Quantity::LoadingVelocity]);
+        let answer = Answer::to(inputs).list("ranges", rows.iter().map(Row::part));
+        Ok(Found { answer, table: table(&rows), picture: Box::new(move || self.picture(&bands)) })
     }
 
     fn single(&self, [velocity, stress]: &[Option<Rational>; 2]) -> Vec<Row> {
         let known = [(Unknown::NormalStress, velocity), (Unknown::LoadingVelocity, stress)];
         let known = known.into_iter().filter_map(|(unknown, value)| Some((unknown, value.as_ref()?)));
-        let rows = |(unknown, known): (Unknown, &Rational)| {
-            let ranges = move |of: BandOf| {
-                let found = of.ranges(&self.region, unknown, known).into_iter();
-                found.map(move |range| Row { of, unknown, known: known.clone(), range })
-            };
-            BandOf::ALL.into_iter().flat_map(ranges).collect::<Vec<_>>()
+        let of_line = |of: BandOf, (unknown, known): (Unknown, &Rational)| {
+            rows_of(of, unknown, known, &of.ranges(&self.region, unknown, known))
         };
-        known.flat_map(rows).collect()
+        known.flat_map(|at| BandOf::ALL.into_iter().flat_map(move |of| of_line(of, at))).collect()
     }
 
     /// The slider in the middle of the error bars.
     fn middle(&self) -> Slider<Rational> {
-        let [lower, upper]: [[Rational; 7]; 2] = [self.region.lower().into(), self.region.upper().into()];
-        let middle = |i: usize| Rational::from(&lower[i] + &upper[i]) / 2u32;
-        Slider::from([0, 1, 2, 3, 4].map(middle))
+        self.region.middle().slider
     }
 
     fn picture(&self, bands: &[Band]) -> Result<String, Failure> {
         let slider = self.middle();
-        let axes = Ranges::around(&slider).map_err(Failure::Refused)?;
-        let points = BoundaryCurve::new(&slider, DIGITS).sample(ARC_POINTS, END_ERROR);
-        Ok(boundary_picture(&slider, &points, bands, axes.velocity.ends(), axes.stress.ends()))
-    }
-
-    /// One object: the ends of the error bars, and the ranges; an end without bound is null.
-    fn json(&self, rows: &[Row]) -> Value {
-        let row = |row: &Row| {
-            let [low, high] = row.range.enclosure;
-            let [known, unknown] = row.keys();
-            json!({
-                "line": row.of.as_str(),
-                known: nearest_f64(&row.known),
-                unknown: [low, high.is_finite().then_some(high)],
-                "attained": row.range.certain,
-            })
-        };
-        json!({
-            "schema": SCHEMA,
-            "inputs": ranges_json(&self.region, &[Quantity::NormalStress, Quantity::LoadingVelocity]),
-            "ranges": rows.iter().map(row).collect::<Vec<_>>(),
-        })
+        picture(&slider, &BoundaryCurve::new(&slider, DIGITS).sample(ARC_POINTS, END_ERROR), bands)
     }
 }
 
 impl Row {
+    fn part(&self) -> Answer {
+        let [known, unknown] = self.keys();
+        Answer::default()
+            .with("line", self.of.as_str())
+            .with(known, nearest_f64(&self.known))
+            .with(unknown, self.range.enclosure)
+            .with("attained", self.range.certain)
+    }
+
     /// The names of the coordinate that is known and of the other one.
     fn keys(&self) -> [&'static str; 2] {
         let [stress, velocity] = [Quantity::NormalStress.key(), Quantity::LoadingVelocity.key()];
@@ -138,16 +123,8 @@ impl Row {
     }
 }
 
-fn rows_of_band(band: &Band) -> impl Iterator<Item = Row> + '_ {
-    band.columns.iter().flat_map(|(velocity, ranges)| {
-        let row = |range: &SolutionRange| Row {
-            of: band.of,
-            unknown: Unknown::NormalStress,
-            known: velocity.clone(),
-            range: *range,
-        };
-        ranges.iter().map(row)
-    })
+fn rows_of(of: BandOf, unknown: Unknown, known: &Rational, ranges: &[SolutionRange]) -> Vec<Row> {
+    ranges.iter().map(|range| Row { of, unknown, known: known.clone(), range: *range }).collect()
 }
 
 /// A row for each range; an empty cell has no bound, or no value that is known to occur.

@@ -1,13 +1,9 @@
 //! What follows from a classification: the frequency in Hz and relative to the natural one, and K_c.
 
-use slipmode::csv::{Cells, Column, Datum, Remark, RowWork, push_cell, push_cells};
-use slipmode::scene::{Faults, Uncertain};
+use slipmode::csv::{Column, Datum};
 use slipmode_core::friction::Parameters;
 use slipmode_core::number::{Dd, Rational, nearest_f64};
 use slipmode_core::stability::{Classification, Frequencies};
-
-use crate::cli::classify::ranges::{cell, outward};
-use crate::cli::classify::rows::{BoxFound, Classified, ClassifyRows, Found};
 
 /// Each is the 64-bit number nearest to the exact one. Values beyond the range of 64-bit numbers are absent.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,7 +21,7 @@ pub struct Derived {
 }
 
 /// The columns that `classify --points` appends last.
-const COLUMNS: [Column<Derived>; 4] = [
+pub const COLUMNS: [Column<Derived>; 4] = [
     ("frequency_hz", |found| Datum::Number(found.frequency_hz)),
     ("critical_stiffness_pa_per_m", |found| Datum::Number(found.critical_stiffness_pa_per_m)),
     ("stiffness_over_critical", |found| Datum::Number(found.stiffness_over_critical)),
@@ -46,7 +42,7 @@ impl Derived {
     }
 
     /// From values in double-double; none where they do not decide how a number is rounded.
-    fn quickly(parameters: &Parameters<Dd>, found: &Classification) -> Option<Self> {
+    pub fn quickly(parameters: &Parameters<Dd>, found: &Classification) -> Option<Self> {
         let slider = &parameters.slider;
         let difference = slider.effect_difference().hi();
         let sum = slider.direct_effect.hi() + slider.evolution_effect.hi();
@@ -70,76 +66,6 @@ impl Derived {
             frequency_over_natural: frequencies.frequency_over_natural.to_f64(),
         }
     }
-}
-
-/// Classifies rows, and appends what follows.
-#[derive(Debug)]
-pub struct ClassifyPoints(pub ClassifyRows);
-
-impl RowWork for ClassifyPoints {
-    type Input = (Classified, Option<Derived>);
-    type Kept = ();
-
-    const APPENDED: &'static [&'static str] = &{
-        let mut names = [""; ClassifyRows::APPENDED.len() + COLUMNS.len()];
-        let mut index = 0;
-        while index < names.len() {
-            let first = ClassifyRows::APPENDED.len();
-            names[index] =
-                if index < first { ClassifyRows::APPENDED[index] } else { COLUMNS[index - first].0 };
-            index += 1;
-        }
-        names
-    };
-    const BLOCK_ROWS: usize = ClassifyRows::BLOCK_ROWS;
-    const BLOCKS_PER_THREAD: usize = ClassifyRows::BLOCKS_PER_THREAD;
-
-    fn read(&self, cells: Cells<'_>) -> Result<Self::Input, Faults> {
-        let classified = self.0.read(cells)?;
-        let derived = derived_of_row(cells, &classified);
-        Ok((classified, derived))
-    }
-
-    fn read_rows(&self, cells: &[Cells<'_>]) -> Vec<Result<Self::Input, Faults>> {
-        let rows = self.0.read_rows(cells).into_iter().zip(cells);
-        let row = |(read, cells): (Result<Classified, Faults>, &Cells<'_>)| {
-            read.map(|classified| {
-                let derived = derived_of_row(*cells, &classified);
-                (classified, derived)
-            })
-        };
-        rows.map(row).collect()
-    }
-
-    fn append(&self, (classified, derived): &Self::Input, out: &mut Vec<u8>) -> Remark {
-        let remark = self.0.append(classified, out);
-        match (&classified.found, derived) {
-            (_, Some(derived)) => push_cells(&COLUMNS, derived, out),
-            (Found::Box(found), None) => append_ranges(found, out),
-            (Found::Point(_), None) => out.extend_from_slice(",".repeat(COLUMNS.len()).as_bytes()),
-        }
-        remark
-    }
-}
-
-/// The ranges of the frequency and of K_c; the other two columns are empty.
-fn append_ranges(found: &BoxFound, out: &mut Vec<u8>) {
-    let [_, _, frequency] = found.ranges.enclosures();
-    let critical = outward(&found.over.critical_stiffness_pa_per_m);
-    for range in [frequency, Some(critical), None, None] {
-        out.push(b',');
-        push_cell(out, cell(range).as_bytes());
-    }
-}
-
-/// What follows for a row; nothing where it has error bars.
-fn derived_of_row(cells: Cells<'_>, classified: &Classified) -> Option<Derived> {
-    let Found::Point(found) = &classified.found else { return None };
-    let quick = cells.dd_parameters().and_then(|parameters| Derived::quickly(&parameters, found));
-    quick.or_else(|| {
-        let values = cells.uncertain().ok()?;
-        Some(Derived::of(&Parameters::from(values.each_ref().map(Uncertain::middle)), found))
-    })
 }
 
 #[cfg(test)]

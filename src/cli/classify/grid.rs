@@ -3,21 +3,20 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use serde_json::{Map, Value, json};
 use slipmode::scene::{Limits, LogAxis, LogCoordinates, Problem, Quantity};
 use slipmode_core::friction::Slider;
 use slipmode_core::number::Rational;
 use slipmode_core::stability::batch::{GridAxis, StreamedGrid, Tally};
 use slipmode_core::stability::{InertialThreshold, SlipMode, SpectralClass};
 
+use crate::cli::answer::Answer;
 use crate::cli::classify::grid_files::GridFiles;
 use crate::cli::classify::rows::NEUTRAL;
 use crate::cli::failure::Failure;
-use crate::cli::inputs::{SCHEMA, slider_json};
+use crate::cli::inputs::slider_json;
 use crate::cli::options::{Arguments, SliderOptions, option_of};
-use crate::cli::output::{Output, is_stream};
+use crate::cli::output::Output;
 use crate::cli::progress::Progress;
-use crate::cli::terminal;
 
 /// The most coordinates of an axis: 10^12 points take hours, not memory.
 const MOST_COORDINATES: u64 = 1_000_000;
@@ -70,17 +69,15 @@ impl GridOptions {
         json: bool,
         arguments: &mut Arguments,
     ) -> Option<GridRequest> {
-        let fixed = slider.material.slider(arguments);
+        let fixed = slider.slider(arguments);
         for quantity in [Quantity::NormalStress, Quantity::LoadingVelocity] {
             let needs = "no grid: the grid's axes give this value";
             arguments.refuse_value(&option_of(quantity), slider.text(quantity), needs);
         }
         let velocities = axis(Quantity::LoadingVelocity, self.grid_loading_velocity.as_deref(), arguments);
         let stresses = axis(Quantity::NormalStress, self.grid_normal_stress.as_deref(), arguments);
-        let stream = |place: Option<&Path>| place.is_some_and(is_stream).then_some("-");
-        let needs = "a file: standard output has something else";
-        arguments.refuse_value("--svg", stream(self.svg.as_deref()), needs);
-        arguments.refuse_value("--output", stream(rows).filter(|_| json), needs);
+        arguments.refuse_stream("--svg", self.svg.as_deref(), "something else");
+        arguments.refuse_stream("--output", rows.filter(|_| json), "something else");
         let (velocities, stresses) = (velocities?, stresses?);
         let (points, limit) =
             (u64::from(velocities.points) * u64::from(stresses.points), Limits::default().max_points);
@@ -129,9 +126,7 @@ impl GridRequest {
     /// When an output cannot be written.
     pub fn run(&self, threshold: &InertialThreshold, json: bool, progress: Progress) -> Result<(), Failure> {
         // An output that cannot be written is reported before the work, not after it.
-        let outputs = [&self.rows, &self.svg].map(|place| place.as_deref().map(Output::create).transpose());
-        let [rows, svg] = outputs;
-        let (rows, svg) = (rows?, svg?);
+        let [rows, svg] = Output::create_both([self.rows.as_deref(), self.svg.as_deref()])?;
         let tally = self.tally(threshold, progress);
         let files =
             GridFiles::new(&self.slider, threshold, [&self.loading_velocities, &self.normal_stresses]);
@@ -141,14 +136,7 @@ impl GridRequest {
             bar.finish_and_clear();
         }
         svg.map_or(Ok(()), |output| files.draw(output))?;
-        if json {
-            return terminal::print_json(&self.json(&tally));
-        }
-        if self.rows.as_deref().is_some_and(is_stream) {
-            terminal::message(self.text(&tally).trim_end());
-            return Ok(());
-        }
-        terminal::print(&self.text(&tally))
+        self.answer(&tally).print_beside(json, self.rows.as_deref())
     }
 
     fn tally(&self, threshold: &InertialThreshold, progress: Progress) -> Tally {
@@ -177,56 +165,41 @@ impl GridRequest {
         u64::from(self.loading_velocities.points) * u64::from(self.normal_stresses.points)
     }
 
-    fn json(&self, tally: &Tally) -> Value {
-        let counts = |counted: Vec<(&str, u64)>| {
-            counted.into_iter().map(|(name, count)| (name.to_string(), count.into())).collect::<Map<_, _>>()
+    fn answer(&self, tally: &Tally) -> Answer {
+        let (velocities, stresses) = (self.loading_velocities.points, self.normal_stresses.points);
+        let counted = |part: Answer, (name, count): (&'static str, u64)| {
+            counted(part, name, (name, count), &percent(count, tally.points()))
         };
-        let decided_by = tally.decided_by();
-        json!({
-            "schema": SCHEMA,
-            "inputs": slider_json(&self.slider),
-            "loading_velocities": self.loading_velocities.points,
-            "normal_stresses": self.normal_stresses.points,
-            "points": tally.points(),
-            "slip_mode": counts(modes(tally)),
-            "spectral_class": counts(classes(tally)),
-            "on_transition": tally.on_transition(),
-            "on_boundary": tally.on_boundary(),
-            "rung": {"f64": decided_by.f64, "exact": decided_by.exact},
-        })
-    }
-
-    fn text(&self, tally: &Tally) -> String {
-        let counted = modes(tally).into_iter().chain(classes(tally));
-        let axes = format!(
-            "({} velocities x {} stresses)",
-            self.loading_velocities.points, self.normal_stresses.points
-        );
-        let decided_by = tally.decided_by();
-        let mut lines = vec![line("points", tally.points(), &axes)];
-        lines.extend(counted.map(|(name, count)| line(name, count, &percent(count, tally.points()))));
-        lines.extend([
-            line("exactly on K = K_c", tally.on_transition(), ""),
-            line("exactly on max Im(s) = 0", tally.on_boundary(), ""),
-            line("decided by f64", decided_by.f64, ""),
-            line("decided by rationals", decided_by.exact, ""),
-        ]);
-        lines.concat()
+        let modes = SlipMode::ALL.into_iter().map(|mode| (mode.as_str(), tally.of_mode(mode)));
+        let classes = SpectralClass::ALL.into_iter().map(|class| (class.as_str(), tally.of_class(class)));
+        let neutral = (NEUTRAL, tally.on_transition());
+        let axes = format!("({velocities} velocities x {stresses} stresses)");
+        let answer = Answer::to(slider_json(&self.slider))
+            .with("loading_velocities", velocities)
+            .with("normal_stresses", stresses);
+        let answer = self::counted(answer, "points", ("points", tally.points()), &axes)
+            .part("slip_mode", modes.chain([neutral]).fold(Answer::default(), counted))
+            .part("spectral_class", classes.fold(Answer::default(), counted));
+        let answer =
+            self::counted(answer, "on_transition", ("exactly on K = K_c", tally.on_transition()), "");
+        let answer =
+            self::counted(answer, "on_boundary", ("exactly on max Im(s) = 0", tally.on_boundary()), "");
+        let levels = [
+            ("f64", ("decided by f64", tally.decided_by().f64)),
+            ("exact", ("decided by rationals", tally.decided_by().exact)),
+        ];
+        let levels = levels.into_iter();
+        answer.part(
+            "rung",
+            levels.fold(Answer::default(), |part, (key, line)| self::counted(part, key, line, "")),
+        )
     }
 }
 
-/// A line wide enough for the longest name of a mode and the largest number of points.
-fn line(name: &str, count: u64, note: &str) -> String {
-    format!("{}\n", format!("{name:<37}{count:>13}  {note}").trim_end())
-}
-
-fn modes(tally: &Tally) -> Vec<(&'static str, u64)> {
-    let decided = SlipMode::ALL.into_iter().map(|mode| (mode.as_str(), tally.of_mode(mode)));
-    decided.chain([(NEUTRAL, tally.on_transition())]).collect()
-}
-
-fn classes(tally: &Tally) -> Vec<(&'static str, u64)> {
-    SpectralClass::ALL.into_iter().map(|class| (class.as_str(), tally.of_class(class))).collect()
+/// Adds a count, in a line wide enough for the longest name of a mode and the largest number of points.
+fn counted(answer: Answer, key: &str, (name, count): (&str, u64), note: &str) -> Answer {
+    let line = format!("{name:<37}{count:>13}  {note}");
+    answer.with(key, count).text(line.trim_end()).text("\n")
 }
 
 /// A share in per cent to four decimals.

@@ -47,8 +47,8 @@ impl<'g> GridFiles<'g> {
 
     /// Writes a row for every point: its coordinates, and the columns of `classify --points`. Memory does not grow with the grid.
     pub fn write_rows(&self, mut output: Output, done: impl Fn(u64)) -> Result<(), Failure> {
-        let work = ClassifyRows { threshold: self.threshold.clone() };
-        let names = ClassifyRows::APPENDED.join(",");
+        let work = ClassifyRows::<false> { threshold: self.threshold.clone() };
+        let names = ClassifyRows::<false>::APPENDED.join(",");
         let head = format!("loading_velocity_m_per_s,normal_stress_pa,{names}\n");
         output.write_all(head.as_bytes()).map_err(|error| machine_write(&error))?;
         let [velocities, stresses] = [self.loading_velocities, self.normal_stresses].map(LogCoordinates::of);
@@ -61,7 +61,7 @@ impl<'g> GridFiles<'g> {
                     let velocity = velocities.at(column);
                     text.extend_from_slice(format!("{},{}", shortest(velocity), shortest(stress)).as_bytes());
                     let found = Found::Point(self.classified(velocity, stress));
-                    work.append(&Classified { found, warnings: Vec::new() }, &mut text);
+                    work.append(&Classified { found, derived: None, warnings: Vec::new() }, &mut text);
                     text.push(b'\n');
                 }
                 text

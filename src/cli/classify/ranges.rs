@@ -1,12 +1,11 @@
 //! The ranges of growth rate, largest imaginary part and frequency over error bars, as text, JSON and cells.
 
-use serde_json::{Value, json};
 use slipmode_core::number::format::round_digits;
 use slipmode_core::number::{Rational, Wide, nearest_f64};
 use slipmode_core::stability::{OverBox, ParameterBox, Ranges, ValueRange, ranges_over_box};
 
-/// Significant digits in the text for people.
-const SHOWN_DIGITS: usize = 6;
+use crate::cli::answer::{Answer, SHOWN_DIGITS};
+
 /// The text states where values are attained if the enclosure is wider by more than this share of them.
 const NOTICED: f64 = 1e-6;
 
@@ -33,36 +32,37 @@ impl RootRanges {
         self.all().map(|range| range.map(|range| range.enclosure))
     }
 
-    /// The least and the greatest value found at points of the box.
-    pub fn attained_json(&self) -> Value {
-        let [real, imaginary, frequency] = self.all().map(|range| range.map(|range| range.attained));
-        json!({ "max_real_per_s": real, "max_imaginary_per_s": imaginary, "frequency_hz": frequency })
+    /// States the enclosures, and the least and greatest values that were found at points of the box.
+    pub fn answer(&self) -> Answer {
+        let names = [
+            ("max_real_per_s", "max Re(s)", "1/s", ""),
+            ("max_imaginary_per_s", "max Im(s)", "1/s", ""),
+            ("frequency_hz", "frequency", "Hz", "(max Im(s)/2 pi)"),
+        ];
+        let (mut answer, mut attained) = (Answer::default(), Answer::default());
+        for ((key, name, unit, note), range) in names.into_iter().zip(self.all()) {
+            attained = attained.with(key, range.map(|range| range.attained));
+            answer = answer.with(key, range.map(|range| range.enclosure));
+            answer = match range {
+                Some(range) => {
+                    let note = attained_words(&range).unwrap_or_else(|| note.to_string());
+                    answer.named(name, &format!("{} {unit}", shown(range.enclosure))).note(&note)
+                }
+                None => answer.named(name, "-").note("(beyond the range of 64-bit numbers)"),
+            };
+        }
+        answer.part("attained", attained)
     }
+}
 
-    /// A line for each range.
-    pub fn lines(&self) -> Vec<(&'static str, String, String)> {
-        let [real, imaginary, frequency] = self.all();
-        let line = |name: &'static str, range: Option<ValueRange>, unit: &str, note: &str| {
-            let Some(ValueRange { enclosure, attained }) = range else {
-                return (name, "-".to_string(), "(beyond the range of 64-bit numbers)".to_string());
-            };
-            let shown = |[low, high]: [f64; 2]| {
-                format!("{} to {}", round_digits(low, SHOWN_DIGITS), round_digits(high, SHOWN_DIGITS))
-            };
-            let is_wide = |i: usize| (enclosure[i] - attained[i]).abs() > NOTICED * attained[i].abs();
-            let note = if is_wide(0) || is_wide(1) {
-                format!("(enclosed; values of {} occur)", shown(attained))
-            } else {
-                note.to_string()
-            };
-            (name, format!("{} {unit}", shown(enclosure)), note)
-        };
-        vec![
-            line("max Re(s)", real, "1/s", ""),
-            line("max Im(s)", imaginary, "1/s", ""),
-            line("frequency", frequency, "Hz", "(max Im(s)/2 pi)"),
-        ]
-    }
+fn shown([low, high]: [f64; 2]) -> String {
+    format!("{} to {}", round_digits(low, SHOWN_DIGITS), round_digits(high, SHOWN_DIGITS))
+}
+
+/// States the values that occur, where the enclosure is noticeably wider.
+fn attained_words(ValueRange { enclosure, attained }: &ValueRange) -> Option<String> {
+    let is_wide = |i: usize| (enclosure[i] - attained[i]).abs() > NOTICED * attained[i].abs();
+    (is_wide(0) || is_wide(1)).then(|| format!("(enclosed; values of {} occur)", shown(*attained)))
 }
 
 /// The frequencies, enclosed.

@@ -2,7 +2,7 @@
 
 use std::io::Write;
 
-use slipmode::csv::{Cells, Remark, RowWork, push_cell};
+use slipmode::csv::{Cells, Remark, RowWork, joined, names, push_cell, push_cells};
 use slipmode::scene::{Faults, Problem, Uncertain};
 use slipmode_core::friction::Parameters;
 use slipmode_core::number::{Dd, nearest_f64};
@@ -12,13 +12,14 @@ use slipmode_core::stability::{
     Classification, InertialThreshold, OverBox, SpectralClass, classify, over_box,
 };
 
-use crate::cli::classify::ranges::{RootRanges, cell};
+use crate::cli::classify::derived::{self, Derived};
+use crate::cli::classify::ranges::{RootRanges, cell, outward};
 use crate::cli::options::{OVER_BOX, uncertain_box};
 use crate::cli::unit_warnings::slider_warnings;
 
-/// Classifies rows.
+/// Classifies rows; with `DERIVED`, what follows from a classification is appended too.
 #[derive(Debug)]
-pub struct ClassifyRows {
+pub struct ClassifyRows<const DERIVED: bool> {
     /// From which ω/ω_n on an oscillation is called inertial.
     pub threshold: InertialThreshold,
 }
@@ -46,6 +47,8 @@ pub struct BoxFound {
 pub struct Classified {
     /// What it is.
     pub found: Found,
+    /// What follows for a point, where it is wanted.
+    pub derived: Option<Derived>,
     /// Values that look like another unit's.
     pub warnings: Vec<String>,
 }
@@ -72,20 +75,27 @@ fn push_word(word: &str, out: &mut Vec<u8>) {
 /// The word of points on K = K_c, as class and as mode.
 pub const NEUTRAL: &str = SpectralClass::Neutral.as_str();
 
-impl RowWork for ClassifyRows {
+/// The columns of a classification.
+const COLUMNS: [&str; 7] = [
+    "transition_sign",
+    "boundary_sign",
+    "spectral_class",
+    "slip_mode",
+    "max_real_per_s",
+    "max_imaginary_per_s",
+    "rung",
+];
+
+impl<const DERIVED: bool> RowWork for ClassifyRows<DERIVED> {
     /// Reading decides every row, many of them together.
     type Input = Classified;
     type Kept = ();
 
-    const APPENDED: &'static [&'static str] = &[
-        "transition_sign",
-        "boundary_sign",
-        "spectral_class",
-        "slip_mode",
-        "max_real_per_s",
-        "max_imaginary_per_s",
-        "rung",
-    ];
+    const APPENDED: &'static [&'static str] = if DERIVED {
+        &joined::<{ COLUMNS.len() + derived::COLUMNS.len() }>(&COLUMNS, &names(&derived::COLUMNS))
+    } else {
+        &COLUMNS
+    };
     const BLOCK_ROWS: usize = 2048;
     const BLOCKS_PER_THREAD: usize = 1;
 
@@ -95,8 +105,9 @@ impl RowWork for ClassifyRows {
         let parameters = Parameters::from(values.each_ref().map(Uncertain::middle));
         let warnings = slider_warnings(parameters.map(nearest_f64));
         if values.iter().all(Uncertain::is_certain) {
-            let found = Found::Point(classify(&parameters, &self.threshold));
-            return Ok(Classified { found, warnings });
+            let found = classify(&parameters, &self.threshold);
+            let derived = DERIVED.then(|| Derived::of(&parameters, &found));
+            return Ok(Classified { found: Found::Point(found), derived, warnings });
         }
         let found = uncertain_box(values).and_then(|region| {
             let over = over_box(&region, &self.threshold)?;
@@ -105,7 +116,7 @@ impl RowWork for ClassifyRows {
         });
         let needs = || Problem::Needs(format!("--inertial-threshold with {OVER_BOX}"));
         let found = found.ok_or_else(|| vec![cells.fault(None, needs())])?;
-        Ok(Classified { found: Found::Box(Box::new(found)), warnings })
+        Ok(Classified { found: Found::Box(Box::new(found)), derived: None, warnings })
     }
 
     /// Rows in double-double, together; those that it does not decide by the exact values.
@@ -118,17 +129,33 @@ impl RowWork for ClassifyRows {
         let row = |(cells, point): (&Cells<'_>, Option<Parameters<Dd>>)| {
             let found = point.and_then(|point| classified.next().flatten().map(|found| (point, found)));
             let Some((point, found)) = found else { return self.read(*cells) };
-            Ok(Classified { found: Found::Point(found), warnings: slider_warnings(point.map(Dd::hi)) })
+            let derived = DERIVED.then(|| {
+                Derived::quickly(&point, &found)
+                    .or_else(|| Some(Derived::of(&cells.parameters().ok()?, &found)))
+            });
+            let warnings = slider_warnings(point.map(Dd::hi));
+            Ok(Classified { found: Found::Point(found), derived: derived.flatten(), warnings })
         };
         cells.iter().zip(points).map(row).collect()
     }
 
-    fn append(&self, Classified { found, warnings }: &Classified, out: &mut Vec<u8>) -> Remark {
+    fn append(&self, Classified { found, derived, warnings }: &Classified, out: &mut Vec<u8>) -> Remark {
         match found {
             Found::Point(found) => append_point(found, out),
             Found::Box(found) => append_box(found, out),
         }
-        Remark { warning: (!warnings.is_empty()).then(|| warnings.join("; ")), ..Remark::default() }
+        match (found, derived) {
+            (_, Some(derived)) => push_cells(&derived::COLUMNS, derived, out),
+            (Found::Box(found), None) if DERIVED => {
+                let [_, _, frequency] = found.ranges.enclosures();
+                push_ranges(
+                    [frequency, Some(outward(&found.over.critical_stiffness_pa_per_m)), None, None],
+                    out,
+                );
+            }
+            _ => {}
+        }
+        Remark::warning(warnings)
     }
 }
 
@@ -158,9 +185,13 @@ fn append_box(BoxFound { over: found, ranges }: &BoxFound, out: &mut Vec<u8>) {
     push_word(&classes.collect::<Vec<_>>().join(";"), out);
     push_word(&modes.join(";"), out);
     let [real, imaginary, _] = ranges.enclosures();
-    for range in [real, imaginary] {
+    push_ranges([real, imaginary], out);
+    push_word(PrecisionLevel::Exact.as_str(), out);
+}
+
+fn push_ranges<const N: usize>(ranges: [Option<[f64; 2]>; N], out: &mut Vec<u8>) {
+    for range in ranges {
         out.push(b',');
         push_cell(out, cell(range).as_bytes());
     }
-    push_word(PrecisionLevel::Exact.as_str(), out);
 }

@@ -1,10 +1,10 @@
 //! `classify --distribution`: shares of slip modes among random points within the error bars.
 
 use clap::Args;
-use serde_json::{Value, json};
 use slipmode::scene::of_word;
 use slipmode_core::stability::{Distribution, InertialThreshold, ParameterBox, SampledShare, sampled_shares};
 
+use crate::cli::answer::Answer;
 use crate::cli::options::Arguments;
 
 /// The number of random points unless it is given.
@@ -75,28 +75,25 @@ impl Sample {
 }
 
 impl Sampled {
-    /// One object: the distribution, the number of points, and the shares of all modes.
-    pub fn json(&self) -> Value {
-        let share = |found: &SampledShare| json!({ "mode": found.mode.as_str(), "share": found.share, "sampling_error": found.sampling_error });
-        json!({
-            "distribution": self.sample.distribution.as_str(),
-            "samples": self.sample.samples,
-            "shares": self.shares.iter().map(share).collect::<Vec<_>>(),
-        })
-    }
-
-    /// A line for each mode that was found.
-    pub fn lines(&self) -> Vec<(&'static str, String, String)> {
+    /// States the distribution, the number of points, and the shares of all modes; each mode that was found has a line.
+    pub fn answer(&self) -> Answer {
         let Sample { distribution, samples } = self.sample;
-        let found = self.shares.iter().filter(|found| found.share > 0.0);
-        let line = |found: &SampledShare| {
+        let word = distribution.as_str();
+        let share = |found: &SampledShare| {
+            let part = Answer::default()
+                .with("mode", found.mode.as_str())
+                .with("share", found.share)
+                .with("sampling_error", found.sampling_error);
+            if found.share <= 0.0 {
+                return part;
+            }
             let (share, error) = (100.0 * found.share, 100.0 * found.sampling_error);
-            let note = format!(
-                "({share:.2} % ± {error:.2} % of {samples} random points, {})",
-                distribution.as_str()
-            );
-            ("sampled share", found.mode.as_str().to_string(), note)
+            let note = format!("({share:.2} % ± {error:.2} % of {samples} random points, {word})");
+            part.named("sampled share", found.mode.as_str()).note(&note)
         };
-        found.map(line).collect()
+        Answer::default()
+            .with("distribution", word)
+            .with("samples", samples)
+            .list("shares", self.shares.iter().map(share))
     }
 }

@@ -3,22 +3,20 @@
 use slipmode::comparison::recording::Recording;
 use slipmode::comparison::{Observable, Reference};
 use slipmode::report::FigureView;
-use slipmode_core::dynamics::{Behaviour, Control, Model, Radau, trajectory};
+use slipmode_core::dynamics::Behaviour;
 use slipmode_core::number::format::round_digits;
 use slipmode_core::number::nearest_f64;
 use slipmode_plot::figure::{Axis, Caption, LineChart, Reference as Across, Series};
 
 use crate::cli::compare::rows::ComparedRow;
-use crate::cli::simulate::run::Settings;
+use crate::cli::simulate::run::{Settings, follow};
 
 /// Late cycles drawn, from the first rows that have one.
 const MOST_CYCLES: usize = 6;
 /// Where the axis of differences becomes linear, in units of the allowed difference.
 const SMALLEST: f64 = 1e-4;
-/// Periods after which our cycle is drawn, samples of a step, and most steps.
+/// Periods after which our cycle is drawn.
 const PERIODS: f64 = 12.0;
-const SAMPLES_PER_STEP: usize = 8;
-const MOST_STEPS: u64 = 1_000_000;
 
 /// All figures that the rows have numbers for.
 pub fn figures(rows: &[ComparedRow]) -> Vec<FigureView> {
@@ -132,16 +130,13 @@ fn our_recording(row: &ComparedRow) -> Option<Recording> {
     let period_s = found.period_s.filter(|_| found.behaviour == Behaviour::Periodic)?;
     let parameters = &row.run.parameters;
     let rate_per_s = nearest_f64(&parameters.rate_per_s());
-    let model = Model::new(parameters.groups().map(nearest_f64), row.run.law);
-    let options = Settings { tolerance: found.peak_relative_error, start: row.start }.options();
-    let start = row.start.state(&model, &libm::log(options.velocity_ratio));
-    let control = Control { local_tolerance: found.local_tolerance, most_steps: MOST_STEPS };
+    let settings = Settings { tolerance: found.peak_relative_error, start: row.start };
     let until = PERIODS * period_s * rate_per_s;
-    let run = trajectory(&model, Radau::<f64, 5>::new(), start, control, until, SAMPLES_PER_STEP).ok()?;
+    let samples = follow(parameters, row.run.law, settings, found, (until, None)).ok()?;
     let level = libm::log(nearest_f64(&parameters.point.loading_velocity_m_per_s));
     Some(Recording {
-        times_s: run.samples.iter().map(|sample| sample.time / rate_per_s).collect(),
-        log_velocities: run.samples.iter().map(|sample| sample.state[0] + level).collect(),
+        times_s: samples.iter().map(|sample| sample.time / rate_per_s).collect(),
+        log_velocities: samples.iter().map(|sample| sample.state[0] + level).collect(),
         stresses_pa: Vec::new(),
     })
 }

@@ -144,7 +144,7 @@ impl RowWork for CompareRows {
         push_cells(&COLUMNS, &compared, out);
         Remark {
             is_unanswered: compared.comparison.verdict == Agreement::NotCompared,
-            warning: (!compared.warnings.is_empty()).then(|| compared.warnings.join("; ")),
+            warning: Remark::<()>::warning(&compared.warnings).warning,
             kept: compared,
         }
     }

@@ -1,16 +1,16 @@
-//! What `compare` says: a table for people, one object for programs.
+//! The answer of `compare`.
 
-use serde_json::{Value as Json, json};
 use slipmode::comparison::recording::Measured;
 use slipmode::comparison::{Agreement, Finding, Value};
 use slipmode_core::number::format::round_digits;
 
+use crate::cli::answer::{Answer, SCHEMA};
 use crate::cli::compare::cells::reason;
 use crate::cli::compare::rows::{ComparedRow, counts};
-use crate::cli::inputs::{SCHEMA, inputs_json};
-use crate::cli::simulate::rows::Answer;
-use crate::cli::simulate::view;
-use crate::cli::terminal;
+use crate::cli::inputs::inputs_json;
+use crate::cli::simulate;
+use crate::cli::simulate::rows::Simulated;
+use crate::cli::terminal::count_of;
 
 /// Up to so many rows, every finding is shown; beyond it those of rows that do not agree.
 const ROWS_IN_FULL: usize = 20;
@@ -18,24 +18,29 @@ const ROWS_IN_FULL: usize = 20;
 const VALUE_DIGITS: usize = 8;
 const ERROR_DIGITS: usize = 2;
 
-/// The verdicts with the numbers behind them.
-pub fn text(rows: &[ComparedRow]) -> String {
-    let mut text = String::new();
-    for row in rows {
+/// States the rows in their order with the numbers behind their verdicts, counts the verdicts, and counts the rows that were
+/// passed over.
+pub fn answer(rows: &[ComparedRow], faulty: u64) -> Answer {
+    let row = |row: &ComparedRow| {
         let found = &row.comparison;
         let in_full = rows.len() <= ROWS_IN_FULL || found.verdict != Agreement::Agrees;
-        text += &heading(row);
+        let mut text = heading(row);
         if in_full {
             found.findings.iter().for_each(|finding| text += &line(finding));
         }
-        if let Some(diagnosis) = &found.diagnosis {
-            text += &format!("  {diagnosis}\n");
-        }
-    }
+        let diagnosis = found.diagnosis.as_ref().map(|diagnosis| format!("  {diagnosis}\n"));
+        row_part(row).text(&text).text(&diagnosis.unwrap_or_default())
+    };
     let [agree, differ, not_compared] = counts(rows);
-    let rows = terminal::count_of(rows.len(), "row");
-    text += &format!("{rows}: {agree} agree, {differ} differ, {not_compared} not compared\n");
-    text
+    let count = count_of(rows.len(), "row");
+    Answer::default()
+        .with("schema", SCHEMA)
+        .list("rows", rows.iter().map(row))
+        .text(&format!("{count}: {agree} agree, {differ} differ, {not_compared} not compared\n"))
+        .with("agree", agree)
+        .with("differ", differ)
+        .with("not_compared", not_compared)
+        .with("at_fault", faulty)
 }
 
 fn heading(row: &ComparedRow) -> String {
@@ -96,39 +101,28 @@ fn shown_value(value: Value, unit: &str) -> String {
     }
 }
 
-/// One object: the rows in their order, how many there are of each verdict, and how many were passed over.
-pub fn json(rows: &[ComparedRow], faulty: u64) -> Json {
-    let [agree, differ, not_compared] = counts(rows);
-    json!({
-        "schema": SCHEMA,
-        "rows": rows.iter().map(row_object).collect::<Vec<_>>(),
-        "agree": agree,
-        "differ": differ,
-        "not_compared": not_compared,
-        "at_fault": faulty,
-    })
-}
-
-fn row_object(row: &ComparedRow) -> Json {
+fn row_part(row: &ComparedRow) -> Answer {
     let found = &row.comparison;
     let theory = &found.theory;
-    json!({
-        "row": row.number,
-        "inputs": inputs_json(&row.run.parameters),
-        "law": row.run.law.as_str(),
-        "start": row.start.as_str(),
-        "tolerance": row.run.tolerance,
-        "verdict": found.verdict.as_str(),
-        "reason": reason(found),
-        "warnings": row.warnings,
-        "theory": {
-            "spectral_class": theory.class.as_str(),
-            "slip_mode": theory.slip_mode.as_str(),
-            "stiffness_over_critical": theory.stiffness_ratio,
-            "frequency_hz": theory.frequency_hz,
-            "growth_rate_per_s": theory.growth_rate_per_s,
-        },
-        "simulation": view::json(&Answer::new(found.simulation.clone(), &row.run.parameters)),
-        "findings": found.findings,
-    })
+    let simulated = Simulated::new(found.simulation.clone(), &row.run.parameters);
+    Answer::default()
+        .with("row", row.number)
+        .with("inputs", inputs_json(&row.run.parameters))
+        .with("law", row.run.law.as_str())
+        .with("start", row.start.as_str())
+        .with("tolerance", row.run.tolerance)
+        .with("verdict", found.verdict.as_str())
+        .with("reason", reason(found))
+        .with("warnings", &row.warnings)
+        .with("findings", &found.findings)
+        .part("simulation", Answer::default().columns(&simulate::rows::COLUMNS, &simulated))
+        .part(
+            "theory",
+            Answer::default()
+                .with("spectral_class", theory.class.as_str())
+                .with("slip_mode", theory.slip_mode.as_str())
+                .with("stiffness_over_critical", theory.stiffness_ratio)
+                .with("frequency_hz", theory.frequency_hz)
+                .with("growth_rate_per_s", theory.growth_rate_per_s),
+        )
 }

@@ -1,5 +1,6 @@
 //! The scene of a new report: the slider as it was typed, and what is computed for it.
 
+use slipmode::scene::cited;
 use slipmode::scene::{Quantity, Uncertain, with_unit};
 use slipmode_core::number::format::exact_text;
 
@@ -68,7 +69,7 @@ pub fn scene_text(typed: &Typed, effects: Effects, ranges: &Ranges) -> String {
          [boundary]\npoints = 160  # on each arc\ndigits = 30  # certain digits of each coordinate\n"
             .into(),
         frequency(effects, ranges.velocity),
-        "# Where each formula (eqs 15, 16, 18, 20) has at most these relative errors.\n[tolerance]\nrelative = [0.1, \
+        "# Where each formula ({quasi-static-upper, quasi-static-lower, inertial-upper, inertial-lower}) has at most these relative errors.\n[tolerance]\nrelative = [0.1, \
             0.01, 0.001]\n"
             .into(),
         format!(
@@ -80,7 +81,7 @@ pub fn scene_text(typed: &Typed, effects: Effects, ranges: &Ranges) -> String {
                 peak velocity and period\n"
         ),
     ];
-    sections.join("\n")
+    cited(&sections.join("\n"))
 }
 
 fn parameters(typed: &Typed) -> String {
@@ -89,8 +90,8 @@ fn parameters(typed: &Typed) -> String {
         false => "# As typed.\n",
     };
     let meaning: [&str; 7] = [
-        "a of eq 1",
-        "b of eq 1",
+        "a of {friction}",
+        "b of {friction}",
         "D_c",
         "K: stiffness of machine and specimen, shear stress per slip",
         "M: moving mass per area of contact",
@@ -108,13 +109,13 @@ fn parameters(typed: &Typed) -> String {
 fn frequency(effects: Effects, velocity: Decades) -> String {
     match effects {
         Effects::Weakening => format!(
-            "# max Im(s) along lines of constant normal stress, in units of the critical one (eq 12).\n\
+            "# max Im(s) along lines of constant normal stress, in units of the critical one ({{critical-normal-stress}}).\n\
              [frequency]\nnormal_stress_over_critical = [\"1/3\", 1, 3]\n\
              loading_velocity_m_per_s = {{ from = 1e{}, to = 1e{}, points = 121 }}\n",
             velocity.from, velocity.to
         ),
         Effects::Neutral | Effects::Strengthening => {
-            "# [frequency] is left out: it needs the critical normal stress of eq 12, which exists for a < b only.\n".into()
+            "# [frequency] is left out: it needs the critical normal stress of {critical-normal-stress}, which exists for a < b only.\n".into()
         }
     }
 }

@@ -5,13 +5,13 @@ use std::fmt;
 use rug::Float;
 use slipmode::experiments::pictures::trajectory_picture;
 use slipmode::experiments::trajectories::Moment;
-use slipmode_core::dynamics::{Control, Model, Radau, Sample, Simulation, trajectory, trajectory_at};
+use slipmode_core::dynamics::{Sample, Simulation};
 use slipmode_core::friction::{EvolutionLaw, Parameters};
 use slipmode_core::number::format::{round_float, shortest};
 use slipmode_core::number::{Rational, nearest_f64};
 
 use crate::cli::failure::Failure;
-use crate::cli::simulate::run::Settings;
+use crate::cli::simulate::run::{Settings, follow};
 
 /// The columns; the stress is counted from that of steady sliding at V0, which eq 1 gives up to μ0 only, and slip from the start.
 const HEADER: &str = "time_s,velocity_m_per_s,state_variable_s,shear_stress_pa,slip_m\n";
@@ -19,10 +19,6 @@ const HEADER: &str = "time_s,velocity_m_per_s,state_variable_s,shear_stress_pa,s
 const PERIODS: f64 = 10.0;
 /// Decay times that a trajectory without oscillation shows: e^-30 is 1e-13.
 const DECAY_TIMES: f64 = 30.0;
-/// Samples of a step: the steps of a method of order 9 are too long for a smooth line.
-const SAMPLES_PER_STEP: usize = 8;
-/// Most steps of a trajectory, so that its samples stay below half a gigabyte.
-const MOST_STEPS: u64 = 1_000_000;
 /// Digits of a sample beyond those of the estimated error of the peak.
 const GUARD_DIGITS: usize = 1;
 
@@ -53,7 +49,6 @@ impl History {
         simulation: &Simulation,
         extent: &Extent,
     ) -> Result<Self, Failure> {
-        let model = Model::new(parameters.groups().map(nearest_f64), law);
         let units = Units::new(parameters, simulation);
         let duration =
             extent.duration_s.as_ref().map_or_else(|| default_duration(simulation, &units), nearest_f64);
@@ -61,19 +56,7 @@ impl History {
         if !(until.is_normal() && units.rate_per_s.is_normal()) {
             return Err(failed(&"its duration is beyond the range of 64-bit numbers"));
         }
-        let control = Control { local_tolerance: simulation.local_tolerance, most_steps: MOST_STEPS };
-        let start = settings.start.state(&model, &libm::log(settings.options().velocity_ratio));
-        let method = Radau::<f64, 5>::new();
-        let samples = match extent.samples {
-            None => {
-                trajectory(&model, method, start, control, until, SAMPLES_PER_STEP).map(|run| run.samples)
-            }
-            Some(count) => {
-                let last = (count - 1) as f64;
-                let times: Vec<f64> = (0..count).map(|index| until * (index as f64 / last)).collect();
-                trajectory_at(&model, method, start, control, &times)
-            }
-        };
+        let samples = follow(parameters, law, settings, simulation, (until, extent.samples));
         Ok(Self { units, samples: samples.map_err(|failure| failed(&failure))? })
     }
 

@@ -15,12 +15,6 @@ const TESTED: [(&str, [f64; 2]); 3] = [
     ("beta = b/a", [0.66, 5.0]),
 ];
 
-/// What a user should know of a row's values before trusting a simulation, if anything.
-pub fn row_warning(parameters: &Parameters<Rational>) -> Option<String> {
-    let warnings = warnings(parameters);
-    (!warnings.is_empty()).then(|| warnings.join("; "))
-}
-
 /// Units that are not SI, and groups for which no simulation was tested.
 pub fn warnings(parameters: &Parameters<Rational>) -> Vec<String> {
     let mut warnings = slider_warnings(parameters.map(nearest_f64));

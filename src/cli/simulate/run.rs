@@ -1,8 +1,15 @@
 //! One simulation, ended by observables that are numbers or by a reason in words.
 
-use slipmode_core::dynamics::{self, Simulation, Start};
+use slipmode_core::dynamics::{
+    self, Control, Failure, Model, Radau, Sample, Simulation, Start, trajectory, trajectory_at,
+};
 use slipmode_core::friction::{EvolutionLaw, Parameters};
-use slipmode_core::number::Rational;
+use slipmode_core::number::{Rational, nearest_f64};
+
+/// Samples of a step: the steps of a method of order 9 are too long for a smooth line.
+const SAMPLES_PER_STEP: usize = 8;
+/// Most steps of a trajectory, so that its samples stay below half a gigabyte.
+const MOST_STEPS: u64 = 1_000_000;
 
 /// What is the same for every simulation of a command.
 #[derive(Debug, Clone, Copy)]
@@ -33,4 +40,28 @@ pub fn simulate_point(parameters: &Parameters<Rational>, law: EvolutionLaw, sett
     } else {
         Err("peak velocity, period or stress drop is beyond the range of 64-bit numbers".into())
     }
+}
+
+/// Integrates from the start again until a time of the model, as accurately as the finest run of the simulation: the samples of
+/// its steps, or so many at equal steps of time, both ends included.
+///
+/// # Errors
+/// When the integrator fails.
+pub fn follow(
+    parameters: &Parameters<Rational>,
+    law: EvolutionLaw,
+    settings: Settings,
+    simulation: &Simulation,
+    (until, count): (f64, Option<u64>),
+) -> Result<Vec<Sample>, Failure> {
+    let model = Model::new(parameters.groups().map(nearest_f64), law);
+    let control = Control { local_tolerance: simulation.local_tolerance, most_steps: MOST_STEPS };
+    let start = settings.start.state(&model, &libm::log(settings.options().velocity_ratio));
+    let method = Radau::<f64, 5>::new();
+    let Some(count) = count else {
+        return Ok(trajectory(&model, method, start, control, until, SAMPLES_PER_STEP)?.samples);
+    };
+    let last = (count - 1) as f64;
+    let times: Vec<f64> = (0..count).map(|index| until * (index as f64 / last)).collect();
+    trajectory_at(&model, method, start, control, &times)
 }

@@ -1,16 +1,14 @@
 //! `solve --points`: the solutions of every row.
 
+use serde_json::Value;
 use slipmode::csv::{Cells, Remark, RowWork, push_cell};
 use slipmode::scene::{Faults, Problem, Quantity, Uncertain};
-use slipmode_core::friction::Parameters;
-use slipmode_core::number::{Rational, nearest_f64};
+use slipmode_core::number::nearest_f64;
 use slipmode_core::stability::ParameterBox;
 
+use crate::cli::answer::cell;
 use crate::cli::options::uncertain_box;
-use crate::cli::solve::over_box::StableForBox;
-use crate::cli::solve::ranges::{cell, ranges};
-use crate::cli::solve::view::printed;
-use crate::cli::solve::{Asked, Question};
+use crate::cli::solve::Question;
 use crate::cli::unit_warnings::unit_warnings;
 
 /// Columns of solutions.
@@ -20,7 +18,7 @@ const MOST_SOLUTIONS: usize = 4;
 #[derive(Debug)]
 pub struct SolveRows {
     /// The question that every row is asked.
-    pub asked: Asked,
+    pub question: Question,
 }
 
 /// What a row says.
@@ -28,14 +26,9 @@ pub struct SolveRows {
 pub struct Row {
     /// All values within its error bars, and 1 for the unknown.
     region: ParameterBox,
-    /// The values, where none has an error bar.
-    point: Option<Parameters<Rational>>,
-    /// The middle of each value, but of the unknown.
-    known: [Option<f64>; 7],
+    is_point: bool,
+    warnings: Vec<String>,
 }
-
-/// The solutions of a row: their number, a cell for each, and the status.
-type Solved = (String, Vec<String>, String);
 
 impl RowWork for SolveRows {
     type Input = Row;
@@ -47,64 +40,45 @@ impl RowWork for SolveRows {
     const BLOCKS_PER_THREAD: usize = 4;
 
     fn unknown(&self) -> Option<Quantity> {
-        Some(self.asked.quantity())
+        Some(self.question.quantity())
     }
 
     fn read(&self, cells: Cells<'_>) -> Result<Row, Faults> {
         let values = cells.uncertain_without(self.unknown())?;
         let is_point = values.iter().all(Uncertain::is_certain);
-        let middles = values.each_ref().map(Uncertain::middle);
-        let mut known = middles.each_ref().map(|value| Some(nearest_f64(value)));
-        known[self.asked.quantity() as usize] = None;
+        let mut known = values.each_ref().map(|value| Some(nearest_f64(&value.middle())));
+        known[self.question.quantity() as usize] = None;
         let needs = || vec![cells.fault(None, Problem::Needs("positive values".into()))];
         let region = uncertain_box(values).ok_or_else(needs)?;
-        Ok(Row { region, point: is_point.then(|| Parameters::from(middles)), known })
+        Ok(Row { region, is_point, warnings: unit_warnings(known, &[]) })
     }
 
     fn append(&self, row: &Row, out: &mut Vec<u8>) -> Remark {
-        let (count, values, status) = match (&self.asked, &row.point) {
-            (Asked::Target(question), Some(point)) => at_point(question, point),
-            (Asked::Target(question), None) => over_box(question, &row.region),
-            (Asked::StableForBox { digits }, _) => {
-                let (least, _) = StableForBox::new(row.region.clone(), *digits).printed();
-                ("1".to_string(), vec![least], "solved".to_string())
+        let answer = self.question.answer(&row.region, row.is_point);
+        let (count, solutions, status) = match &answer {
+            Ok(answer) => {
+                let solutions = answer.value("solutions").as_array().map_or(&[][..], Vec::as_slice);
+                let status = if solutions.is_empty() { "none" } else { "solved" };
+                (solutions.len().to_string(), columns(solutions), status.to_string())
             }
+            Err(undecided) => (String::new(), Vec::new(), undecided.to_string()),
         };
-        let is_unanswered = count.is_empty();
-        let columns = (0..MOST_SOLUTIONS).map(|index| values.get(index).cloned().unwrap_or_default());
+        let columns = (0..MOST_SOLUTIONS).map(|index| solutions.get(index).cloned().unwrap_or_default());
         for cell in [count].into_iter().chain(columns).chain([status]) {
             out.push(b',');
             push_cell(out, cell.as_bytes());
         }
-        let warnings = unit_warnings(row.known, &[]);
-        let warning = (!warnings.is_empty()).then(|| warnings.join("; "));
-        Remark { is_unanswered, warning, ..Remark::default() }
+        Remark { is_unanswered: answer.is_err(), ..Remark::warning(&row.warnings) }
     }
 }
 
-fn status(count: usize) -> String {
-    if count == 0 { "none" } else { "solved" }.to_string()
-}
-
-fn at_point(question: &Question, point: &Parameters<Rational>) -> Solved {
-    match question.solve(point) {
-        Ok(found) => {
-            let digits = question.digits as usize;
-            let values = found.iter().map(|solution| printed(solution, digits).0).collect();
-            (found.len().to_string(), values, status(found.len()))
-        }
-        Err(undecided) => (String::new(), Vec::new(), undecided.to_string()),
+/// Makes a cell of each solution, a value or a range. Beyond the columns, the last range reaches to the end of all that are left.
+fn columns(solutions: &[Value]) -> Vec<String> {
+    let mut solutions = solutions.to_vec();
+    if let Some(beyond) = solutions.get(MOST_SOLUTIONS..).and_then(<[_]>::last).cloned()
+        && let Some(end) = solutions[MOST_SOLUTIONS - 1].pointer_mut("/range/1")
+    {
+        *end = beyond["range"][1].clone();
     }
-}
-
-/// The ranges of solutions; beyond the columns, the last one holds all that are left.
-fn over_box(question: &Question, region: &ParameterBox) -> Solved {
-    let mut ranges = ranges(question, region);
-    let count = ranges.len();
-    if let Some(beyond) = ranges.get(MOST_SOLUTIONS..).and_then(<[_]>::last) {
-        let highest = beyond.enclosure[1];
-        ranges.truncate(MOST_SOLUTIONS);
-        ranges[MOST_SOLUTIONS - 1].enclosure[1] = highest;
-    }
-    (count.to_string(), ranges.iter().map(cell).collect(), status(count))
+    solutions.iter().map(|solution| cell(&solution["value"]) + &cell(&solution["range"])).collect()
 }

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use slipmode::archive::sha256_hex;
 use slipmode::experiments::Scene;
-use slipmode::scene::{Fault, Limits, Problem};
+use slipmode::scene::Limits;
 use slipmode::sweep::{PointSource, SweepPoints, SweepSection, SweepWork};
 use slipmode_core::dynamics::Start;
 use slipmode_core::friction::EvolutionLaw;
@@ -14,7 +14,7 @@ use slipmode_core::stability::InertialThreshold;
 use crate::cli::classify::rows::ClassifyRows;
 use crate::cli::environment::SOURCE_SHA256;
 use crate::cli::failure::Failure;
-use crate::cli::input::read_small_file;
+use crate::cli::input::{lacks, read_small_file};
 use crate::cli::simulate::rows::SimulateRows;
 use crate::cli::simulate::run::Settings;
 use crate::cli::sweep::asymptote_rows::AsymptoteRows;
@@ -34,15 +34,6 @@ pub struct Loaded {
     list: Option<PathBuf>,
 }
 
-/// What is done with the points, whatever the work at each is.
-pub trait Task {
-    /// Does it.
-    ///
-    /// # Errors
-    /// Whatever the task meets.
-    fn perform<W: PointWork>(self, loaded: &Loaded, points: &Points<W>) -> Result<(), Failure>;
-}
-
 /// The program's version with the digest of its sources: other sources may round otherwise.
 pub fn version() -> String {
     format!("{} {}", env!("CARGO_PKG_VERSION"), SOURCE_SHA256)
@@ -53,20 +44,11 @@ pub fn version() -> String {
 /// # Errors
 /// Every fault of the scene.
 pub fn load(place: &Path) -> Result<Loaded, Failure> {
-    let file = place.display().to_string();
     let bytes = read_small_file(place)?;
-    let scene = Scene::parse(&file, &bytes, &Limits::default())?;
+    let scene = Scene::parse(&place.display().to_string(), &bytes, &Limits::default())?;
     let threshold = scene.threshold();
     let Some(section) = scene.sweep else {
-        let allowed = "a [sweep] section with its work and its points".into();
-        return Err(Fault {
-            file,
-            line: None,
-            key: "sweep".into(),
-            value: None,
-            problem: Problem::Missing { allowed },
-        }
-        .into());
+        return Err(lacks(place, "sweep", "a [sweep] section with its work and its points").into());
     };
     let list = match &section.points {
         SweepPoints::List { file } => Some(place.parent().unwrap_or(Path::new("")).join(file)),
@@ -76,36 +58,33 @@ pub fn load(place: &Path) -> Result<Loaded, Failure> {
 }
 
 impl Loaded {
-    /// Does a task with the sweep's points.
+    /// The sweep's points, with the work at each.
     ///
     /// # Errors
-    /// When the list is at fault, and whatever the task meets.
-    pub fn perform(&self, task: impl Task) -> Result<(), Failure> {
+    /// When the list is at fault.
+    pub fn points(&self) -> Result<Points, Failure> {
         match &self.section.work {
             SweepWork::Classify => {
-                self.with(ClassifyRows { threshold: self.threshold.clone() }, Vec::new(), task)
+                self.with(ClassifyRows::<false> { threshold: self.threshold.clone() }, Vec::new())
             }
-            SweepWork::Boundary => self.with(BoundaryRows, Vec::new(), task),
-            SweepWork::AsymptoteError => self.with(AsymptoteRows, Vec::new(), task),
+            SweepWork::Boundary => self.with(BoundaryRows, Vec::new()),
+            SweepWork::AsymptoteError => self.with(AsymptoteRows, Vec::new()),
             SweepWork::Simulate { laws, tolerance } => {
-                let tolerance = nearest_f64(tolerance);
-                let settings = Settings { tolerance, start: Start::default() };
+                let settings = Settings { tolerance: nearest_f64(tolerance), start: Start::default() };
                 // A list has one law for all its rows, or a column for them.
-                let law = laws.first().copied();
-                self.with(SimulateRows { law, settings }, laws.clone(), task)
+                self.with(SimulateRows::<false> { law: laws.first().copied(), settings }, laws.clone())
             }
         }
     }
 
-    fn with<W: PointWork>(&self, work: W, laws: Vec<EvolutionLaw>, task: impl Task) -> Result<(), Failure> {
+    fn with<W: PointWork + 'static>(&self, work: W, laws: Vec<EvolutionLaw>) -> Result<Points, Failure> {
         let source = PointSource::new(&self.section.points, self.scene_digest.as_bytes());
-        let points = match (&self.list, source) {
+        Ok(match (&self.list, source) {
             (None, Some(source)) => Points::Made(Box::new(Made { source, laws, work })),
             (list, _) => {
                 let place = list.as_deref().unwrap_or(Path::new(""));
                 Points::Listed(Listed::new(place, work, self.section.block_points)?)
             }
-        };
-        task.perform(self, &points)
+        })
     }
 }

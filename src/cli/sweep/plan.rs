@@ -6,13 +6,11 @@ use serde_json::{Value, json};
 use slipmode::sweep::Blocks;
 use slipmode_core::number::format::round_digits;
 
+use crate::cli::answer::{Answer, Item};
 use crate::cli::failure::Failure;
-use crate::cli::inputs::SCHEMA;
-use crate::cli::sweep::load::{Loaded, Task};
+use crate::cli::sweep::load::Loaded;
 use crate::cli::sweep::points::Points;
 use crate::cli::sweep::summed::Summed;
-use crate::cli::sweep::work::PointWork;
-use crate::cli::terminal;
 
 /// How long points are measured at least, s, unless a block has no more of them.
 const LEAST_SECONDS: f64 = 1.0;
@@ -35,7 +33,7 @@ impl Plan {
     ///
     /// # Errors
     /// When the list cannot be read, or there are too many blocks.
-    pub fn measure<W: PointWork>(loaded: &Loaded, points: &Points<W>) -> Result<Self, Failure> {
+    pub fn measure(loaded: &Loaded, points: &Points) -> Result<Self, Failure> {
         let blocks = points.blocks(loaded.section.block_points)?;
         let most = blocks.points.min(blocks.block_points);
         let mut count = FIRST_POINTS.min(most);
@@ -86,67 +84,45 @@ impl Plan {
         self.core_seconds() / 60.0 / shards as f64
     }
 
-    fn json(&self, shards: u64, inputs: &Value) -> Value {
-        json!({
-            "schema": SCHEMA,
-            "inputs": inputs,
-            "points": self.blocks.points,
-            "block_points": self.blocks.block_points,
-            "blocks": self.blocks(),
-            "shards": shards,
-            "shard_minutes": self.shard_minutes(shards),
-            "core_hours": self.core_seconds() / 3600.0,
-            "bytes": self.bytes,
-            "point_seconds": self.seconds_per_point,
-            "block_seconds": self.block_seconds(),
-            "measured_points": self.measured_points,
-        })
-    }
-
-    fn text(&self, shards: u64) -> String {
+    fn answer(&self, shards: u64, inputs: &Option<Value>) -> Answer {
         let digits = |value| round_digits(value, 3);
-        terminal::named_values(&[
-            ("points", self.blocks.points.to_string(), ""),
-            ("blocks", self.blocks().to_string(), &format!("(of {} points)", self.blocks.block_points)),
-            (
-                "shards",
-                shards.to_string(),
-                &format!("(about {} minutes each)", digits(self.shard_minutes(shards))),
-            ),
-            ("core-hours", digits(self.core_seconds() / 3600.0), ""),
-            ("bytes", digits(self.bytes), "(of blocks; the merged file has at most as many)"),
-            (
-                "a point",
-                format!("{} s", digits(self.seconds_per_point)),
-                &format!("({} measured on one core)", self.measured_points),
-            ),
-            (
-                "a block",
-                format!("{} s", digits(self.block_seconds())),
-                "(lost at most, on each thread, if a shard is killed)",
-            ),
-        ])
+        let Self { blocks: Blocks { points, block_points }, measured_points, seconds_per_point, bytes } =
+            *self;
+        let (minutes, hours) = (self.shard_minutes(shards), self.core_seconds() / 3600.0);
+        Answer::to(inputs)
+            .item("points", "points", points)
+            .item("blocks", "blocks", self.blocks())
+            .note(&format!("(of {block_points} points)"))
+            .item("shards", "shards", shards)
+            .note(&format!("(about {} minutes each)", digits(minutes)))
+            .item("core_hours", "core-hours", Item::new(json!(hours), digits(hours)))
+            .item("bytes", "bytes", Item::new(json!(bytes), digits(bytes)))
+            .note("(of blocks; the merged file has at most as many)")
+            .item("point_seconds", "a point", seconds(seconds_per_point))
+            .note(&format!("({measured_points} measured on one core)"))
+            .item("block_seconds", "a block", seconds(self.block_seconds()))
+            .note("(lost at most, on each thread, if a shard is killed)")
+            .with("block_points", block_points)
+            .with("shard_minutes", minutes)
+            .with("measured_points", measured_points)
     }
 }
 
-/// Prints the plan.
-pub struct PrintPlan {
-    /// How long a shard should take, minutes.
-    pub minutes: u64,
-    /// Shards, when given.
-    pub shards: Option<u64>,
-    /// What the JSON object repeats, when one is printed.
-    pub inputs: Option<Value>,
+fn seconds(value: f64) -> Item {
+    Item::new(json!(value), format!("{} s", round_digits(value, 3)))
 }
 
-impl Task for PrintPlan {
-    fn perform<W: PointWork>(self, loaded: &Loaded, points: &Points<W>) -> Result<(), Failure> {
-        let plan = Plan::measure(loaded, points)?;
-        let shards =
-            self.shards.map_or_else(|| plan.shards(self.minutes), |shards| shards.min(plan.blocks()));
-        match self.inputs {
-            Some(inputs) => terminal::print_json(&plan.json(shards, &inputs)),
-            None => terminal::print(&plan.text(shards)),
-        }
-    }
+/// Prints the plan: `shards` when they are given, or as many as take so many minutes each; `inputs` where it is one object.
+///
+/// # Errors
+/// As [`Plan::measure`].
+pub fn print_plan(
+    loaded: &Loaded,
+    minutes: u64,
+    shards: Option<u64>,
+    inputs: &Option<Value>,
+) -> Result<(), Failure> {
+    let plan = Plan::measure(loaded, &loaded.points()?)?;
+    let shards = shards.map_or_else(|| plan.shards(minutes), |shards| shards.min(plan.blocks()));
+    plan.answer(shards, inputs).print(inputs.is_some())
 }

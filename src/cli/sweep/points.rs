@@ -4,26 +4,27 @@ use std::path::{Path, PathBuf};
 
 use sha2::{Digest, Sha256};
 use slipmode::archive::finished_hex;
-use slipmode::csv::{Block, Header, RowReader, RowWork, Work};
+use slipmode::csv::{Block, Header, RowReader, Work};
 use slipmode::sweep::{Blocks, Shard};
 
 use crate::cli::failure::Failure;
 use crate::cli::input::open_named_csv;
 use crate::cli::sweep::block_file::MOST_BLOCKS;
-use crate::cli::sweep::work::{Lines, Made, PointWork, listed_lines};
+use crate::cli::sweep::work::{Lines, MadePoints, PointWork, listed_lines};
 
 /// Where points come from, with the work at each.
-pub enum Points<W> {
+pub enum Points {
     /// From the scene.
-    Made(Box<Made<W>>),
+    Made(Box<dyn MadePoints>),
     /// From a CSV file.
-    Listed(Listed<W>),
+    Listed(Listed),
 }
 
 /// The rows of a CSV file.
-pub struct Listed<W> {
+pub struct Listed {
     place: PathBuf,
-    work: Work<W>,
+    columns: Vec<u8>,
+    work: Box<dyn Fn(&Block) -> Lines + Send + Sync>,
     rows: u64,
     /// SHA-256 of the header, and then of each block's rows: what is computed from is compared with it again.
     digests: Vec<[u8; 32]>,
@@ -38,12 +39,13 @@ pub struct Job {
 
 /// Points of a part of a block whose rows are not kept.
 const PART_POINTS: u64 = 1 << 12;
-impl<W: RowWork> Listed<W> {
+
+impl Listed {
     /// Reads the header of a file, counts its rows, and digests them block by block.
     ///
     /// # Errors
     /// When it cannot be read, or its header or form is at fault.
-    pub fn new(place: &Path, command: W, block_points: u64) -> Result<Self, Failure> {
+    pub fn new<W: PointWork + 'static>(place: &Path, command: W, block_points: u64) -> Result<Self, Failure> {
         let mut reader = open_named_csv(place)?;
         let file = reader.name().to_string();
         let first = reader.block(1)?;
@@ -60,7 +62,9 @@ impl<W: RowWork> Listed<W> {
             digests.push(rows_digest(&block));
         }
         let work = Work { file, header, command, keep_going };
-        Ok(Self { place: place.to_path_buf(), work, rows, digests })
+        let columns = work.header_line();
+        let work = Box::new(move |rows: &Block| listed_lines(&work, rows));
+        Ok(Self { place: place.to_path_buf(), columns, work, rows, digests })
     }
 
     /// A reader behind the header.
@@ -77,7 +81,7 @@ impl<W: RowWork> Listed<W> {
         if first == Some(&rows_digest(rows)) {
             return Ok(());
         }
-        Err(Failure::Refused(format!("{}: changed while it was read; run the sweep again", self.work.file)))
+        Err(Failure::place(&self.place, "changed while it was read; run the sweep again"))
     }
 }
 
@@ -94,7 +98,7 @@ fn rows_digest(rows: &Block) -> [u8; 32] {
     digest.finalize().into()
 }
 
-impl<W: PointWork> Points<W> {
+impl Points {
     /// SHA-256 of what the points come from: the scene, and the rows of its list.
     pub fn digest(&self, scene: &str) -> String {
         match self {
@@ -130,7 +134,7 @@ impl<W: PointWork> Points<W> {
     pub fn columns(&self) -> Vec<u8> {
         match self {
             Self::Made(made) => made.columns(),
-            Self::Listed(listed) => listed.work.header_line(),
+            Self::Listed(listed) => listed.columns.clone(),
         }
     }
 
@@ -163,8 +167,8 @@ impl<W: PointWork> Points<W> {
     /// The lines of a block.
     pub fn lines(&self, blocks: Blocks, job: &Job) -> Lines {
         match (self, &job.rows) {
-            (Self::Listed(listed), Some(rows)) => listed_lines(&listed.work, rows),
-            (Self::Made(made), _) => made.lines(blocks.range(job.block)),
+            (Self::Listed(listed), Some(rows)) => (listed.work)(rows),
+            (Self::Made(made), _) => made.lines(&mut blocks.range(job.block)),
             (Self::Listed(_), None) => Lines::default(),
         }
     }
@@ -176,7 +180,7 @@ impl<W: PointWork> Points<W> {
         let starts = std::iter::successors(Some(range.start), move |start| start.checked_add(step))
             .take_while(move |start| *start < range.end);
         starts.map(move |start| match self {
-            Self::Made(made) => made.lines(start..range.end.min(start.saturating_add(step))),
+            Self::Made(made) => made.lines(&mut (start..range.end.min(start.saturating_add(step)))),
             Self::Listed(_) => self.lines(blocks, job),
         })
     }
@@ -191,11 +195,11 @@ impl<W: PointWork> Points<W> {
             Self::Made(made) => {
                 let number =
                     |index| (u128::from(blocks.points) * (2 * index + 1) / (2 * u128::from(count))) as u64;
-                Ok((made.lines((0..u128::from(count)).map(number)), count))
+                Ok((made.lines(&mut (0..u128::from(count)).map(number)), count))
             }
             Self::Listed(listed) => {
                 let rows = listed.reader()?.block(usize::try_from(count).unwrap_or(usize::MAX))?;
-                Ok((listed_lines(&listed.work, &rows), count))
+                Ok(((listed.work)(&rows), count))
             }
         }
     }

@@ -3,64 +3,55 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use serde_json::{Value, json};
+use serde_json::Value;
 
+use crate::cli::answer::Answer;
 use crate::cli::failure::Failure;
-use crate::cli::inputs::SCHEMA;
 use crate::cli::output::Output;
 use crate::cli::sweep::create_folder;
-use crate::cli::sweep::load::{Loaded, Task};
+use crate::cli::sweep::load::Loaded;
 use crate::cli::sweep::plan::Plan;
-use crate::cli::sweep::points::Points;
-use crate::cli::sweep::work::PointWork;
-use crate::cli::terminal;
 
-/// Writes the scripts.
-pub struct WriteScripts<'o> {
-    /// The scene's file.
-    pub scene: &'o Path,
-    /// The folder of blocks and scripts.
-    pub out: &'o Path,
-    /// How long a shard should take, minutes.
-    pub minutes: u64,
-    /// Shards, when given.
-    pub shards: Option<u64>,
-    /// What the JSON object repeats, when one is printed.
-    pub inputs: Option<Value>,
-}
-
-impl Task for WriteScripts<'_> {
-    fn perform<W: PointWork>(self, loaded: &Loaded, points: &Points<W>) -> Result<(), Failure> {
-        let blocks = points.blocks(loaded.section.block_points)?.count();
-        let shards = match self.shards {
-            Some(shards) => shards.min(blocks),
-            None => Plan::measure(loaded, points)?.shards(self.minutes),
-        };
-        create_folder(self.out)?;
-        let scripts = Scripts {
-            name: &loaded.name,
-            program: absolute(
-                &std::env::current_exe().map_err(|error| Failure::machine("the program's place", &error))?,
-            )?,
-            scene: absolute(self.scene)?,
-            out: absolute(self.out)?,
-            shards,
-            minutes: self.minutes,
-        };
-        let files =
-            [("array.sh", scripts.array()), ("merge.sh", scripts.merge()), ("submit.sh", scripts.submit())];
-        for (name, text) in &files {
-            Output::create(&self.out.join(name))?.finish(text)?;
-        }
-        if let Some(inputs) = self.inputs {
-            let names = files.map(|(name, _)| name);
-            return terminal::print_json(&json!({
-                "schema": SCHEMA, "inputs": inputs, "shards": shards, "output": self.out, "files": names,
-            }));
-        }
-        let plural = if shards == 1 { "" } else { "s" };
-        terminal::print(&format!("{shards} shard{plural}; submit with: sh {}/submit.sh\n", scripts.out))
+/// Writes the scripts for a sweep; `inputs` are repeated by the JSON object, when one is printed.
+///
+/// # Errors
+/// When the list is at fault, a path is not UTF-8, or a file cannot be written.
+pub fn write_scripts(
+    loaded: &Loaded,
+    [scene, out]: [&Path; 2],
+    minutes: u64,
+    shards: Option<u64>,
+    inputs: &Option<Value>,
+) -> Result<(), Failure> {
+    let points = loaded.points()?;
+    let blocks = points.blocks(loaded.section.block_points)?.count();
+    let shards = match shards {
+        Some(shards) => shards.min(blocks),
+        None => Plan::measure(loaded, &points)?.shards(minutes),
+    };
+    create_folder(out)?;
+    let scripts = Scripts {
+        name: &loaded.name,
+        program: absolute(
+            &std::env::current_exe().map_err(|error| Failure::machine("the program's place", &error))?,
+        )?,
+        scene: absolute(scene)?,
+        out: absolute(out)?,
+        shards,
+        minutes,
+    };
+    let files =
+        [("array.sh", scripts.array()), ("merge.sh", scripts.merge()), ("submit.sh", scripts.submit())];
+    for (name, text) in &files {
+        Output::create(&out.join(name))?.finish(text)?;
     }
+    let plural = if shards == 1 { "" } else { "s" };
+    Answer::to(inputs)
+        .with("shards", shards)
+        .with("output", out)
+        .with("files", files.map(|(name, _)| name))
+        .text(&format!("{shards} shard{plural}; submit with: sh {}/submit.sh\n", scripts.out))
+        .print(inputs.is_some())
 }
 
 /// A path as one word of a shell.

@@ -5,7 +5,7 @@ use slipmode::sweep::{Blocks, RowPlaces, Summary, SummaryError, SummarySection};
 use crate::cli::failure::Failure;
 use crate::cli::sweep::block_file::Content;
 use crate::cli::sweep::points::{Job, Points};
-use crate::cli::sweep::work::{Lines, PointWork};
+use crate::cli::sweep::work::Lines;
 
 /// How rows are summed up.
 pub struct Summed {
@@ -47,12 +47,7 @@ impl Summed {
     ///
     /// # Errors
     /// When the summary grows too large.
-    pub fn lines<W: PointWork>(
-        &self,
-        points: &Points<W>,
-        blocks: Blocks,
-        job: &Job,
-    ) -> Result<Lines, Failure> {
+    pub fn lines(&self, points: &Points, blocks: Blocks, job: &Job) -> Result<Lines, Failure> {
         let mut summary = self.empty.clone();
         let mut unanswered = 0;
         for part in points.parts(blocks, job) {

@@ -14,17 +14,17 @@ use crate::cli::sweep::boundary_rows::BoundaryRows;
 use crate::cli::words::LAW_COLUMN;
 
 /// Work that takes points which were made.
-pub trait PointWork: RowWork {
+pub trait PointWork: RowWork + Send {
     /// What the work takes, of a point and a law.
     fn input(&self, source: &PointSource, point: &Varying, law: EvolutionLaw) -> Self::Input;
 }
 
-impl PointWork for ClassifyRows {
+impl PointWork for ClassifyRows<false> {
     fn input(&self, source: &PointSource, point: &Varying, _law: EvolutionLaw) -> Self::Input {
         let found = classify_quickly(&source.double_double(point), &self.threshold)
             .unwrap_or_else(|| classify(&source.exact(point), &self.threshold));
         // The scene's units are checked once, not at each point.
-        Classified { found: Found::Point(found), warnings: Vec::new() }
+        Classified { found: Found::Point(found), derived: None, warnings: Vec::new() }
     }
 }
 
@@ -41,9 +41,9 @@ impl PointWork for AsymptoteRows {
     }
 }
 
-impl PointWork for SimulateRows {
+impl PointWork for SimulateRows<false> {
     fn input(&self, source: &PointSource, point: &Varying, law: EvolutionLaw) -> Self::Input {
-        (source.exact(point), law)
+        (source.exact(point), None, law)
     }
 }
 
@@ -67,22 +67,31 @@ pub struct Made<W> {
     pub work: W,
 }
 
-impl<W: PointWork> Made<W> {
+/// Points that are made, whatever the work at each is.
+pub trait MadePoints: Send + Sync {
     /// How many rows there are.
-    pub fn count(&self) -> u64 {
+    fn count(&self) -> u64;
+
+    /// The line of column names.
+    fn columns(&self) -> Vec<u8>;
+
+    /// The rows of these numbers.
+    fn lines(&self, numbers: &mut dyn Iterator<Item = u64>) -> Lines;
+}
+
+impl<W: PointWork> MadePoints for Made<W> {
+    fn count(&self) -> u64 {
         self.source.count().saturating_mul(self.laws.len().max(1) as u64)
     }
 
-    /// The line of column names.
-    pub fn columns(&self) -> Vec<u8> {
+    fn columns(&self) -> Vec<u8> {
         let varying = self.source.varying().into_iter().map(|index| Quantity::ALL[index].key());
         let law = (!self.laws.is_empty()).then_some(LAW_COLUMN);
         let names: Vec<&str> = varying.chain(law).chain(W::APPENDED.iter().copied()).collect();
         format!("{}\n", names.join(",")).into_bytes()
     }
 
-    /// The rows of these numbers.
-    pub fn lines(&self, numbers: impl Iterator<Item = u64>) -> Lines {
+    fn lines(&self, numbers: &mut dyn Iterator<Item = u64>) -> Lines {
         let varying = self.source.varying();
         let mut lines = Lines::default();
         for number in numbers {
@@ -90,7 +99,9 @@ impl<W: PointWork> Made<W> {
         }
         lines
     }
+}
 
+impl<W: PointWork> Made<W> {
     fn line(&self, number: u64, varying: &[usize], lines: &mut Lines) {
         let laws = self.laws.len().max(1) as u64;
         let point = self.source.at(number / laws);
