@@ -223,6 +223,7 @@ mod tests {
             printed: None,
             note: String::new(),
             given: Vec::new(),
+            role: None,
         };
         let parts = |found: Alteration| (found.kind, found.text, found.says_the_same);
         alterations(&equation, &[["a", "b"].map(Symbol::from)]).into_iter().map(parts).collect()

@@ -8,8 +8,13 @@ use slipmode_core::theory::asymptote_series::{self, AsymptoteSeries};
 /// The order to which the error series of the asymptotes are evidence.
 pub(super) const SERIES_ORDER: usize = 2;
 
-pub(super) const CHECKS: &[Check] =
-    &[Check { name: "error-series", is_of_runs: false, needs: &[], decide: error_series }];
+pub(super) const CHECKS: &[Check] = &[Check {
+    name: "error-series",
+    is_of_runs: false,
+    roles: &asymptote_series::EQUATIONS,
+    needs: &[],
+    decide: error_series,
+}];
 
 pub(super) const SHOWS: &[Show] = &[
     Show {
@@ -31,7 +36,7 @@ fn error_series(context: &Context, asked: Asked) -> Finding {
         Err(refutation) => return Finding::from_proofs([Err(refutation)]),
     };
     let named: Vec<&AsymptoteSeries> =
-        series.iter().filter(|series| asked.of.iter().any(|number| number == series.equation)).collect();
+        series.iter().filter(|series| asked.of.contains(&series.equation)).collect();
     if named.len() != asked.of.len() {
         return Finding::not_checked(format!(
             "Not each of these is the number of one asymptote: {}.",

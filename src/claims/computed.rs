@@ -2,7 +2,8 @@
 
 use super::{Check, Finding, Show, Verdict, checks, formula, shows};
 use crate::experiments::{Context, Need};
-use crate::scene::{Computed, Procedures};
+use crate::scene::{ClaimEntry, Computed, Fault, Faults, Problem, Procedures, StatedClaim};
+use slipmode_core::theory::Equations;
 
 /// What a procedure is asked, besides the equations and the outcome.
 pub(super) struct Asked<'c> {
@@ -29,16 +30,14 @@ const OF_STATED_PROOFS: &str = "the certified steps of a stated proof imply what
 
 /// The finding on a part.
 pub(super) fn decide(computed: &Computed, context: &Context) -> Finding {
-    if computed.needs_the_paper()
-        && let Err(missing) = context.equations.demand_paper()
-    {
-        return Finding::not_checked(missing.to_string());
+    let missing = missing(computed, context.equations);
+    if !missing.is_empty() {
+        return Finding::not_checked(format!("Not decided: {}.", missing.join("; ")));
     }
     let proved = proved(computed, context);
     let found = match check_of(computed) {
         Some(check) => {
-            let numbers: Vec<&str> = computed.equations.iter().map(String::as_str).collect();
-            let equations = context.equations.only(&numbers);
+            let equations = given(computed, context.equations).in_symbols();
             (check.decide)(&context.with_equations(&equations), Asked { of: &computed.of, proved })
         }
         None => proved.unwrap_or_else(|| Finding::from_proofs([])),
@@ -51,10 +50,48 @@ pub(super) fn decide(computed: &Computed, context: &Context) -> Finding {
     }
 }
 
+/// The equations that the procedure of a part may use.
+fn given(computed: &Computed, equations: &Equations) -> Equations {
+    let numbers: Vec<&str> = computed.equations.iter().map(String::as_str).collect();
+    equations.only(&numbers)
+}
+
+/// What a part needs of the equations and does not find: a sentence for each.
+fn missing(computed: &Computed, equations: &Equations) -> Vec<String> {
+    let of_check = check_of(computed).filter(|check| !check.roles.is_empty()).into_iter();
+    let of_check = of_check.flat_map(|check| {
+        let missing = given(computed, equations).missing(check.roles);
+        missing.into_iter().map(|missing| format!("of the `equations` for `{}`, {missing}", check.name))
+    });
+    let of_proofs = computed.proofs.iter().flat_map(|id| computed.stated.missing(id, equations));
+    of_check.chain(of_proofs).collect()
+}
+
+/// What procedures and proofs that a file of claims names miss in the equations: each once.
+#[must_use]
+pub fn equation_faults(file: &str, claims: &[ClaimEntry], equations: &Equations) -> Faults {
+    let parts = claims.iter().flat_map(|claim| {
+        let parts = claim.stated.iter().flat_map(StatedClaim::parts);
+        parts.filter_map(move |(_, formula)| Some((&claim.id, formula.computed()?)))
+    });
+    let all = parts.flat_map(|(id, computed)| {
+        missing(computed, equations).into_iter().map(move |missing| (id, missing))
+    });
+    let mut faults = Faults::new();
+    for (id, message) in all {
+        let problem = Problem::Equation(message);
+        if faults.iter().all(|fault| fault.problem != problem) {
+            let key = format!("claim {id}");
+            faults.push(Fault { file: file.to_owned(), line: None, key, value: None, problem });
+        }
+    }
+    faults
+}
+
 /// What the proofs and the premises find together; none without any.
 fn proved(computed: &Computed, context: &Context) -> Option<Finding> {
     let proofs = computed.proofs.iter().map(|id| {
-        let key = format!("proof {id} {}", computed.needs_the_paper());
+        let key = format!("proof {id} {}", computed.has_reviewed_proofs());
         context.once(key, || computed.stated.prove(id, context.equations))
     });
     let found = (!computed.proofs.is_empty()).then(|| Finding::from_proofs(proofs));

@@ -6,6 +6,7 @@ use crate::claims::rule::{Deviations, Measure, enclosed};
 use crate::claims::{BITS, Check, Evidence, Finding, Verdict};
 use crate::experiments::{Context, Need};
 use crate::scene::Kind;
+use crate::scene::cited;
 use slipmode_algebra::Expression;
 use slipmode_core::number::Ball;
 use slipmode_core::number::format::{Side, certain_digits, rounded};
@@ -13,10 +14,17 @@ use slipmode_core::theory::asymptote_series;
 use slipmode_core::theory::sufficient_inertia::sufficient_inertial_parameter;
 
 pub(super) const CHECKS: &[Check] = &[
-    Check { name: "sufficient-inertia", is_of_runs: false, needs: &[], decide: sufficient_inertia },
+    Check {
+        name: "sufficient-inertia",
+        is_of_runs: false,
+        roles: &[],
+        needs: &[],
+        decide: sufficient_inertia,
+    },
     Check {
         name: "errors-of-the-asymptotes",
         is_of_runs: false,
+        roles: &asymptote_series::EQUATIONS,
         needs: &[Need::Tolerance],
         decide: errors_of_the_asymptotes,
     },
@@ -60,25 +68,33 @@ fn errors_of_the_asymptotes(context: &Context, asked: Asked) -> Finding {
     let Some(corners) = tolerance.map(|tolerance| &tolerance.corners) else {
         return match context.kind {
             Kind::Universal => finding.require(is_exact, || {
-                "eqs 15, 16, 18 and 20 have the relative errors of their series".into()
+                cited("{quasi-static-upper, quasi-static-lower, inertial-upper, inertial-lower} have the relative errors of their series")
             }),
             _ => Finding::not_checked("The report computes no error of the asymptotes."),
         };
     };
     let enclosure = |quantity: &str, value: &Ball| Evidence::Enclosure {
-        quantity: quantity.into(),
+        quantity: cited(quantity),
         value: certain_digits(value, 6),
     };
     let upper = corners.upper.as_ref();
     let worst = [
-        ("15", "at the V0 of the corner of eqs 15 and 18", upper.map(|errors| &errors.quasi_static)),
+        (
+            "15",
+            "at the V0 of the corner of {quasi-static-upper, inertial-upper}",
+            upper.map(|errors| &errors.quasi_static),
+        ),
         ("16", "at the cusp", Some(&corners.cusp.quasi_static)),
-        ("18", "at the V0 of the corner of eqs 15 and 18", upper.map(|errors| &errors.inertial)),
+        (
+            "18",
+            "at the V0 of the corner of {quasi-static-upper, inertial-upper}",
+            upper.map(|errors| &errors.inertial),
+        ),
         ("20", "at the cusp", Some(&corners.cusp.inertial)),
     ];
     let worst = || worst.iter().filter_map(|(number, place, error)| Some((number, place, (*error)?)));
     let listed: Vec<String> = worst()
-        .map(|(number, place, error)| format!("{} (eq {number}, {place})", certain_digits(error, 6)))
+        .map(|(number, place, error)| format!("{} (eq {number}, {})", certain_digits(error, 6), cited(place)))
         .collect();
     let finding = worst().fold(finding, |finding, (number, place, error)| {
         finding.with_evidence(enclosure(
@@ -104,11 +120,11 @@ fn errors_of_the_asymptotes(context: &Context, asked: Asked) -> Finding {
         .near(context.kind, &Deviations::new(Measure::Value, deviations))
         .remark(format!("The largest relative errors on the arcs of the boundary: {}.", listed.join(", ")))
         .with_evidence(enclosure(
-            "V_exact/V_20 − 1 at the σ of the corner of eqs 16 and 20",
+            "V_exact/V_20 − 1 at the σ of the corner of {quasi-static-lower, inertial-lower}",
             &corners.lower_at_corner_normal_stress,
         ))
         .with_evidence(enclosure(
-            "Largest log10 distance between the lower arc and the nearer of eqs 16 and 20",
+            "Largest log10 distance between the lower arc and the nearer of {quasi-static-lower, inertial-lower}",
             &corners.lower_worst_log10,
         ))
 }

@@ -38,7 +38,7 @@ pub struct Finding {
     pub contradictions: Vec<String>,
     /// Numbers by name, for a replacement of the sentence.
     #[serde(skip)]
-    pub numbers: BTreeMap<&'static str, String>,
+    pub numbers: BTreeMap<String, String>,
     /// What a reader should know besides: ambiguities, slips of the pen, captions that disagree.
     pub remarks: Vec<String>,
 }
@@ -292,8 +292,8 @@ impl Finding {
 
     /// Names a number for a replacement of the sentence.
     #[must_use]
-    pub fn number(mut self, name: &'static str, value: String) -> Self {
-        self.numbers.insert(name, value);
+    pub fn number(mut self, name: impl Into<String>, value: String) -> Self {
+        self.numbers.insert(name.into(), value);
         self
     }
 

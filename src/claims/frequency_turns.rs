@@ -3,14 +3,17 @@
 use crate::claims::reading::{Draft, of_readings};
 use crate::claims::{Check, Evidence, Finding};
 use crate::experiments::Context;
+use crate::scene::cited;
 use slipmode_core::number::format::{Side, certain_digits, rounded};
 use slipmode_core::number::{Ball, Rational};
 use slipmode_core::stability::asymptote;
+use slipmode_core::theory::Role;
 use slipmode_core::theory::frequency_turns::{self, TurningInterval};
 
 pub(super) const CHECKS: &[Check] = &[Check {
     name: "turning-points-of-the-frequency",
     is_of_runs: false,
+    roles: &[Role::Characteristic],
     needs: &[],
     decide: |context, _| rises_in_the_area(context),
 }];
@@ -30,7 +33,7 @@ fn rises_in_the_area(context: &Context) -> Finding {
     let counts: Vec<String> = strip.iter().map(|(turns, _)| turns.to_string()).collect();
     let counts = || {
         Finding::from_evidence(enclosure(
-            "Turning points of max Im(s) in V0, from eq 15 down to eq 16",
+            "Turning points of max Im(s) in V0, from {quasi-static-upper} down to {quasi-static-lower}",
             &counts.join(", "),
         ))
     };
@@ -43,14 +46,14 @@ fn rises_in_the_area(context: &Context) -> Finding {
     let falling = counts()
         .number("falls", falls.parse().map_or_else(|_| falls.clone(), |it| rounded(it, 3, Side::Above)))
         .with_evidence(enclosure("σ/σ₁₆ below which max Im(s) falls to zero and rises again, at the cusp", stops))
-        .refuted(format!("the frequency falls in a range of velocities; below {stops} times the stress of eq 16 it falls to zero, so that the oscillation ends and starts again"));
-    of_readings([Draft::new("in the whole area between eqs 16 and 15")
-        .part(format!("it rises with velocity from {falls} times the stress of eq 16 up to eq 15"), rising)
-        .part(format!("it rises with velocity from eq 16 up to {falls} times its stress"), falling)])
+        .refuted(cited(&format!("the frequency falls in a range of velocities; below {stops} times the stress of {{quasi-static-lower}} it falls to zero, so that the oscillation ends and starts again")));
+    of_readings([Draft::new(&cited("in the whole area between {quasi-static-lower, quasi-static-upper}"))
+        .part(cited(&format!("it rises with velocity from {falls} times the stress of {{quasi-static-lower}} up to {{quasi-static-upper}}")), rising)
+        .part(cited(&format!("it rises with velocity from {{quasi-static-lower}} up to {falls} times its stress")), falling)])
 }
 
 fn enclosure(quantity: &str, value: &str) -> Evidence {
-    Evidence::Enclosure { quantity: quantity.into(), value: value.into() }
+    Evidence::Enclosure { quantity: cited(quantity), value: value.into() }
 }
 
 /// The numbers of turning points of max Im(s) from eq 15 down to eq 16, each with the σ/σ₁₆ at which it begins.

@@ -4,19 +4,22 @@ use crate::claims::computed::Asked;
 use crate::claims::simulated_friction::in_simulations;
 use crate::claims::{Check, Finding};
 use crate::experiments::{Context, Need};
+use crate::scene::cited;
 use slipmode_core::number::{Rational, nearest_f64};
 use slipmode_core::theory::regularised;
 
 pub(super) const CHECKS: &[Check] = &[
     Check {
-        name: "regularised-law",
+        name: "difference-of-the-regularised-law",
         is_of_runs: false,
+        roles: &[],
         needs: &[],
-        decide: |context, _| in_linear_analysis(context),
+        decide: in_linear_analysis,
     },
     Check {
         name: "regularised-law-in-runs",
         is_of_runs: false,
+        roles: &[],
         needs: &[Need::Simulations],
         decide: |context, asked: Asked| {
             in_simulations(context, asked.first(), nearest_f64(&reference_friction()))
@@ -29,15 +32,15 @@ fn reference_friction() -> Rational {
     Rational::from((3, 5))
 }
 
-fn in_linear_analysis(context: &Context) -> Finding {
+fn in_linear_analysis(context: &Context, asked: Asked) -> Finding {
     let Some(parameters) = context.outcome.potentially_unstable().and_then(|scene| scene.slider()) else {
         return Finding::not_checked("No scene of the report has a < b, so the direct effect a is unknown.");
     };
-    match regularised::bound(context.equations, &reference_friction(), &parameters.direct_effect) {
+    match regularised::bound(&reference_friction(), &parameters.direct_effect) {
         Err(refutation) => Finding::from_proofs([Err(refutation)]),
-        Ok(difference) => Finding::from_proofs([Ok(difference.proof)]).on(format!(
-            "a relative difference of σ in eq 8 below 1e{}, for μ0 = 0.6 and the scene's a",
+        Ok(difference) => asked.proved().with_proof(Ok(difference.proof)).on(cited(&format!(
+            "a relative difference of σ in {{characteristic}} below 1e{}, for μ0 = 0.6 and the scene's a",
             difference.log10_bound
-        )),
+        ))),
     }
 }

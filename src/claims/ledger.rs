@@ -10,7 +10,7 @@ use crate::claims::{Conclusion, DecidedFor, PointWithin, Resolved};
 use crate::claims::{Evidence, Finding, Strength, Tie, Tied, Verdict, by_hand, computed, formula, over_rows};
 use crate::experiments::operating_point::error_bars;
 use crate::experiments::{Context, Needs};
-use crate::scene::{ClaimEntry, ClaimFormula, InAnswer, Sentence, Source, StatedClaim, Subject};
+use crate::scene::{ClaimEntry, ClaimFormula, InAnswer, Sentence, Source, StatedClaim, Subject, filled};
 use slipmode_algebra::Step;
 use slipmode_core::theory::Equations;
 
@@ -89,13 +89,10 @@ impl Entry {
             self.finding = self.finding.limited(decided.clone());
         }
         self.sentence.change = self.sentence.change.filter(|_| self.finding.verdict == Verdict::Fails);
-        let has_check = self
-            .stated
-            .iter()
-            .flat_map(StatedClaim::parts)
-            .any(|(_, formula)| formula.computed().is_some_and(|computed| computed.check.is_some()));
+        let parts = self.stated.iter().flat_map(StatedClaim::parts);
+        let has_check = parts.into_iter().any(|(_, formula)| formula.is_over_results());
         if let Some(change) = &mut self.sentence.change {
-            match change.filled(&self.finding.numbers) {
+            match filled(&change.instead, &self.finding.numbers) {
                 Ok(text) => change.instead = text,
                 // A report that does not compute the numbers of a check has no replacement for the sentence.
                 Err(_) if has_check && self.finding.numbers.is_empty() => self.sentence.change = None,
@@ -274,7 +271,8 @@ pub fn needs(claims: &[ClaimEntry]) -> Needs {
         let stated = claims.iter().filter_map(|claim| claim.stated.as_ref());
         stated.flat_map(StatedClaim::parts).map(|(_, formula)| formula)
     };
-    let of_rows = formulas().filter_map(|formula| formula.rows.as_deref()).flat_map(over_rows::needs);
+    let of_rows = formulas().filter_map(|formula| formula.rows.as_ref());
+    let of_rows = of_rows.flat_map(|rows| over_rows::needs(&rows.table));
     let of_procedures = formulas().filter_map(ClaimFormula::computed).flat_map(computed::needs);
     of_rows.copied().chain(of_procedures).collect()
 }

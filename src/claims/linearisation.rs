@@ -3,11 +3,13 @@
 use crate::claims::{Check, Evidence, Finding};
 use crate::experiments::linear_regime::ModeRuns;
 use crate::experiments::{Need, Outcome};
+use crate::scene::cited;
 use slipmode_core::number::format::round_digits;
 
 pub(super) const CHECKS: &[Check] = &[Check {
     name: "small-disturbances",
     is_of_runs: true,
+    roles: &[],
     needs: &[Need::LinearRegime],
     decide: |context, _| match SmallDisturbances::of(context.outcome) {
         Some(seen) => seen.finding(),
@@ -56,7 +58,7 @@ impl<'o> SmallDisturbances<'o> {
         })
         .require(self.failures == 0, || format!("{} small disturbances have no result", self.failures))
         .require(unexplained < UNEXPLAINED, || {
-            "the rate of a small disturbance of the nonlinear slider does not tend to the root of eq 8".into()
+            cited("the rate of a small disturbance of the nonlinear slider does not tend to the root of {characteristic}")
         })
     }
 }

@@ -6,7 +6,6 @@
 mod alterations;
 mod boundary;
 mod by_hand;
-mod certified;
 mod computed;
 mod criteria;
 mod error_bars;
@@ -23,29 +22,20 @@ mod linearisation;
 mod new_edge;
 mod new_peak;
 mod new_results;
-mod numerical;
 mod over_rows;
-mod overshoot;
 mod planted_fault_tables;
 mod planted_faults;
 mod reading;
 mod resolved;
 mod rule;
 mod simulated;
-mod simulated_courses;
-mod simulated_damping;
 mod simulated_friction;
-mod simulated_laws;
-mod simulated_least_peak;
-mod simulated_onset;
-mod simulated_transition;
-mod simulated_trends;
 mod theory_tables;
 mod zones;
 
 pub use by_hand::{ACCEPTED, Conclusion, LIBRARY, TIES, Tie, Tied, definitions, statement};
 use computed::Asked;
-pub use computed::procedures;
+pub use computed::{equation_faults, procedures};
 pub use error_bars::{DecidedFor, PointWithin};
 pub use evidence::{Evidence, Strength};
 pub use finding::Finding;
@@ -58,6 +48,7 @@ pub use resolved::{Resolved, sha256_hex};
 
 use crate::experiments::{Context, Need, TableMaker};
 pub use crate::scene::Verdict;
+use slipmode_core::theory::Role;
 
 /// Bits of the certified numbers in limits: more than the digits shown.
 const BITS: u32 = 64;
@@ -69,6 +60,8 @@ pub(crate) struct Check {
     name: &'static str,
     /// Whether it is about runs, which are computed without the equations of the report.
     is_of_runs: bool,
+    /// The equations that it starts from.
+    roles: &'static [Role],
     /// What it needs computed.
     needs: &'static [Need],
     /// Computes the verdict.
@@ -95,7 +88,6 @@ fn checks() -> impl Iterator<Item = &'static Check> {
         frequency_turns::CHECKS,
         criteria::CHECKS,
         zones::CHECKS,
-        numerical::CHECKS,
         new_results::CHECKS,
         simulated_friction::CHECKS,
     ]

@@ -2,7 +2,7 @@
 
 use crate::claims::computed::Asked;
 use crate::claims::reading::{Draft, of_readings};
-use crate::claims::simulated_least_peak::extent;
+use crate::claims::simulated::extent;
 use crate::claims::{Evidence, Finding};
 use crate::experiments::Context;
 use crate::experiments::near_transition::Edge;
@@ -11,7 +11,6 @@ use slipmode_core::dynamics::edge_orbit;
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::format::round_digits;
 use slipmode_core::number::nearest_f64;
-use slipmode_core::theory::hopf::quasi_static_centre;
 
 /// The largest η at which the law is required.
 const LARGEST: f64 = 0.01;
@@ -71,8 +70,7 @@ pub(super) fn decide(context: &Context, asked: Asked) -> Result<Finding, Finding
     if small.len() < FEWEST {
         return Err(missing());
     }
-    let proofs = Finding::from_proof(quasi_static_centre(context.equations, EvolutionLaw::Aging));
-    let proofs = proofs.with_premise(asked.proved());
+    let proofs = asked.proved();
     let written = Draft::new("the fold of the cycles of the aging law as η → 0")
         .part("the first integral without inertia changes only by the mass and by K − K_c", proofs)
         .part(

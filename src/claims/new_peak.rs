@@ -1,15 +1,16 @@
 //! The peak velocity of deep stick-slip, and why eq 18 governs the least one.
 
 use crate::claims::reading::{Draft, of_readings};
-use crate::claims::simulated::{Run, Runs, grids, outcome};
-use crate::claims::simulated_least_peak::{extent, range};
+use crate::claims::simulated::{Run, Runs, extent, grids, outcome, range};
 use crate::claims::{Evidence, Finding};
 use crate::experiments::simulations::LeastPeak;
 use crate::experiments::{Context, Outcome};
+use crate::scene::cited;
 use slipmode_core::dynamics::{DeepCycle, PeakLaw, drop_over_impedance};
 use slipmode_core::friction::{EvolutionLaw, Slider};
 use slipmode_core::number::format::round_digits;
 use slipmode_core::number::{Rational, nearest_f64};
+use slipmode_core::theory::Role;
 use slipmode_core::theory::emergence;
 
 /// Deep stick-slip: the largest κ/(β − 1) = K/K_c,qs, and the largest V_l over the velocity of eq 18.
@@ -50,7 +51,8 @@ pub(super) fn decide(context: &Context, law: EvolutionLaw) -> Result<Finding, Fi
     let law = PeakLaw::new(law, slider.effect_ratio());
     let compared = Compared { context, parameters, slider, law };
     let rows: Option<Vec<Vec<Deep>>> = grid.rows().map(|row| compared.deep(row)).collect();
-    let rows = rows.ok_or_else(|| Finding::failing("Eq 18 as stated gives no velocity."))?;
+    let rows =
+        rows.ok_or_else(|| Finding::failing(cited("As stated, {inertial-upper} gives no velocity.")))?;
     let deep: Vec<&Deep> = rows.iter().flatten().collect();
     if deep.is_empty() {
         return Err(Finding::not_checked("No limit cycle of the grid is deep stick-slip."));
@@ -109,7 +111,13 @@ impl Compared<'_> {
     /// The velocity of eq 18 as the report states it; none where it gives none.
     fn eq18(&self, stress: f64) -> Option<f64> {
         let stress = Rational::from_f64(stress)?;
-        let velocity = emergence::velocity_of(self.context.equations, "18", self.parameters, &stress, BITS)?;
+        let velocity = emergence::velocity_of(
+            self.context.equations,
+            Role::InertialUpper,
+            self.parameters,
+            &stress,
+            BITS,
+        )?;
         Some(velocity.to_f64())
     }
 
@@ -216,7 +224,8 @@ impl Compared<'_> {
             Some([libm::log10(velocity / (2.0 * eq18)), libm::log10(velocity / formula)])
         };
         let places: Option<Vec<[f64; 2]>> = least.iter().map(place).collect();
-        let places = places.ok_or_else(|| Finding::failing("Eq 18 as stated gives no velocity."))?;
+        let places = places
+            .ok_or_else(|| Finding::failing(cited("As stated, {inertial-upper} gives no velocity.")))?;
         let falls = places.windows(2).all(|pair| pair[1][1].abs() < pair[0][1].abs());
         let error = least.iter().map(|found| found.offset_error_dex).fold(0.0, f64::max);
         let list =

@@ -7,12 +7,14 @@ use crate::experiments::{Context, Need};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::format::round_digits;
 use slipmode_core::number::nearest_f64;
-use slipmode_core::theory::hopf::degenerate_inertial_parameter;
+use slipmode_core::theory::Role;
+use slipmode_core::theory::hopf::{self, degenerate_inertial_parameter};
 
 pub(super) const CHECKS: &[Check] = &[
     Check {
         name: "peak-velocity-law",
         is_of_runs: true,
+        roles: &[Role::InertialUpper],
         needs: &[Need::Simulations],
         decide: |context, asked: Asked| {
             let law = EvolutionLaw::ALL.into_iter().find(|law| law.as_str() == asked.first());
@@ -23,12 +25,14 @@ pub(super) const CHECKS: &[Check] = &[
     Check {
         name: "sign-of-the-lyapunov-coefficient",
         is_of_runs: true,
+        roles: &hopf::EQUATIONS,
         needs: &[],
         decide: sign_of_lyapunov_coefficient,
     },
     Check {
         name: "edge-of-bistability",
         is_of_runs: true,
+        roles: &[Role::Friction, Role::AgingLaw, Role::Motion, Role::SteadyState],
         needs: &[Need::NearTransition],
         decide: |context, asked: Asked| either(new_edge::decide(context, asked)),
     },

@@ -93,7 +93,7 @@ fn of_formula<'c>(
         start.systems.push(&motion.name);
     }
     let key = if formula.rows.is_some() { "rows" } else { "formula" };
-    let table = formula.rows.as_ref().map_or(String::new(), |table| format!("{table}: "));
+    let table = formula.rows.as_ref().map_or(String::new(), |rows| format!("{}: ", rows.table));
     let mut lines = match formula.computed() {
         None => vec![format!("{place}{key}: {table}{}", without_layout(&formula.text))],
         Some(computed) => of_computed(place, computed, equations, start),
@@ -118,7 +118,11 @@ fn of_computed<'c>(
     let line = |key: &str, text: &str| format!("{place}{key}: {}", one_line(text));
     let mut lines: Vec<String> = computed.check.iter().map(|name| line("check", name)).collect();
     lines.extend(computed.of.iter().map(|of| line("of", of)));
-    start.equations.extend(computed.equations.iter().map(String::as_str));
+    for number in &computed.equations {
+        let role = equations.iter().find(|one| one.number == *number).and_then(|one| one.role);
+        lines.extend(role.map(|role| line("role", &format!("{} is equation {number}", role.as_str()))));
+        start.equations.push(number);
+    }
     for id in &computed.proofs {
         lines.push(line("proof", &format!("{id}: {}", computed.stated.says(id))));
         start.equations.extend(computed.stated.reached(id, equations));

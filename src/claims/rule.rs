@@ -66,11 +66,6 @@ impl Deviations {
         Self { measure, each: each.into_iter().collect() }
     }
 
-    /// Whether a size is outside of what a sentence of this kind may be off by.
-    pub(super) fn is_outside(&self, kind: Kind, size: f64) -> bool {
-        size.abs() > self.allowed(kind)
-    }
-
     fn allowed(&self, kind: Kind) -> f64 {
         if kind == Kind::Approximate { self.measure.tolerance() } else { 0.0 }
     }
@@ -83,12 +78,13 @@ impl Deviations {
     }
 
     /// The range in words, rounded outward.
-    fn range(&self) -> String {
+    pub(super) fn range(&self) -> String {
         let (factor, unit) = self.measure.unit();
         let sizes = || self.each.iter().map(|(size, _)| size * factor);
-        let (low, high) = (sizes().fold(f64::INFINITY, f64::min), sizes().fold(f64::NEG_INFINITY, f64::max));
-        let [low, high] = [rounded(low, 3, Side::Below), rounded(high, 3, Side::Above)];
-        if self.each.len() == 1 { format!("{high} {unit}") } else { format!("{low} to {high} {unit}") }
+        let (least, most) =
+            (sizes().fold(f64::INFINITY, f64::min), sizes().fold(f64::NEG_INFINITY, f64::max));
+        let [low, high] = [rounded(least, 3, Side::Below), rounded(most, 3, Side::Above)];
+        if least == most { format!("{high} {unit}") } else { format!("{low} to {high} {unit}") }
     }
 }
 

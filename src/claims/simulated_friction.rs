@@ -2,12 +2,11 @@
 
 use crate::claims::computed::either;
 use crate::claims::reading::{Draft, of_readings};
-use crate::claims::simulated::{Run, Runs, grids, outcome};
-use crate::claims::simulated_least_peak::{extent, range};
-use crate::claims::simulated_transition::slider;
+use crate::claims::simulated::{Run, Runs, extent, grids, outcome, range, slider};
 use crate::claims::{Check, Evidence, Finding};
 use crate::experiments::simulations::{RunCourse, StrongVibration, VIBRATION_STEP};
 use crate::experiments::{Context, Need, Outcome};
+use crate::scene::cited;
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::format::round_digits;
 use std::f64::consts::{LN_10, PI};
@@ -15,6 +14,7 @@ use std::f64::consts::{LN_10, PI};
 pub(super) const CHECKS: &[Check] = &[Check {
     name: "least-friction",
     is_of_runs: true,
+    roles: &[],
     needs: &[Need::Simulations],
     decide: |context, _| either(least_friction_of_runs(context)),
 }];
@@ -40,9 +40,9 @@ fn regularised(grid: &Runs, direct_effect: f64, reference: f64) -> Finding {
     let log_difference = exponent - 2.0 * reference / direct_effect;
     let difference = format!("1e{}", (log_difference / LN_10).ceil());
     let finding = Finding::from_evidence(Evidence::Simulation {
-        quantity: format!(
-            "{law} law, μ0 = {reference}: least friction coefficient by eq 1 in a run; runs in which it is negative; largest difference of the velocities of the two laws at the same friction and state, in V_l"
-        ),
+        quantity: cited(&format!(
+            "{law} law, μ0 = {reference}: least friction coefficient by {{friction}} in a run; runs in which it is negative; largest difference of the velocities of the two laws at the same friction and state, in V_l"
+        )),
         value: format!(
             "{}; {negative} of {}; below {difference}",
             round_digits(friction(course), 4),
@@ -53,19 +53,19 @@ fn regularised(grid: &Runs, direct_effect: f64, reference: f64) -> Finding {
     });
     finding
         .require(log_difference < libm::log(UNRESOLVED), || {
-            format!(
-                "eq 1's friction coefficient falls to {} ({}) and is negative in {negative} of {} runs; there the velocities of the two laws differ by up to {difference} V_l",
+            cited(&format!(
+                "{{friction}}'s friction coefficient falls to {} ({}) and is negative in {negative} of {} runs; there the velocities of the two laws differ by up to {difference} V_l",
                 round_digits(friction(course), 4),
                 run.place(),
                 courses.len()
-            )
+            ))
         })
-        .on(format!(
-            "V differs by less than {difference} V_l at the same friction and state, so that no digit of a peak velocity or period changes; eq 1's friction coefficient is as low as {} ({}) and negative in {negative} of {} runs",
+        .on(cited(&format!(
+            "V differs by less than {difference} V_l at the same friction and state, so that no digit of a peak velocity or period changes; {{friction}}'s friction coefficient is as low as {} ({}) and negative in {negative} of {} runs",
             round_digits(friction(course), 4),
             run.place(),
             courses.len()
-        ))
+        )))
 }
 
 /// Whether the regularised law changes the simulations of the law of this name.

@@ -23,10 +23,10 @@ fn equations(context: &Context) -> Option<Table> {
 }
 
 fn series(context: &Context) -> Option<Table> {
-    let note = "Coefficients in w = √β for eqs 15 and 16, in β for eqs 18 and 20. Each series was derived along the rational curve and checked to make the discriminant vanish to the same order.";
+    let note = "Coefficients in w = √β for {quasi-static-upper, quasi-static-lower}, in β for {inertial-upper, inertial-lower}. Each series was derived along the rational curve and checked to make the discriminant vanish to the same order.";
     let orders = [("first_order", "x¹"), ("second_order", "x²"), ("third_order", "x³")];
-    let all = asymptote_series::derive(context.equations, orders.len()).ok()?;
-    Table::of("series", "Relative error exact/asymptote − 1 as a series, derived from eq 8", &all)
+    let all = asymptote_series::derive(&context.equations.in_symbols(), orders.len()).ok()?;
+    Table::of("series", "Relative error exact/asymptote − 1 as a series, derived from {characteristic}", &all)
         .note(note)
         .text("asymptote", "Asymptote", |series| format!("eq {}", series.equation))
         .text("quantity", "Relative error of", |series| series.quantity)

@@ -7,7 +7,7 @@ use crate::claims::rule::{Deviations, Measure, enclosed};
 use crate::claims::{Check, Evidence, Finding};
 use crate::experiments::zones::{InertialLine, LineCount, ZonesOutcome};
 use crate::experiments::{Context, Need, SceneOutcome};
-use crate::scene::Kind;
+use crate::scene::{Kind, cited};
 use slipmode_core::number::Ball;
 use slipmode_core::number::format::{certain_digits, round_digits};
 use slipmode_core::stability::SlipMode;
@@ -16,24 +16,28 @@ pub(super) const CHECKS: &[Check] = &[
     Check {
         name: "number-of-slip-modes",
         is_of_runs: false,
+        roles: &[],
         needs: &[Need::Map, Need::Zones],
         decide: number_of_modes,
     },
     Check {
         name: "lines-on-the-map",
         is_of_runs: false,
+        roles: &[],
         needs: &[Need::Map, Need::Zones, Need::Tolerance],
         decide: lines_on_the_map,
     },
     Check {
         name: "line-of-inertial-oscillation",
         is_of_runs: false,
+        roles: &[],
         needs: &[Need::Map, Need::Zones],
         decide: |context, _| inertial_line(context),
     },
     Check {
         name: "zones-by-straight-lines",
         is_of_runs: false,
+        roles: &[],
         needs: &[Need::Map, Need::Zones],
         decide: by_straight_lines,
     },
@@ -128,7 +132,7 @@ fn inertial_line(context: &Context) -> Finding {
     let finding = Finding::from_evidence(Evidence::Sample {
         quantity: format!(
             "Points that the best of {lines} lines ({}) leaves in another slip mode",
-            best.line.as_str()
+            cited(best.line.as_str())
         ),
         value: best.misplaced.to_string(),
         points,
@@ -152,8 +156,10 @@ fn by_straight_lines(context: &Context, asked: Asked) -> Finding {
 /// The map with the straight line between the corners: how often it is wrong, next to the other lines.
 fn drawn_map(zones: &ZonesOutcome, straight: &LineCount, case: &str, kind: Kind) -> Finding {
     let points = zones.exact.values.len();
-    let counts =
-        zones.inertial_lines.iter().map(|count| format!("{}: {}", count.line.as_str(), count.misplaced));
+    let counts = zones
+        .inertial_lines
+        .iter()
+        .map(|count| format!("{}: {}", cited(count.line.as_str()), count.misplaced));
     let finding = Finding::from_evidence(Evidence::Sample {
         quantity: "Points in another slip mode than the exact one, for each line".into(),
         value: counts.collect::<Vec<_>>().join("; "),

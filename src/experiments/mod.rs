@@ -96,7 +96,7 @@ impl<'c> Context<'c> {
     #[must_use]
     pub fn with_equations<'e>(&'e self, equations: &'e Equations) -> Context<'e> {
         // What was derived once stands for all who may derive it.
-        let may_derive = hopf::EQUATIONS.iter().all(|number| equations.has(number));
+        let may_derive = equations.missing(&hopf::EQUATIONS).is_empty();
         let hopf = if may_derive { self.hopf.clone() } else { Arc::default() };
         let known = self.known.clone();
         Context {
@@ -133,6 +133,6 @@ impl<'c> Context<'c> {
             EvolutionLaw::Slip => slip,
             EvolutionLaw::Aging => aging,
         };
-        derived.get_or_init(|| coefficient(self.equations, law)).as_ref().map_err(Clone::clone)
+        derived.get_or_init(|| coefficient(&self.equations.in_symbols(), law)).as_ref().map_err(Clone::clone)
     }
 }

@@ -1,5 +1,7 @@
 //! What was computed, scene by scene, and what scenes refer to.
 
+use std::cmp::Ordering;
+
 use std::collections::BTreeMap;
 
 use crate::experiments::SceneOutcome;
@@ -13,6 +15,17 @@ impl SceneOutcome {
     #[must_use]
     pub fn slider(&self) -> Option<&Slider<Rational>> {
         self.scene.parameters.as_ref().map(|section| &section.slider)
+    }
+
+    /// Whether friction of its slider falls or rises with velocity, in the words of tables.
+    #[must_use]
+    pub fn slider_words(&self) -> Option<&'static str> {
+        let slider = self.slider()?;
+        Some(match slider.direct_effect.cmp(&slider.evolution_effect) {
+            Ordering::Less => "a < b",
+            Ordering::Equal => "a = b",
+            Ordering::Greater => "a > b",
+        })
     }
 }
 

@@ -1,7 +1,8 @@
 //! Which tables there are, and what each needs.
 
 use crate::experiments::{Context, Need};
-use slipmode_plot::table::Table;
+use crate::scene::cited;
+use slipmode_plot::table::{Column, Table};
 
 /// How a table is made.
 #[derive(Debug)]
@@ -18,6 +19,9 @@ impl TableMaker {
     /// The table, unless it has no rows.
     #[must_use]
     pub fn table(&self, context: &Context) -> Option<Table> {
-        (self.make)(context).filter(|table| !table.rows.is_empty())
+        let table = (self.make)(context).filter(|table| !table.rows.is_empty())?;
+        let columns = table.columns.into_iter().map(|one| Column { header: cited(&one.header), ..one });
+        let (title, note) = (cited(&table.title), cited(&table.note));
+        Some(Table { title, note, columns: columns.collect(), ..table })
     }
 }

@@ -1,6 +1,7 @@
 //! What eqs 15, 16, 18 and 20 and the ends of the transition say for a slider, in words for the explorer.
 
 use crate::explorer::view::{DIGITS, FormulaRow, Varying};
+use crate::scene::cited;
 use slipmode_core::friction::Slider;
 use slipmode_core::number::format::round_digits;
 use slipmode_core::number::{Ball, Rational};
@@ -38,8 +39,8 @@ pub(crate) fn formula_values(slider: &Slider<Rational>) -> [String; FORMULAS] {
 
 /// The rows of the page's list of formulas; `value` gives the texts at a place of [`formula_values`].
 pub(crate) fn rows(value: impl Fn(usize) -> Varying) -> Vec<FormulaRow> {
-    let stress = |name, at, where_before, limit| FormulaRow {
-        name,
+    let stress = |name: &str, at, where_before, limit| FormulaRow {
+        name: cited(name),
         before: "σ = ",
         value: value(at),
         unit: " Pa",
@@ -47,8 +48,8 @@ pub(crate) fn rows(value: impl Fn(usize) -> Varying) -> Vec<FormulaRow> {
         limit: value(limit),
         limit_unit: " m/s",
     };
-    let velocity = |name, at, where_before, limit| FormulaRow {
-        name,
+    let velocity = |name: &str, at, where_before, limit| FormulaRow {
+        name: cited(name),
         before: "V0 = ",
         value: value(at),
         unit: " m/s · σ/Pa",
@@ -57,11 +58,11 @@ pub(crate) fn rows(value: impl Fn(usize) -> Varying) -> Vec<FormulaRow> {
         limit_unit: " Pa",
     };
     vec![
-        stress("eq 15", 0, "V0 below ", 4),
-        stress("eq 16", 1, "V0 below ", 5),
-        velocity("eq 18", 2, "σ above ", 0),
-        velocity("eq 20", 3, "σ below ", 1),
-        stress("K = K_c (eq 12)", 6, "ends at V0 = ", 7),
+        stress("{quasi-static-upper}", 0, "V0 below ", 4),
+        stress("{quasi-static-lower}", 1, "V0 below ", 5),
+        velocity("{inertial-upper}", 2, "σ above ", 0),
+        velocity("{inertial-lower}", 3, "σ below ", 1),
+        stress("K = K_c ({critical-normal-stress})", 6, "ends at V0 = ", 7),
     ]
 }
 

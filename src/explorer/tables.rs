@@ -3,6 +3,7 @@
 use crate::explorer::formulas::FORMULAS;
 use crate::explorer::view::{DIGITS, imaginary, mode};
 use crate::explorer::{Factors, Families};
+use crate::scene::cited;
 use slipmode_core::number::format::{rational_to_decimal, round_digits};
 use slipmode_plot::table::{Cell, Column, Table};
 
@@ -40,10 +41,10 @@ fn columns(families: &Families, name: &str, unit: &str) -> Vec<Column> {
     let mut columns = vec![
         Column::number("factor", "Factor", ""),
         Column::number("value", name, unit),
-        Column::number("eq15_pa", "σ of eq 15", "Pa"),
-        Column::number("eq16_pa", "σ of eq 16", "Pa"),
-        Column::number("eq18_m_per_s_per_pa", "V0/σ of eq 18", "m/s/Pa"),
-        Column::number("eq20_m_per_s_per_pa", "V0/σ of eq 20", "m/s/Pa"),
+        Column::number("eq15_pa", &cited("σ of {quasi-static-upper}"), "Pa"),
+        Column::number("eq16_pa", &cited("σ of {quasi-static-lower}"), "Pa"),
+        Column::number("eq18_m_per_s_per_pa", &cited("V0/σ of {inertial-upper}"), "m/s/Pa"),
+        Column::number("eq20_m_per_s_per_pa", &cited("V0/σ of {inertial-lower}"), "m/s/Pa"),
     ];
     columns.extend(families.points.iter().map(|point| {
         Column::text(

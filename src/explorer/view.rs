@@ -1,5 +1,6 @@
 //! The explorer of one's own slider: curves, formulas and points for every stored combination of b, K and M, as words.
 
+use crate::scene::cited;
 use serde::Serialize;
 
 use crate::experiments::shared::axes::{asymptote_lines, boundary_lines, transition_line};
@@ -58,7 +59,7 @@ pub struct Varying {
 #[derive(Debug, Clone, Serialize)]
 pub struct FormulaRow {
     /// The formula's name.
-    pub name: &'static str,
+    pub name: String,
     /// Words before the value.
     pub before: &'static str,
     /// The value.
@@ -109,7 +110,7 @@ const MARGIN: i32 = 2;
 const BAND_POINTS: u32 = 40;
 
 const TITLE: &str = "Boundary, transition and asymptotes of the chosen slider";
-const DESCRIPTION: &str = "Map over loading velocity and normal stress: the exact boundary max Im(s) = 0 with its upper and its lower arc, the asymptotes of equations 15, 16, 18 and 20 within their ranges, the transition K = K_c where b is greater than a, and the scene's points.";
+const DESCRIPTION: &str = "Map over loading velocity and normal stress: the exact boundary max Im(s) = 0 with its upper and its lower arc, the asymptotes of {quasi-static-upper, quasi-static-lower, inertial-upper, inertial-lower} within their ranges, the transition K = K_c where b is greater than a, and the scene's points.";
 
 /// The explorer of a slider's families.
 #[must_use]
@@ -222,7 +223,7 @@ fn map(families: &Families, window: Window) -> FamilyMap {
     let [_, stiffnesses, masses] = &families.factors;
     let decades = |factor: &Rational| libm::log10(nearest_f64(factor));
     FamilyMap {
-        caption: Caption::new("explorer-map", TITLE, DESCRIPTION),
+        caption: Caption::new("explorer-map", TITLE, &cited(DESCRIPTION)),
         members: members.collect(),
         base: families.factors[0].base,
         moves: vec![

@@ -195,7 +195,7 @@ fn claim_view(entry: &Entry, ledger: &Ledger, certificates: &Certificates<'_>, f
         verdict_markdown: plain(finding.limit.as_deref().unwrap_or_default()),
         strength: strength_of(finding.verdict, finding.strength),
         readings: readings(entry),
-        evidence: finding.evidence.iter().map(|one| evidence_view(one, &entry.id, certificates)).collect(),
+        evidence: finding.evidence.iter().map(|one| evidence_view(one, entry, certificates)).collect(),
         counter_example_markdown: plain(finding.counter_example.as_deref().unwrap_or_default()),
         not_established_markdown: with_sentence(plain(&entry.not_established), middle),
         remark_markdown: finding
@@ -253,7 +253,15 @@ fn readings(entry: &Entry) -> Vec<ReadingView> {
     entry.finding.readings.iter().map(&mut reading).collect()
 }
 
-fn evidence_view(evidence: &Evidence, claim: &str, certificates: &Certificates<'_>) -> EvidenceView {
+/// What was looked at. A statement over rows stands with its part already.
+fn looked_at(quantity: &str, entry: &Entry) -> String {
+    let parts = entry.stated.iter().flat_map(StatedClaim::parts);
+    let mut tables = parts.filter_map(|(_, formula)| Some((&formula.rows.as_ref()?.table, &formula.text)));
+    let table = tables.find(|(table, text)| quantity.strip_prefix(&format!("{table}: ")) == Some(text));
+    table.map_or_else(|| quantity.to_owned(), |(table, _)| format!("rows of {table}"))
+}
+
+fn evidence_view(evidence: &Evidence, entry: &Entry, certificates: &Certificates<'_>) -> EvidenceView {
     let fact = |name: &str, value: &str| FactView { name: name.into(), value: value.into() };
     let numbers = |kind: &str, numbers: Vec<FactView>| EvidenceView {
         kind: kind.into(),
@@ -267,7 +275,7 @@ fn evidence_view(evidence: &Evidence, claim: &str, certificates: &Certificates<'
         Evidence::Proof { proof } => {
             let home = certificates.home(proof);
             let (certificate, certificate_at) =
-                if home == claim { (certificates.text(proof), "") } else { (String::new(), home) };
+                if home == entry.id { (certificates.text(proof), "") } else { (String::new(), home) };
             EvidenceView {
                 text_markdown: plain(&proof.statement),
                 certificate,
@@ -275,17 +283,20 @@ fn evidence_view(evidence: &Evidence, claim: &str, certificates: &Certificates<'
                 ..numbers("Proof", Vec::new())
             }
         }
-        Evidence::Enclosure { quantity, value } => numbers("Enclosure", vec![fact(quantity, value)]),
+        Evidence::Enclosure { quantity, value } => {
+            numbers("Enclosure", vec![fact(&looked_at(quantity, entry), value)])
+        }
         Evidence::Simulation { quantity, value, error, runs } => numbers(
             "Simulation",
             vec![
-                fact(quantity, value),
+                fact(&looked_at(quantity, entry), value),
                 fact("largest error estimate", error),
                 fact("runs", &runs.to_string()),
             ],
         ),
         Evidence::Sample { quantity, value, points } => {
-            numbers("Sample", vec![fact(quantity, value), fact("points checked", &points.to_string())])
+            let looked_at = fact(&looked_at(quantity, entry), value);
+            numbers("Sample", vec![looked_at, fact("points checked", &points.to_string())])
         }
     }
 }

@@ -15,7 +15,7 @@ use crate::report::blocks::{BlockKind, Piece, pieces};
 use crate::report::theorems::{THEOREMS_FILE, theorems};
 use crate::report::{FactView, InputView, ReportError, render_edition, render_html, render_markdown};
 use crate::scene::{ClaimEntry, Measured, MeasuredChart, ReportPlan};
-use slipmode_core::theory::Equations;
+use slipmode_core::theory::{Equations, Role, asymptote_series, hopf};
 use slipmode_plot::table::Table;
 
 /// The contents of a report folder, read and valid.
@@ -223,10 +223,20 @@ impl Wanted {
         // A table that needs nothing computed is made of the paper's equations.
         let of_equations = |id: &str| {
             table_maker(id).filter(|maker| maker.needs.is_empty())?;
-            let missing = context.equations.demand_paper().err()?.to_string().replace('\n', "; ");
-            Some(format!("equations.toml: the table `{id}` needs the equations of the paper: {missing}"))
+            let missing = context.equations.missing(roles_of(id)).join("; ");
+            let missing = if missing.is_empty() { "they have another form".to_owned() } else { missing };
+            Some(format!("equations.toml: the table `{id}` needs other equations: {missing}"))
         };
         collect("table", made.into_iter(), of_equations)
+    }
+}
+
+/// The equations from which a table that needs nothing computed is derived.
+fn roles_of(table: &str) -> &'static [Role] {
+    match table {
+        "series" => &asymptote_series::EQUATIONS,
+        "hopf-coefficient" => &hopf::EQUATIONS,
+        _ => &[],
     }
 }
 

@@ -81,8 +81,13 @@ impl<'t> ComputedEntries<'t> {
         KEYS[..3].iter().any(|key| self.0.contains_key(key))
     }
 
-    fn text(&self, key: &str) -> Option<Option<String>> {
+    pub fn text(&self, key: &str) -> Option<Option<String>> {
         self.0.get(key).map_or(Some(None), |entry| entry.text().map(Some))
+    }
+
+    /// Whether nothing is there but how far something goes.
+    pub fn is_extent(&self) -> bool {
+        self.0.keys().eq(["extent"].iter())
     }
 
     fn texts(&self, key: &str) -> Option<Vec<String>> {
@@ -137,12 +142,6 @@ impl<'t> ComputedEntries<'t> {
 }
 
 impl Computed {
-    /// Whether a procedure or a proof of the first paper's report decides it: both take that paper's equations.
-    #[must_use]
-    pub fn needs_the_paper(&self) -> bool {
-        self.check.is_some() || !self.proofs.is_empty() && self.has_reviewed_proofs()
-    }
-
     /// Whether its proofs are those of the first paper's report: that their steps imply what they say was reviewed with the program.
     #[must_use]
     pub fn has_reviewed_proofs(&self) -> bool {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use slipmode_core::theory::Equations;
 
-use crate::scene::claim_computed::{Computed, Known, Premise, Procedures};
+use crate::scene::claim_computed::{Known, Premise, Procedures};
 use crate::scene::claim_formula::ClaimFormula;
 use crate::scene::claim_library::{library_claim, library_ids, library_sentence};
 use crate::scene::claim_scope::FormulaEntries;
@@ -42,13 +42,6 @@ pub struct ClaimEntry {
 }
 
 impl ClaimEntry {
-    /// Whether a part of it takes the equations of the first paper.
-    #[must_use]
-    pub fn has_check(&self) -> bool {
-        let parts = self.stated.iter().flat_map(StatedClaim::parts);
-        parts.filter_map(|(_, formula)| formula.computed()).any(Computed::needs_the_paper)
-    }
-
     /// A claim that is listed by its id alone, as the first paper's claim of this id states it.
     fn with_library(self, equations: &Equations, procedures: &Procedures) -> Self {
         match library_claim(&self.id, equations, procedures) {

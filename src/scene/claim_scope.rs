@@ -7,7 +7,7 @@ use slipmode_core::theory::Equations;
 use crate::scene::Problem;
 use crate::scene::claim_computed::{ComputedEntries, Known};
 use crate::scene::claim_formula::{
-    ClaimFormula, FormulaCondition, FormulaLimit, Scope, read_side, read_variable,
+    ClaimFormula, FormulaCondition, FormulaLimit, OverRows, Scope, read_side, read_variable,
 };
 use crate::scene::claim_motion::ClaimMotion;
 use crate::scene::claim_names::Names;
@@ -18,6 +18,7 @@ pub(super) struct FormulaEntries<'t> {
     formula: Option<Entry<'t>>,
     computed: ComputedEntries<'t>,
     rows: Option<Entry<'t>>,
+    numbers: Option<Entry<'t>>,
     limit: Option<Entry<'t>>,
     outside: Option<Entry<'t>>,
     motion: Option<Entry<'t>>,
@@ -31,13 +32,27 @@ pub(super) struct FormulaEntries<'t> {
 
 impl<'t> FormulaEntries<'t> {
     pub fn of(section: &mut Section<'t>) -> Self {
-        let [formula, motion, rows, limit, outside, given, there_is, witness, within, at, moves] = [
-            "formula", "motion", "rows", "limit", "outside", "given", "there_is", "witness", "box", "at",
-            "moves",
+        let [formula, motion, rows, numbers, limit, outside, given, there_is, witness, within, at, moves] = [
+            "formula", "motion", "rows", "numbers", "limit", "outside", "given", "there_is", "witness",
+            "box", "at", "moves",
         ]
         .map(|key| section.optional(key));
         let computed = ComputedEntries::of(section);
-        Self { formula, computed, motion, rows, limit, outside, given, there_is, witness, within, at, moves }
+        Self {
+            formula,
+            computed,
+            motion,
+            rows,
+            numbers,
+            limit,
+            outside,
+            given,
+            there_is,
+            witness,
+            within,
+            at,
+            moves,
+        }
     }
 
     /// Whether something is stated.
@@ -49,6 +64,7 @@ impl<'t> FormulaEntries<'t> {
     pub fn scope(&self) -> impl Iterator<Item = &Entry<'t>> {
         [
             &self.rows,
+            &self.numbers,
             &self.limit,
             &self.outside,
             &self.given,
@@ -92,7 +108,9 @@ impl<'t> FormulaEntries<'t> {
     /// The formula over its scope; all faults of the scope are found first.
     fn read_alone(&self, known: &Known<'_>) -> Option<ClaimFormula> {
         let equations = known.equations;
-        if let Some(first) = self.computed.first() {
+        if let Some(first) =
+            self.computed.first().filter(|_| self.rows.is_none() || !self.computed.is_extent())
+        {
             let needs = match (&self.formula, &self.motion, &self.rows) {
                 (None, None, None) if self.computed.is_stated() => {
                     return Some(ClaimFormula::of_computed(self.computed.read(known)?));
@@ -108,17 +126,24 @@ impl<'t> FormulaEntries<'t> {
         let formula = self.formula.as_ref()?;
         let text = formula.text()?;
         if let Some(rows) = &self.rows {
-            let table = rows.text()?;
+            let of =
+                |members: &Entry<'_>| members.members(|name, member| Some((name.to_owned(), member.text()?)));
+            let numbers = self.numbers.as_ref().map_or(Some(Vec::new()), of);
+            let (table, extent) = (rows.text()?, self.computed.text("extent")?);
+            let rows = OverRows { table, numbers: numbers?.into_iter().collect(), extent };
             let others = [&self.given, &self.there_is, &self.witness, &self.within, &self.at, &self.moves];
             return match others.into_iter().flatten().next() {
                 Some(entry) => entry
                     .refuse(Problem::Needs("no `rows` beside it: write the condition after `where`".into())),
                 None => Some(ClaimFormula {
                     text: text.trim().into(),
-                    rows: Some(table),
+                    rows: Some(rows),
                     ..ClaimFormula::default()
                 }),
             };
+        }
+        if let Some(numbers) = &self.numbers {
+            return numbers.refuse(Problem::Needs("`rows` beside it: they are numbers of a table".into()));
         }
         let equations = equations?;
         let scope = self.read_whole_scope(equations)?;

@@ -103,7 +103,7 @@ pub enum CsvProblem {
     },
     /// Velocities of a trajectory without a logarithm.
     #[error(
-        "{count} of {of} velocities are zero or negative (rows: {rows}; least: {least} m/s), and eq 1 needs ln V; {reading}"
+        "{count} of {of} velocities are zero or negative (rows: {rows}; least: {least} m/s), and the friction law needs ln V; {reading}"
     )]
     NotForward {
         /// How many.

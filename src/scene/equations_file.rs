@@ -1,6 +1,6 @@
 //! `equations.toml`: a paper's equations, the thing under test.
 
-use slipmode_core::theory::{EquationFault, Equations, EquationsText};
+use slipmode_core::theory::{Equations, EquationsText};
 
 use crate::scene::file_text::line_at;
 use crate::scene::{Fault, Faults, Problem, file_text};
@@ -24,14 +24,6 @@ pub fn read_equations_partly(file: &str, bytes: &[u8]) -> Result<(Equations, Fau
         toml::from_str(text).map_err(|error| vec![toml_fault(file, text, &error)])?;
     let (equations, faults) = Equations::read_partly(equations);
     Ok((equations, faults.iter().map(|fault| equation_fault(file, &fault.key, &fault.message)).collect()))
-}
-
-/// What procedures and proofs of the first paper's report miss in the equations, but for the keys of known faults.
-#[must_use]
-pub fn paper_faults(file: &str, equations: &Equations, known: &Faults) -> Faults {
-    let missing = equations.demand_paper().err().map_or(Vec::new(), |error| error.faults);
-    let is_new = |fault: &&EquationFault| !known.iter().any(|known| known.key == fault.key);
-    missing.iter().filter(is_new).map(|fault| equation_fault(file, &fault.key, &fault.message)).collect()
 }
 
 /// TOML that does not parse, with its line.
@@ -63,17 +55,5 @@ mod tests {
             message.starts_with("equations.toml:") && message.contains("nota") && !message.contains('\n'),
             "{message}"
         );
-    }
-
-    #[test]
-    fn an_equation_that_a_claim_needs_is_named_once_with_its_file() {
-        let text = FILE
-            .replace("number = \"16\"", "number = \"61\"")
-            .replace("omega_n = sqrt(K/M)", "omega_n = sqrt(K/M");
-        let (equations, known) = read_equations_partly("e.toml", text.as_bytes()).unwrap();
-        let missing = paper_faults("e.toml", &equations, &known);
-        let keys: Vec<&str> = known.iter().chain(&missing).map(|fault| fault.key.as_str()).collect();
-        assert_eq!(keys, ["equation natural-frequency", "equation 61", "equation 16"]);
-        assert!(missing[1].to_string().starts_with("e.toml: equation 16: is missing"), "{missing:?}");
     }
 }

@@ -5,6 +5,7 @@
 //! Decimals are taken from their text ([`slipmode_core::number::parse_decimal`]); no number passes through binary.
 
 mod axis;
+mod cited;
 mod claim_computed;
 mod claim_formula;
 mod claim_library;
@@ -36,9 +37,11 @@ mod units;
 mod verdict;
 
 pub use axis::{Limits, LogAxis, LogCoordinates};
+pub use cited::cited;
 pub use claim_computed::{Computed, Premise, Procedures};
 pub use claim_formula::{
-    ClaimFormula, Crossing, Formula, FormulaCondition, MOST_CLAUSES, Premises, Scope, Solved, Statement,
+    ClaimFormula, Crossing, Formula, FormulaCondition, MOST_CLAUSES, OverRows, Premises, Scope, Solved,
+    Statement,
 };
 pub use claim_library::{library_claim, library_ids, library_proofs};
 pub use claim_list::{ClaimEntry, StatedClaim, StatedReading, read_claims};
@@ -46,7 +49,7 @@ pub use claim_motion::{ClaimMotion, MotionSaid};
 pub use claim_names::Names;
 pub use claim_subject::{InAnswer, Sliders, Subject};
 pub use csv_problem::CsvProblem;
-pub use equations_file::{paper_faults, read_equations, read_equations_partly};
+pub use equations_file::{read_equations, read_equations_partly};
 pub use fault::{Fault, Faults, Problem, visible};
 pub(crate) use file_text::forbidden_character;
 pub use file_text::{MAX_FILE_BYTES, file_text, is_forbidden};
@@ -60,7 +63,7 @@ pub use question::Question;
 pub use range::{AllowedRange, parse_whole};
 pub use report_plan::{Chapter, ReportPlan};
 pub use sections::{Place, Rectangle};
-pub use sentence::{Change, Kind, Sentence, Source};
+pub use sentence::{Change, Kind, Sentence, Source, filled};
 pub use shortened::{LONGEST_MESSAGE, first_lines, shortened, with_short_quotations};
 pub use uncertain::Uncertain;
 pub use units::with_unit;

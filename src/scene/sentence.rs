@@ -97,22 +97,22 @@ impl Sentence {
     }
 }
 
-impl Change {
-    /// The replacement with its numbers.
-    ///
-    /// # Errors
-    /// The first name between braces that has no number.
-    pub fn filled(&self, numbers: &BTreeMap<&'static str, String>) -> Result<String, String> {
-        let mut parts = self.instead.split('{');
-        let mut text = parts.next().unwrap_or_default().to_owned();
-        for part in parts {
-            let (name, rest) = part.split_once('}').unwrap_or((part, ""));
-            text += numbers.get(name).ok_or(name)?;
-            text += rest;
-        }
-        Ok(text)
+/// A sentence with its numbers in the place of their names between braces.
+///
+/// # Errors
+/// The first name between braces that has no number.
+pub fn filled(sentence: &str, numbers: &BTreeMap<String, String>) -> Result<String, String> {
+    let mut parts = sentence.split('{');
+    let mut text = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        let (name, rest) = part.split_once('}').unwrap_or((part, ""));
+        text += numbers.get(name).ok_or(name)?;
+        text += rest;
     }
+    Ok(text)
+}
 
+impl Change {
     fn read(mut section: Section<'_>) -> Option<Self> {
         let [instead, affects] = ["instead", "affects"].map(|key| section.text(key, "a text"));
         let rank = section.whole("rank", 1..=100);

@@ -42,17 +42,18 @@ fn a_claim_with_a_check_and_a_table_of_the_paper_ask_for_its_equations() {
     let place = Workplace::with_report(EQUATIONS, &claim("B1", "holds", ""), "Words.\n");
     let refused = place.run(["verify", "r"]);
     refused.expect_refusal(&[
-        "r/equations.toml: equation 3.2: is not an equation of the paper",
-        "r/equations.toml: assumptions.positive: 'theta' must be positive",
+        "r/claims.toml: claim B1: there is no equation for the name `residual_8`",
+        "r/claims.toml: claim B1: there is no equation for the name `right_9`",
     ]);
-    for table in ["series", "hopf-coefficient"] {
+    for (table, role) in [("series", "quasi-static-upper"), ("hopf-coefficient", "friction")] {
         let place = Workplace::with_report(
             EQUATIONS,
             &formula("S1", "holds", "K_cr = (B - A)/L"),
             &format!("[[table:{table}]]\n"),
         );
-        let fault = format!("the table `{table}` needs the equations of the paper: ");
-        place.run(["report", "r", "-o", "out"]).expect_refusal(&[&fault, "equation 1: is missing"]);
+        let fault = format!("the table `{table}` needs other equations: no equation has the role `");
+        let missing = format!("no equation has the role `{role}`");
+        place.run(["report", "r", "-o", "out"]).expect_refusal(&[&fault, &missing]);
     }
 }
 

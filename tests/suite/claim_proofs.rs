@@ -116,9 +116,11 @@ fn faults_of_proofs_and_of_what_names_them_are_told_with_their_file() {
 }
 
 #[test]
-fn a_procedure_takes_the_equations_of_the_first_paper() {
+fn a_procedure_finds_its_equations_by_their_roles() {
     let place = report(&claim("C1", "holds", "check = \"error-series\"\nof = [\"15\"]"), PROOFS);
-    place.run(["report", "r"]).expect_refusal(&["equation 8", "is missing"]);
+    place.run(["report", "r"]).expect_refusal(&[
+        "claim C1: of the `equations` for `error-series`, no equation has the role `characteristic`",
+    ]);
 }
 
 #[test]

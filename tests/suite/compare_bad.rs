@@ -113,7 +113,7 @@ fn a_trajectory_has_to_be_one() {
     refuse_trajectory(
         &format!("{NAMES}\n0,1e-3\n1,0\n1,1e-3\n0.5,nan\n2\n3,\n"),
         &[
-            "t.csv:3: column velocity_m_per_s: 1 of 3 velocities are zero or negative (rows: 2; least: 0 m/s), and eq 1 needs ln V; none exceeds V0",
+            "t.csv:3: column velocity_m_per_s: 1 of 3 velocities are zero or negative (rows: 2; least: 0 m/s), and the friction law needs ln V; none exceeds V0",
             "t.csv:5: row 4, column velocity_m_per_s = nan: not a decimal number",
             "t.csv:6: row 5: 1 cells, where the header has 2",
             "t.csv:7: row 6, column velocity_m_per_s = \"\": not a decimal number",
@@ -132,7 +132,7 @@ fn velocities_that_are_not_positive_are_explained_in_one_message() {
     refuse_trajectory(
         &rows(&|i| if (10..14).contains(&i) || i == 30 { -2e-7 } else { wave(i) }),
         &[
-            "t.csv:12: column velocity_m_per_s: 5 of 60 velocities are zero or negative (rows: 11-14, 31; least: -2e-7 m/s), and eq 1 needs ln V; none exceeds V0 in size, as with the noise or the resolution of a sensor",
+            "t.csv:12: column velocity_m_per_s: 5 of 60 velocities are zero or negative (rows: 11-14, 31; least: -2e-7 m/s), and the friction law needs ln V; none exceeds V0 in size, as with the noise or the resolution of a sensor",
         ],
     );
     refuse_trajectory(

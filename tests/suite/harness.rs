@@ -17,6 +17,11 @@ pub const HEADER: &str = "direct_effect,evolution_effect,critical_slip_distance_
 /// The paper's slider at 0.1 MPa and 1 mm/s, as a row below [`HEADER`].
 pub const ROW: &str = "0.004,0.006,1e-5,1e7,1000,1e5,1e-3";
 
+/// Whether slow tests run, as `cargo xtask test --slow` says: more repetitions of what quick runs check as well.
+pub fn is_slow() -> bool {
+    std::env::var_os("SLIPMODE_SLOW").is_some()
+}
+
 /// A temporary folder in which the binary runs.
 pub struct Workplace {
     folder: TempDir,

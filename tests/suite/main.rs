@@ -64,6 +64,7 @@ mod promises;
 mod random;
 mod random_claims;
 mod readme;
+mod renamed;
 mod replay_budget;
 mod reports;
 mod roots;

@@ -58,6 +58,6 @@ fn the_laws_end_alike_where_the_aging_law_is_supercritical() {
 fn a_cycle_beside_stable_sliding_refutes_the_claim() {
     let ledger = ledger("0.03");
     assert!(ledger.contains("\"verdict\": \"fails\""), "{ledger}");
-    let edge = "stable limit cycle coexists with stable sliding up to K/K_c = 1 + 0.0058797 ";
+    let edge = "a stable limit cycle beside stable sliding up to K/K_c = 1.0059.";
     assert!(ledger.contains(edge), "{ledger}");
 }

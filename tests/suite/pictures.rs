@@ -25,7 +25,7 @@ fn check_picture(place: &Workplace, name: &str, words: &[&str]) {
 fn the_boundary_is_drawn_and_given_as_numbers() {
     let place = Workplace::new();
     let rows = run(&place, &["boundary", "--points", "9", "--svg", "b.svg"], &[]).expect_success();
-    check_picture(&place, "b.svg", &["cusp", "eqs 15, 16, 18, 20", "Exact boundary of oscillation"]);
+    check_picture(&place, "b.svg", &["cusp", "eqs 15, 16, 18 and 20", "Exact boundary of oscillation"]);
     let json = run(&place, &["boundary", "--points", "9", "--json"], &[]).expect_success();
     let json: Value = serde_json::from_str(&json).unwrap();
     assert_eq!((&json["schema"], &json["inputs"]["stiffness_pa_per_m"]), (&1.into(), &1e7.into()));

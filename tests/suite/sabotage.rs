@@ -33,8 +33,8 @@ stiffness_pa_per_m = 10e6
 mass_per_area_kg_per_m2 = 1000
 
 [onset]
-normal_stress_pa = [562.34]
-loading_velocity_m_per_s = [1e-5]
+normal_stress_pa = [1778.28, 562.34]
+loading_velocity_m_per_s = [1e-6, 3e-6, 1e-5]
 velocity_over_asymptote = [1]
 laws = ["slip"]
 tolerance = 1e-8

@@ -7,7 +7,7 @@ use serde_json::Value;
 use slipmode::archive::{Caps, DIGESTS_FILE, Files, ReleaseTime, pack, sha256_hex, unpack};
 
 use crate::archive::archived;
-use crate::harness::{Ended, Workplace};
+use crate::harness::{Ended, Workplace, is_slow};
 
 /// The kinds of tampering that `KINDS` has to have at least.
 const FEWEST_KINDS: usize = 40;
@@ -414,7 +414,8 @@ fn expect_named(ended: &Ended, kind: &str, part: &str) {
 fn forty_kinds_of_tampering_are_refused_by_name_in_an_archive_of_this_build() {
     assert!(KINDS.len() >= FEWEST_KINDS);
     assert_eq!(replayed(&|_| {}, &["--strict"]).code, 0, "the archive itself replays");
-    for (kind, alter, part) in KINDS {
+    // Bytes are compared here. All kinds are tried on another build in every run, and here where slow tests run.
+    for (kind, alter, part) in KINDS.iter().step_by(if is_slow() { 1 } else { 5 }) {
         let path = altered_path(*alter);
         // An altered input is seen by what follows from it.
         let named = if path.starts_with("input/") { part } else { path.as_str() };

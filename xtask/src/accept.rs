@@ -2,13 +2,10 @@
 
 use std::fs;
 use std::path::Path;
-use std::process::Command;
 
 use crate::failure::Failure;
-use crate::{machine, process, repository, verify};
-
-/// Files of a run that `published/` does not keep: they describe the machine.
-const NOT_PUBLISHED: [&str; 1] = ["environment.json"];
+use crate::repository::{self, below, failure, git, root};
+use crate::{machine, process, verify};
 
 /// Runs every report again and replaces its `published/` folder.
 ///
@@ -30,42 +27,25 @@ pub fn run() -> Result<(), Failure> {
 }
 
 fn publish(name: &str) -> Result<(), Failure> {
-    let root = repository::root();
-    let published = root.join("reports").join(name).join("published");
-    let files = replace(&root.join("target/report").join(name), &published)
-        .map_err(|error| Failure::bad_input(format!("reports/{name}/published: {error}")))?;
-    println!("accept: reports/{name}/published/ rewritten, {files} files; check `git diff --text`");
-    process::check(Command::new("git").current_dir(&root).args(["diff", "--stat", "--", "reports"]))
+    let published = root().join("reports").join(name).join("published");
+    replace(&root().join("target/report").join(name), &published)?;
+    println!("accept: reports/{name}/published/ rewritten; check `git diff --text`");
+    process::check(&mut git(&root(), &["diff", "--stat", "--", "reports"]))
 }
 
 /// Writes the new copy next to the old one first, so that an error leaves the old one intact.
-fn replace(fresh: &Path, published: &Path) -> std::io::Result<usize> {
+fn replace(fresh: &Path, published: &Path) -> Result<(), Failure> {
     let new = published.with_extension("new");
-    if new.exists() {
-        fs::remove_dir_all(&new)?;
+    let _ = fs::remove_dir_all(&new);
+    // That file describes the machine.
+    for path in below(fresh)?.iter().filter(|path| *path != "environment.json") {
+        let (from, to) = (fresh.join(path), new.join(path));
+        fs::create_dir_all(to.parent().unwrap_or(&new))
+            .and_then(|()| fs::copy(from, &to))
+            .map_err(|error| failure(&to, &error))?;
     }
-    let files = copy(fresh, &new)?;
-    if published.exists() {
-        fs::remove_dir_all(published)?;
-    }
-    fs::rename(&new, published)?;
-    Ok(files)
-}
-
-fn copy(from: &Path, to: &Path) -> std::io::Result<usize> {
-    fs::create_dir_all(to)?;
-    let mut files = 0;
-    for entry in fs::read_dir(from)? {
-        let path = entry?.path();
-        let name = repository::file_name(&path);
-        if path.is_dir() {
-            files += copy(&path, &to.join(&name))?;
-        } else if !NOT_PUBLISHED.contains(&name.as_str()) {
-            fs::copy(&path, to.join(&name))?;
-            files += 1;
-        }
-    }
-    Ok(files)
+    let _ = fs::remove_dir_all(published);
+    fs::rename(&new, published).map_err(|error| failure(published, &error))
 }
 
 #[cfg(test)]
@@ -82,7 +62,7 @@ mod tests {
         fs::write(fresh.join("tables/a.csv"), "new").unwrap();
         fs::write(fresh.join("environment.json"), "{}").unwrap();
         fs::write(published.join("stale.csv"), "old").unwrap();
-        assert_eq!(replace(&fresh, &published).unwrap(), 1);
+        replace(&fresh, &published).unwrap();
         assert_eq!(fs::read_to_string(published.join("tables/a.csv")).unwrap(), "new");
         assert!(!published.join("stale.csv").exists() && !published.join("environment.json").exists());
         assert!(replace(&scratch.join("absent"), &published).is_err());

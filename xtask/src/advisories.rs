@@ -6,14 +6,14 @@
 use std::process::Command;
 
 use crate::failure::Failure;
-use crate::{machine, process};
+use crate::process;
 
 /// Checks every locked package.
 ///
 /// # Errors
 /// With exit code 1 when there is an advisory against a locked package.
 pub fn run() -> Result<(), Failure> {
-    if process::find_program("cargo-deny", &machine::search_path()).is_none() {
+    if process::find_program("cargo-deny").is_none() {
         println!("advisories: skipped: no cargo-deny (cargo install cargo-deny)");
         return Ok(());
     }

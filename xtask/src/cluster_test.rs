@@ -14,13 +14,12 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use crate::failure::Failure;
+use crate::repository::root;
 use crate::{machine, process, verify};
 use cluster::{Cluster, Task};
 
-/// The programs that the test runs on, and where Debian has them.
-const PROGRAMS: [&str; 8] =
-    ["munged", "slurmctld", "slurmd", "sbatch", "squeue", "scancel", "sinfo", "setpriv"];
-const PACKAGES: [&str; 2] = ["slurm-wlm", "munge"];
+/// The programs that the test runs on.
+const PROGRAMS: [&str; 5] = ["munged", "slurmctld", "slurmd", "sbatch", "setpriv"];
 
 /// Shards of the array: twice as many as nodes, so that some wait while others run.
 const SHARDS: usize = 6;
@@ -31,27 +30,20 @@ const VICTIM: &str = "n2";
 /// How long any wait may last.
 const PATIENCE: Duration = Duration::from_secs(120);
 
-const SCENE: &str = "name = \"rehearsal\"\ntitle = \"Both laws on a grid\"\n[parameters]\ndirect_effect = 0.004\n\
-    evolution_effect = 0.006\ncritical_slip_distance_m = 1e-5\nstiffness_pa_per_m = 1e7\nmass_per_area_kg_per_m2 = 1000\n\
-    [sweep]\nwork = \"simulate\"\nlaws = [\"slip\", \"aging\"]\ntolerance = 1e-6\nblock_points = 50\n[sweep.grid]\n\
-    normal_stress_pa = { from = 6e4, to = 3e5, points = 40 }\n\
-    loading_velocity_m_per_s = { from = 1e-4, to = 1e-2, points = 30 }\n";
-
 /// Runs the test.
 ///
 /// # Errors
 /// With exit code 1 when the merged bytes differ or another check failed, 2 when Slurm is required and cannot be installed.
 pub fn run() -> Result<(), Failure> {
     machine::run()?;
-    let lacking = lacking()?;
+    let lacking = if machine::is_root() { machine::provide(&PROGRAMS)? } else { vec!["the rights of root"] };
     if !lacking.is_empty() {
-        let message = format!("no {}; install {}", lacking.join(", "), PACKAGES.join(" "));
-        return if machine::is_continuous_integration() {
-            Err(Failure::bad_input(message))
-        } else {
-            println!("cluster-test: skipped: {message}");
-            Ok(())
-        };
+        let message = format!("no {}", lacking.join(", "));
+        if machine::is_continuous_integration() {
+            return Err(Failure::bad_input(message));
+        }
+        println!("cluster-test: skipped: {message}");
+        return Ok(());
     }
     verify::build()?;
     let place = env::temp_dir().join(format!("slipmode-cluster-{}", std::process::id()));
@@ -67,26 +59,11 @@ pub fn run() -> Result<(), Failure> {
     result
 }
 
-fn lacking() -> Result<Vec<&'static str>, Failure> {
-    if !machine::is_root() {
-        return Ok(vec!["root's rights"]);
-    }
-    let missing = || -> Vec<&'static str> {
-        let folders = cluster::search_path();
-        PROGRAMS.into_iter().filter(|name| process::find_program(name, &folders).is_none()).collect()
-    };
-    if !missing().is_empty() && machine::is_continuous_integration() && machine::can_install() {
-        machine::install_packages(&PACKAGES)?;
-    }
-    Ok(missing())
-}
-
 fn rehearse(cluster: &mut Cluster, place: &Path) -> Result<(), Failure> {
     let began = Instant::now();
-    let scene = place.join("scene.toml");
-    fs::write(&scene, SCENE).map_err(|error| Failure::bad_input(format!("{}: {error}", scene.display())))?;
     let text = |path: &Path| path.display().to_string();
-    let (scene, out, alone) = (text(&scene), text(&place.join("blocks")), text(&place.join("alone")));
+    let scene = text(&root().join("xtask/cluster/scene.toml"));
+    let (out, alone) = (text(&place.join("blocks")), text(&place.join("alone")));
     let shards = SHARDS.to_string();
     slipmode(&["sweep", &scene, "--slurm", "--shards", &shards, "--out", &out])?;
     let submit = format!("{out}/submit.sh");
@@ -105,27 +82,23 @@ fn rehearse(cluster: &mut Cluster, place: &Path) -> Result<(), Failure> {
         Ok((!cluster.tasks()?.iter().any(others)).then_some(()))
     })?;
     let missing = slipmode(&["merge", &out, "--shards", &shards, "--missing"])?;
-    if missing.trim_end() != lost.index.to_string() {
-        return Err(Failure::check(format!(
-            "missing shards `{}`, but shard {} was killed",
-            missing.trim_end(),
-            lost.index
-        )));
+    let missing = missing.trim_end();
+    if missing != lost.index.to_string() {
+        let message = format!("missing shards `{missing}`, but shard {} was killed", lost.index);
+        return Err(Failure::check(message));
     }
-    println!("cluster-test: missing, and submitted again: {}", missing.trim_end());
+    println!("cluster-test: missing, and submitted again: {missing}");
     cluster.cancel_all()?;
-    cluster.submit(&submit, Some(missing.trim_end()))?;
+    cluster.submit(&submit, Some(missing))?;
     let merged = format!("{out}/merged.csv");
     wait_for("the merge", || Ok(Path::new(&merged).is_file().then_some(())))?;
     slipmode(&["sweep", &scene, "--out", &alone])?;
     let expected = format!("{alone}/merged.csv");
     slipmode(&["merge", &alone, "-o", &expected])?;
-    let digests = [digest(&merged)?, digest(&expected)?];
-    println!(
-        "cluster-test: SHA-256 {} on the cluster\ncluster-test: SHA-256 {} in one process",
-        digests[0], digests[1]
-    );
-    if digests[0] != digests[1] {
+    let sums = process::output(Command::new("sha256sum").args([&merged, &expected]))?;
+    print!("{sums}");
+    let digests: Vec<&str> = sums.split_whitespace().step_by(2).collect();
+    if digests.len() != 2 || digests[0] != digests[1] {
         return Err(Failure::check("the cluster's bytes are not those of one process"));
     }
     println!("cluster-test: passed in {} s", began.elapsed().as_secs());
@@ -141,11 +114,6 @@ fn blocks_of(out: &str, shard: usize) -> usize {
 /// Runs the release binary and returns what it printed.
 fn slipmode(arguments: &[&str]) -> Result<String, Failure> {
     process::output(verify::slipmode(&["--quiet"]).args(arguments))
-}
-
-fn digest(file: &str) -> Result<String, Failure> {
-    let line = process::output(Command::new("sha256sum").arg(file))?;
-    Ok(line.split_whitespace().next().unwrap_or_default().to_string())
 }
 
 /// Asks again and again until there is an answer.

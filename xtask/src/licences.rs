@@ -5,30 +5,8 @@ use std::collections::BTreeSet;
 use crate::failure::Failure;
 use crate::process;
 
-/// Expressions that permissive licences satisfy, compatible with MIT OR Apache-2.0, as packages write them.
-const ALLOWED: [&str; 14] = [
-    "(MIT OR Apache-2.0) AND Unicode-3.0",
-    "Apache-2.0",
-    "Apache-2.0 / MIT",
-    "Apache-2.0 OR BSL-1.0",
-    "Apache-2.0 OR MIT",
-    "Apache-2.0 WITH LLVM-exception",
-    "Apache-2.0 WITH LLVM-exception OR Apache-2.0 OR MIT",
-    "MIT",
-    "MIT OR Apache-2.0",
-    "MIT/Apache-2.0",
-    "Unlicense OR MIT",
-    "Unlicense/MIT",
-    "Zlib",
-    "Zlib OR Apache-2.0 OR MIT",
-];
-
-/// The LGPL is accepted for the arithmetic alone, and for the wheel that contains it; README.md states this for users of a binary.
-const LESSER_GPL: [(&str, &str); 3] = [
-    ("gmp-mpfr-sys", "LGPL-3.0+"),
-    ("rug", "LGPL-3.0+"),
-    ("slipmode-python", "(MIT OR Apache-2.0) AND LGPL-3.0-or-later"),
-];
+/// The licence expressions that are allowed, as packages write them, and those that are for one package only.
+const ALLOWED: &str = include_str!("../licences.txt");
 
 /// Asks cargo for every package of the build, tests included, and its licence.
 ///
@@ -73,7 +51,8 @@ fn packages(listing: &str) -> BTreeSet<(&str, &str)> {
 }
 
 fn is_allowed(package: &str, licence: &str) -> bool {
-    ALLOWED.contains(&licence) || LESSER_GPL.contains(&(package, licence))
+    let for_this_package = format!("{licence} | {package}");
+    !licence.is_empty() && ALLOWED.lines().any(|line| line == licence || line == for_this_package)
 }
 
 #[cfg(test)]

@@ -1,62 +1,81 @@
-//! `cargo xtask lines`: lines of Rust code, without blank lines, comments and tests, compared with their bounds.
+//! `cargo xtask lines`: lines of Rust code of each folder, without blank lines, comments and tests, compared with their bounds.
+//!
+//! `xtask/lines.csv` has the bounds. They only fall: `--lower` sets each to today's count, and refuses a count above it.
+
+use std::collections::BTreeMap;
 
 use crate::failure::Failure;
-use crate::repository;
+use crate::repository::{self, read, root, write};
 use crate::tidy::{self, TextFile};
 
-/// Files that are counted together.
-struct Group {
-    name: &'static str,
-    includes: fn(&str) -> bool,
-    most_lines: usize,
-}
+const TABLE: &str = "xtask/lines.csv";
+const HEADER: &str = "folder,at_most\n";
 
-const GROUPS: [Group; 2] = [
-    Group {
-        name: "src and crates, without crates/bench",
-        includes: |path| {
-            (path.starts_with("src/") || path.starts_with("crates/")) && !path.starts_with("crates/bench/")
-        },
-        most_lines: 38_000,
-    },
-    // 460 of them are `prove`, which decides what counts as proved by Coq, 90 are `wheel`, and 30 are `open-fields`.
-    Group { name: "xtask", includes: |path| path.starts_with("xtask/"), most_lines: 2_600 },
-];
-
-/// Lines of code inside and outside tests.
-#[derive(Debug, Default, PartialEq, Eq)]
-struct Count {
-    tests: usize,
-    other: usize,
-}
-
-/// Prints the counts.
+/// Prints the counts; lowers the bounds when asked.
 ///
 /// # Errors
-/// When a file cannot be read, or a group has more lines than its bound.
-pub fn run() -> Result<(), Failure> {
-    let files = tidy::read(&repository::files()?)?;
+/// When a file cannot be read, or a folder has more lines than its bound.
+pub fn run(arguments: &[String]) -> Result<(), Failure> {
+    let is_lowered = arguments == ["--lower"];
+    if !is_lowered && !arguments.is_empty() {
+        return Err(Failure::bad_input("`lines` takes `--lower` or nothing"));
+    }
+    let (counts, tests) = count(&tidy::read(&repository::files()?)?);
+    let table = root().join(TABLE);
+    compare(&counts, &read(&table)?)?;
+    if is_lowered {
+        let row = |(folder, count): (&String, &usize)| format!("{folder},{count}\n");
+        write(&table, &format!("{HEADER}{}", counts.iter().map(row).collect::<String>()))?;
+    }
+    println!(
+        "lines: {} of code in {} folders, {tests} of tests",
+        counts.values().sum::<usize>(),
+        counts.len()
+    );
+    Ok(())
+}
+
+/// Prints each count with its bound.
+fn compare(counts: &BTreeMap<String, usize>, table: &str) -> Result<(), Failure> {
+    let bound = |folder: &str| {
+        let rows = table.lines().filter_map(|row| row.split_once(','));
+        rows.filter(|(of, _)| *of == folder).find_map(|(_, bound)| bound.parse::<usize>().ok())
+    };
     let mut exceeded = Vec::new();
-    for Group { name, includes, most_lines } in GROUPS {
-        let Count { other: lines, .. } = count(&files, includes);
-        println!("{lines:6}  {name} (at most {most_lines})");
-        if lines > most_lines {
-            exceeded.push(format!("{name}: {lines} lines of code (allowed: at most {most_lines})"));
+    for (folder, lines) in counts {
+        match bound(folder) {
+            Some(most) if *lines <= most => println!("{lines:6}  {folder} (at most {most})"),
+            Some(most) => {
+                exceeded.push(format!("{folder}: {lines} lines of code, at most {most} are allowed"))
+            }
+            None => {
+                exceeded.push(format!("{folder}: {lines} lines of code, and {TABLE} has no bound for it"))
+            }
         }
     }
-    println!("{:6}  tests of all packages", count(&files, |_| true).tests);
     if exceeded.is_empty() { Ok(()) } else { Err(Failure::check(exceeded.join("\n"))) }
 }
 
-fn count(files: &[TextFile], includes: fn(&str) -> bool) -> Count {
-    let mut count = Count::default();
-    for source in tidy::rust_sources(files).iter().filter(|source| includes(&source.file.path)) {
+/// Lines of code of each folder, and lines of tests.
+fn count(files: &[TextFile]) -> (BTreeMap<String, usize>, usize) {
+    let (mut folders, mut tests) = (BTreeMap::new(), 0);
+    for source in tidy::rust_sources(files) {
         for (number, ..) in source.lines().filter(|(_, _, text)| is_code(text)) {
-            let kind = if source.is_test_line(number) { &mut count.tests } else { &mut count.other };
-            *kind += 1;
+            if source.is_test_line(number) {
+                tests += 1;
+            } else {
+                *folders.entry(folder(&source.file.path)).or_insert(0) += 1;
+            }
         }
     }
-    count
+    (folders, tests)
+}
+
+/// The folder with whose files a file is counted: one of the root's, or one below `src` and `crates`.
+fn folder(path: &str) -> String {
+    let folders: Vec<&str> = path.rsplit_once('/').map_or(".", |(folder, _)| folder).split('/').collect();
+    let depth = if ["src", "crates"].contains(&folders[0]) { 2 } else { 1 };
+    folders[..depth.min(folders.len())].join("/")
 }
 
 /// Whether a line is neither blank nor only a comment.
@@ -72,15 +91,23 @@ mod tests {
     #[test]
     fn blank_lines_and_comments_are_left_out_and_tests_are_counted_apart() {
         let text = "//! A.\n\nfn a() {} // b\n    // c\n#[cfg(test)]\nmod tests {\n}\n";
-        let file = TextFile { path: "src/a.rs".into(), text: text.into() };
-        assert_eq!(count(&[file], |_| true), Count { tests: 3, other: 1 });
+        let file = TextFile { path: "src/a/b.rs".into(), text: text.into() };
+        assert_eq!(count(&[file]), (BTreeMap::from([("src/a".to_owned(), 1)]), 3));
     }
 
     #[test]
-    fn benchmarks_are_not_counted_with_the_library() {
-        let [library, tasks] = GROUPS;
-        assert!((library.includes)("src/a.rs") && (library.includes)("crates/core/src/a.rs"));
-        assert!(!(library.includes)("crates/bench/src/a.rs") && !(library.includes)("tests/a.rs"));
-        assert!((tasks.includes)("xtask/src/a.rs"));
+    fn a_file_is_counted_with_its_module_its_package_or_its_folder() {
+        let paths =
+            ["src/a/b/c.rs", "src/main.rs", "crates/core/src/a.rs", "xtask/src/tidy/a.rs", "build.rs"];
+        assert_eq!(paths.map(folder), ["src/a", "src", "crates/core", "xtask", "."]);
+    }
+
+    #[test]
+    fn more_lines_than_the_bound_and_a_folder_without_one_are_refused() {
+        let counts = BTreeMap::from([("src/a".to_owned(), 7)]);
+        let code = |table: &str| compare(&counts, table).map_err(|failure| failure.code);
+        assert_eq!(code("folder,at_most\nsrc/a,7\n"), Ok(()));
+        assert_eq!(code("folder,at_most\nsrc/a,6\n"), Err(1));
+        assert_eq!(code("folder,at_most\nsrc,7\n"), Err(1));
     }
 }

@@ -1,150 +1,123 @@
-//! `cargo xtask machine`: the tools that the one-time build of GMP, MPFR and MPC needs, found or installed.
+//! `cargo xtask machine`, and what other tasks need of the machine: tools are found, or installed by root with apt-get or rustup.
 //!
-//! The bundled libraries are configured and made from source once per machine, which needs a C compiler, `make`, `m4`
-//! and `diff`; afterwards they lie in a cache and only the linker is needed.
+//! `xtask/tools.txt` lists the tools. The bundled GMP, MPFR and MPC are made from source once per machine. They lie in a cache
+//! afterwards, and only the linker is needed.
 
 use std::env;
-use std::fs;
-use std::process::Command;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
 
 use crate::failure::Failure;
-use crate::gmp_cache::{self, Surroundings};
-use crate::{process, repository};
+use crate::process;
+use crate::repository::{below, read, root, rows};
 
-const INSTRUCTIONS: &str = "\
-install what is missing, then run the command again:
-  Debian, Ubuntu   apt-get install gcc libc6-dev make m4 diffutils
-  Fedora           dnf install gcc make m4 diffutils
-  macOS            xcode-select --install   (and, if m4 is still missing: brew install m4)";
+const TOOLS: &str = include_str!("../tools.txt");
 
-/// Finds every tool that the build will need, or installs what is missing as root with apt-get.
+/// Finds every tool that the build will need, or installs what is missing.
 ///
 /// # Errors
 /// With exit code 2, naming what is missing and how to install it.
 pub fn run() -> Result<(), Failure> {
-    let ready = gmp_cache::holds_libraries(&surroundings()?, &locked_version()?);
-    if missing_tools(ready).is_empty() {
-        let state = if ready { "in the cache" } else { "to be built once (about two minutes of CPU time)" };
-        println!("machine: all tools found; GMP, MPFR and MPC {state}");
-        return Ok(());
-    }
-    provide(
-        || missing_tools(ready),
-        |missing| if can_install() { install_packages(&debian_packages(missing)) } else { Ok(()) },
-        |_| INSTRUCTIONS.into(),
-    )
+    let lock = read(&root().join("Cargo.lock"))?;
+    let is_ready = gmp_cache().is_some_and(|cache| holds_libraries(&cache, &lock));
+    let (state, tools): (_, &[&str]) = if is_ready {
+        ("in the cache", &["cc"])
+    } else {
+        ("to be built once (about two minutes of CPU time)", &["cc", "make", "m4", "diff"])
+    };
+    require(tools)?;
+    println!("machine: all tools found; GMP, MPFR and MPC {state}");
+    Ok(())
 }
 
-/// Finds the formatter and the linter, or adds them where rustup manages the toolchain.
+/// Refuses to go on without these tools.
 ///
 /// # Errors
-/// With exit code 2 when one of them is missing.
-pub fn require_rust_components() -> Result<(), Failure> {
-    let add = |missing: &[String]| match process::find_program("rustup", &search_path()) {
-        Some(_) => process::status(Command::new("rustup").args(["component", "add"]).args(missing)).map(drop),
-        None => Ok(()),
-    };
-    provide(missing_components, add, |still| format!("run `rustup component add {}`", still.join(" ")))
-}
-
-/// Installs what is missing, and refuses to go on without it.
-fn provide(
-    missing: impl Fn() -> Vec<String>,
-    install: impl FnOnce(&[String]) -> Result<(), Failure>,
-    instructions: impl FnOnce(&[String]) -> String,
-) -> Result<(), Failure> {
-    let before = missing();
-    if before.is_empty() {
+/// With exit code 2, naming what is missing and how to install it.
+pub fn require(tools: &[&str]) -> Result<(), Failure> {
+    let missing = provide(tools)?;
+    if missing.is_empty() {
         return Ok(());
     }
+    let packages = packages(&missing).join(" ");
+    Err(Failure::bad_input(format!(
+        "missing {}; install these packages (their names in Debian and Ubuntu): {packages}",
+        missing.join(", ")
+    )))
+}
+
+/// Installs what is missing of these tools where that is possible. Those that are missing still.
+///
+/// # Errors
+/// When an installer cannot be started.
+pub fn provide<'a>(tools: &[&'a str]) -> Result<Vec<&'a str>, Failure> {
+    let before = missing(tools);
+    if before.is_empty() {
+        return Ok(before);
+    }
     println!("machine: missing {}", before.join(", "));
-    install(&before)?;
-    match missing() {
-        none if none.is_empty() => Ok(()),
-        still => Err(Failure::bad_input(format!("missing {}; {}", still.join(", "), instructions(&still)))),
+    let (components, packages): (Vec<&str>, Vec<&str>) =
+        packages(&before).into_iter().partition(|package| package.starts_with("rustup:"));
+    if !components.is_empty() && process::find_program("rustup").is_some() {
+        let components = components.iter().map(|component| component.trim_start_matches("rustup:"));
+        process::status(Command::new("rustup").args(["component", "add"]).args(components))?;
     }
-}
-
-fn missing_components() -> Vec<String> {
-    let works = |subcommand: &str| {
-        process::cargo(&[subcommand, "--version"]).output().is_ok_and(|output| output.status.success())
-    };
-    [("fmt", "rustfmt"), ("clippy", "clippy")]
-        .into_iter()
-        .filter(|(subcommand, _)| !works(subcommand))
-        .map(|(_, component)| component.to_string())
-        .collect()
-}
-
-fn missing_tools(libraries_ready: bool) -> Vec<String> {
-    let compiler = variable("CC").unwrap_or_else(|| "gcc".to_string());
-    missing_among(&needed_tools(libraries_ready, &compiler), &search_path())
-}
-
-/// `cc` links every Rust program; the rest is needed only while the libraries are still to be built.
-fn needed_tools(libraries_ready: bool, compiler: &str) -> Vec<String> {
-    let build_only: &[&str] = if libraries_ready { &[] } else { &[compiler, "make", "m4", "diff"] };
-    std::iter::once("cc").chain(build_only.iter().copied()).map(str::to_string).collect()
-}
-
-fn missing_among(tools: &[String], search_path: &str) -> Vec<String> {
-    // CC may hold flags after the program's name.
-    let absent = |tool: &&String| {
-        let program = tool.split_whitespace().next().unwrap_or_default();
-        process::find_program(program, search_path).is_none()
-    };
-    tools.iter().filter(absent).cloned().collect()
-}
-
-fn debian_packages(tools: &[String]) -> Vec<&str> {
-    let mut packages = Vec::new();
-    for tool in tools {
-        match tool.as_str() {
-            "cc" | "gcc" => packages.extend(["gcc", "libc6-dev"]),
-            "diff" => packages.push("diffutils"),
-            other => packages.push(other),
-        }
+    if !packages.is_empty() && is_root() && process::find_program("apt-get").is_some() {
+        install(&packages)?;
     }
+    Ok(missing(tools))
+}
+
+/// Those of these tools that are not found.
+pub fn missing<'a>(tools: &[&'a str]) -> Vec<&'a str> {
+    tools.iter().copied().filter(|tool| !is_found(row(tool)[0])).collect()
+}
+
+/// How a tool is found, and its packages.
+fn row(tool: &str) -> [&'static str; 2] {
+    rows(TOOLS)
+        .find_map(|[name, found, packages]| (name == tool).then_some([found, packages]))
+        .unwrap_or_default()
+}
+
+fn packages(tools: &[&str]) -> Vec<&'static str> {
+    let mut packages: Vec<&str> = tools.iter().flat_map(|tool| row(tool)[1].split(' ')).collect();
     packages.sort_unstable();
     packages.dedup();
     packages
 }
 
-/// Whether this machine lets us install Debian's packages.
-pub fn can_install() -> bool {
-    is_root() && process::find_program("apt-get", &search_path()).is_some()
+fn is_found(ways: &str) -> bool {
+    ways.split(',').any(|way| match way.split(' ').collect::<Vec<_>>()[..] {
+        [program] => process::find_program(program).is_some(),
+        [program, ref arguments @ ..] => {
+            let run = Command::new(program).args(arguments).stdin(Stdio::null()).output();
+            run.is_ok_and(|output| output.status.success())
+        }
+        [] => false,
+    })
+}
+
+/// Installs packages of Debian. A fresh image has no package lists, or stale ones; and a mirror may fail once.
+fn install(packages: &[&str]) -> Result<(), Failure> {
+    let apt_get = |words: &[&str]| {
+        let mut command = Command::new("apt-get");
+        command.env("DEBIAN_FRONTEND", "noninteractive").arg("--quiet").args(words);
+        process::status(&mut command)
+    };
+    let words = [&["install", "--yes", "--no-install-recommends"], packages].concat();
+    for _ in 0..2 {
+        if apt_get(&words)? == 0 {
+            return Ok(());
+        }
+        apt_get(&["update"])?;
+    }
+    apt_get(&words).map(drop)
 }
 
 /// Whether this is continuous integration, where nothing may be skipped.
 pub fn is_continuous_integration() -> bool {
     env::var_os("CI").is_some()
-}
-
-/// Installs Debian's packages; who needs them looks whether they are there.
-///
-/// # Errors
-/// When apt-get cannot be started.
-pub fn install_packages(packages: &[&str]) -> Result<(), Failure> {
-    println!("machine: installing {} with apt-get", packages.join(", "));
-    // A fresh image has no package lists, or stale ones; and a mirror may fail once.
-    for _ in 0..2 {
-        if apt_get_install(packages)? == 0 {
-            return Ok(());
-        }
-        process::status(apt_get().arg("update"))?;
-    }
-    apt_get_install(packages)?;
-    Ok(())
-}
-
-fn apt_get_install(packages: &[&str]) -> Result<u8, Failure> {
-    process::status(apt_get().args(["install", "--yes", "--no-install-recommends"]).args(packages))
-}
-
-fn apt_get() -> Command {
-    let mut command = Command::new("apt-get");
-    command.env("DEBIAN_FRONTEND", "noninteractive").arg("--quiet");
-    command
 }
 
 /// Whether this program has root's rights.
@@ -153,56 +126,60 @@ pub fn is_root() -> bool {
     id.is_ok_and(|output| output.stdout.trim_ascii() == b"0")
 }
 
-fn locked_version() -> Result<String, Failure> {
-    let path = repository::root().join("Cargo.lock");
-    let lock =
-        fs::read_to_string(&path).map_err(|error| Failure::bad_input(format!("Cargo.lock: {error}")))?;
-    let version = gmp_cache::locked_version(&lock);
-    version.map(str::to_string).ok_or_else(|| Failure::bad_input("Cargo.lock does not name gmp-mpfr-sys"))
+/// Where `gmp-mpfr-sys` keeps what it has built. Flags of the compiler are a part of the path that only it knows.
+fn gmp_cache() -> Option<PathBuf> {
+    let folder = |name: &str| env::var_os(name).filter(|value| !value.is_empty()).map(PathBuf::from);
+    if folder("CFLAGS").is_some() {
+        return None;
+    }
+    let of_home = |inner: &str| folder("HOME").map(|home| home.join(inner));
+    let system = if cfg!(target_os = "macos") {
+        of_home("Library/Caches")
+    } else {
+        folder("XDG_CACHE_HOME").or_else(|| of_home(".cache"))
+    };
+    folder("GMP_MPFR_SYS_CACHE").or_else(|| Some(system?.join("gmp-mpfr-sys")))
 }
 
-fn surroundings() -> Result<Surroundings, Failure> {
-    let rustc = variable("RUSTC").unwrap_or_else(|| "rustc".to_string());
-    let version = process::output(Command::new(rustc).arg("-vV"))?;
-    let host = version.lines().find_map(|line| line.strip_prefix("host: ")).unwrap_or_default();
-    Ok(Surroundings {
-        explicit_cache: variable("GMP_MPFR_SYS_CACHE"),
-        xdg_cache_home: variable("XDG_CACHE_HOME"),
-        home: variable("HOME"),
-        c_compiler: variable("CC"),
-        c_flags: variable("CFLAGS"),
-        host: host.to_string(),
-    })
-}
-
-/// The folders in which programs are looked for.
-pub fn search_path() -> String {
-    variable("PATH").unwrap_or_default()
-}
-
-fn variable(name: &str) -> Option<String> {
-    env::var_os(name).map(|value| value.to_string_lossy().into_owned())
+/// Whether a cache has the libraries for the version that a lock file names; they are shared by all versions such as 1.7.x.
+fn holds_libraries(cache: &Path, lock: &str) -> bool {
+    let version = lock.split("name = \"gmp-mpfr-sys\"\nversion = \"").nth(1).unwrap_or_default();
+    let parts: Vec<&str> = version.splitn(3, '.').collect();
+    let built = below(&cache.join(parts[..2.min(parts.len())].join("."))).unwrap_or_default();
+    ["libgmp.a", "libmpfr.a", "libmpc.a"].iter().all(|name| built.iter().any(|path| path.ends_with(name)))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::repository::write;
 
     #[test]
-    fn a_filled_cache_leaves_only_the_linker_to_ask_for() {
-        assert_eq!(needed_tools(true, "gcc"), ["cc"]);
-        assert_eq!(needed_tools(false, "clang"), ["cc", "clang", "make", "m4", "diff"]);
+    fn the_libraries_are_found_where_the_package_puts_them() {
+        let cache = env::temp_dir().join(format!("slipmode-machine-{}", std::process::id()));
+        let lock = |version: &str| format!("name = \"gmp-mpfr-sys\"\nversion = \"{version}\"\n");
+        assert!(!holds_libraries(&cache, &lock("1.7.1")));
+        for name in ["libgmp.a", "libmpfr.a", "libmpc.a"] {
+            write(&cache.join("1.7/x86_64-unknown-linux-gnu/1.7.3/c-no-tests").join(name), "").unwrap();
+        }
+        assert!(holds_libraries(&cache, &lock("1.7.1")) && !holds_libraries(&cache, &lock("1.8.0")));
+        std::fs::remove_file(cache.join("1.7/x86_64-unknown-linux-gnu/1.7.3/c-no-tests/libmpc.a")).unwrap();
+        assert!(!holds_libraries(&cache, &lock("1.7.1")), "all three libraries are needed");
+        std::fs::remove_dir_all(cache).unwrap();
     }
 
     #[test]
-    fn every_tool_is_missing_on_an_empty_search_path() {
-        let tools = needed_tools(false, "gcc -m64");
-        assert_eq!(missing_among(&tools, ""), tools);
+    fn a_tool_is_a_program_one_of_several_or_a_command_that_succeeds() {
+        assert!(is_found("cargo") && is_found("no-such-program,cargo") && is_found("cargo --version"));
+        assert!(!is_found("no-such-program") && !is_found("cargo no-such-subcommand") && !is_found(""));
     }
 
     #[test]
-    fn tools_map_to_the_packages_that_hold_them() {
-        let tools = ["cc", "gcc", "make", "m4", "diff"].map(String::from);
-        assert_eq!(debian_packages(&tools), ["diffutils", "gcc", "libc6-dev", "m4", "make"]);
+    fn every_tool_has_its_packages() {
+        assert_eq!(
+            packages(&["cc", "slurmd", "sbatch", "diff"]),
+            ["diffutils", "gcc", "libc6-dev", "slurm-wlm"]
+        );
+        assert!(rows(TOOLS).all(|[tool, ..]: [&str; 3]| row(tool).iter().all(|field| !field.is_empty())));
     }
 }

@@ -1,6 +1,7 @@
 //! Running other programs: always in the repository's root, never through a shell.
 
 use std::env;
+use std::ffi::OsString;
 use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -64,23 +65,18 @@ pub fn listen(command: &mut Command, mut listen: impl FnMut(&str)) -> Result<u8,
     Ok(status.code().and_then(|code| u8::try_from(code).ok()).unwrap_or(1))
 }
 
-/// Where a program is on the given search path, as the shell would find it.
-pub fn find_program(name: &str, search_path: &str) -> Option<PathBuf> {
-    if name.contains('/') {
-        return is_executable(Path::new(name)).then(|| PathBuf::from(name));
-    }
-    env::split_paths(search_path).map(|folder| folder.join(name)).find(|path| is_executable(path))
+/// Where a program is, as the shell would find it; the folders of daemons are looked through as well.
+pub fn find_program(name: &str) -> Option<PathBuf> {
+    let folders = search_path();
+    let mut candidates = env::split_paths(&folders).map(|folder| folder.join(name));
+    candidates.find(|path| path.is_file() || path.with_extension("exe").is_file())
 }
 
-#[cfg(unix)]
-fn is_executable(path: &Path) -> bool {
-    use std::os::unix::fs::PermissionsExt;
-    path.metadata().is_ok_and(|data| data.is_file() && data.permissions().mode() & 0o111 != 0)
-}
-
-#[cfg(not(unix))]
-fn is_executable(path: &Path) -> bool {
-    path.is_file() || path.with_extension("exe").is_file()
+/// The folders of programs, those of daemons included.
+pub fn search_path() -> OsString {
+    let folders = env::var_os("PATH").unwrap_or_default();
+    let daemons = ["/usr/sbin", "/sbin"].map(PathBuf::from);
+    env::join_paths(env::split_paths(&folders).chain(daemons)).unwrap_or(folders)
 }
 
 fn cannot_start(command: &Command, error: &std::io::Error) -> Failure {
@@ -112,11 +108,8 @@ mod tests {
         assert!(heard.iter().any(|line| line.starts_with("cargo ")));
     }
 
-    #[cfg(unix)]
     #[test]
-    fn a_program_is_found_on_the_given_path_only() {
-        assert!(find_program("sh", "/nowhere:/bin:/usr/bin").is_some());
-        assert_eq!(find_program("sh", "/nowhere"), None);
-        assert_eq!(find_program("/nowhere/sh", "/bin"), None);
+    fn a_program_is_found_in_the_folders_of_programs_only() {
+        assert!(find_program("cargo").is_some() && find_program("no-such-program-anywhere").is_none());
     }
 }

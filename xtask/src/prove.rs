@@ -15,23 +15,16 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::sync::OnceLock;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
 use crate::failure::Failure;
-use crate::{machine, process, repository, verify};
-use files::{library, names, read, write};
+use crate::repository::{self, read, write};
+use crate::{machine, process, verify};
+use files::{library, names};
 use record::Record;
 use summary::Steps;
 pub use tie::run as tie;
-
-/// Debian's packages, each with what shows that it is installed.
-const PACKAGES: [(&str, &str); 3] = [
-    ("coq", "From Coq Require Import Reals."),
-    ("libcoq-coquelicot", "From Coquelicot Require Import Coquelicot."),
-    ("libcoq-interval", "From Interval Require Import Tactic."),
-];
 
 /// What is checked of each file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -57,7 +50,8 @@ pub fn run(arguments: &[String]) -> Result<(), Failure> {
     };
     let start = Instant::now();
     let folder = repository::root().join("target/proofs");
-    let version = require_coq(&folder)?;
+    machine::require(&["coqc", "coquelicot", "coq-interval"])?;
+    let version = process::output(Command::new("coqc").arg("--print-version"))?.trim().to_owned();
     machine::run()?;
     verify::build()?;
     let generated = generate(&folder)?;
@@ -104,7 +98,7 @@ fn digests(
 ) -> Result<BTreeMap<String, String>, Failure> {
     let digest = |task: &Task| {
         let text = format!("{version}\n{}\n{}", files::imported(library, &task.text), task.text);
-        Ok((task.file.clone(), record::digest(&text)?))
+        Ok((task.file.clone(), repository::digest(&text)?))
     };
     tasks.iter().map(digest).collect()
 }
@@ -117,21 +111,19 @@ fn as_recorded(
 ) -> (Vec<(Task, Said)>, Vec<Task>) {
     let (mut known, mut left, mut commits) = (Vec::new(), Vec::new(), BTreeSet::new());
     for task in tasks {
-        match digests.get(&task.file).and_then(|digest| record.known(&task.file, digest)) {
-            Some((said, commit)) => {
-                commits.insert(commit);
-                known.push((task, said));
-            }
-            None => left.push(task),
+        if let Some((said, commit)) = record.known(&task.file, &digests[&task.file]) {
+            commits.insert(commit);
+            known.push((task, said));
+        } else {
+            left.push(task);
         }
     }
     if !known.is_empty() {
-        let commits: Vec<&str> = commits.into_iter().collect();
         println!(
             "prove: {} of {} files are as they were when Coq checked them, at commit {}; `prove --all` checks them again",
             known.len(),
             known.len() + left.len(),
-            commits.join(", ")
+            Vec::from_iter(commits).join(", ")
         );
     }
     (known, left)
@@ -147,41 +139,11 @@ fn write_accepted(text: &str) -> Result<(), Failure> {
     Err(Failure::check("proofs/accepted.txt was not the list of accepted theorems; it is now: commit it"))
 }
 
-/// The version of Coq, which is installed where that is possible.
-fn require_coq(folder: &Path) -> Result<String, Failure> {
-    let missing = || -> Result<Vec<&str>, Failure> {
-        let mut missing = Vec::new();
-        for (package, text) in PACKAGES {
-            let probe = folder.join("probe/probe.v");
-            write(&probe, text)?;
-            let found = Command::new("coqc")
-                .arg("-q")
-                .arg(&probe)
-                .output()
-                .is_ok_and(|output| output.status.success());
-            if !found {
-                missing.push(package);
-            }
-        }
-        Ok(missing)
-    };
-    let before = missing()?;
-    if !before.is_empty() && machine::can_install() {
-        machine::install_packages(&before)?;
-    }
-    let still = if before.is_empty() { before } else { missing()? };
-    if !still.is_empty() {
-        let list = still.join(" ");
-        return Err(Failure::bad_input(format!("missing {list}; Debian, Ubuntu: apt-get install {list}")));
-    }
-    Ok(process::output(Command::new("coqc").arg("--print-version"))?.trim().to_owned())
-}
-
 /// Has the program write the theorems of all published ledgers.
 fn generate(folder: &Path) -> Result<PathBuf, Failure> {
     let generated = folder.join("generated");
     if generated.exists() {
-        fs::remove_dir_all(&generated).map_err(|error| files::failure(&generated, &error))?;
+        fs::remove_dir_all(&generated).map_err(|error| repository::failure(&generated, &error))?;
     }
     let mut command = verify::slipmode(&["theorems", "--out"]);
     command.arg(&generated);
@@ -256,7 +218,7 @@ pub type Said = Result<String, String>;
 /// The generated files of theorems, or of altered ones.
 fn generated_files(generated: &Path, mode: Mode) -> Result<Vec<Task>, Failure> {
     let mut tasks = Vec::new();
-    for path in files::below(generated)? {
+    for path in repository::below(generated)? {
         let Some(file) = path.strip_suffix(".v") else { continue };
         if file.ends_with("_faults") == (mode == Mode::Faults) {
             let text = read(&generated.join(&path))?;
@@ -275,14 +237,14 @@ fn check_all(
     version: &str,
     library: &[(String, String)],
 ) -> Result<Vec<(Task, Said)>, Failure> {
-    tasks.sort_by_key(|task| std::cmp::Reverse(task.text.len()));
-    let said: Vec<OnceLock<Result<Said, Failure>>> = tasks.iter().map(|_| OnceLock::new()).collect();
-    let next = AtomicUsize::new(0);
+    tasks.sort_by_key(|task| task.text.len());
+    let (waiting, checked) = (Mutex::new(tasks), Mutex::new(Vec::new()));
+    let next = || waiting.lock().unwrap_or_else(PoisonError::into_inner).pop();
     let work = || {
-        let free = || next.fetch_add(1, Ordering::Relaxed);
-        while let Some((task, said)) = Some(free()).and_then(|at| tasks.get(at).zip(said.get(at))) {
+        while let Some(task) = next() {
             let base = format!("{version}\n{}", files::imported(library, &task.text));
-            said.get_or_init(|| check(folder, task, &base));
+            let said = check(folder, &task, &base);
+            checked.lock().unwrap_or_else(PoisonError::into_inner).push(said.map(|said| (task, said)));
         }
     };
     std::thread::scope(|scope| {
@@ -290,10 +252,7 @@ fn check_all(
             scope.spawn(work);
         }
     });
-    let said = said
-        .into_iter()
-        .map(|said| said.into_inner().unwrap_or_else(|| Err(Failure::check("a thread ended early"))));
-    tasks.into_iter().zip(said).map(|(task, said)| Ok((task, said?))).collect()
+    checked.into_inner().unwrap_or_else(PoisonError::into_inner).into_iter().collect()
 }
 
 /// Coq's output for this file, from the last run if nothing has changed since.

@@ -1,9 +1,12 @@
-//! Where the repository is and which files it has.
+//! Where the repository is, which files it has, and what git says of it.
 
 use std::fs;
+use std::io::Write;
 use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
 
 use crate::failure::Failure;
+use crate::process;
 
 /// The repository's root: the folder above this package.
 pub fn root() -> PathBuf {
@@ -11,14 +14,74 @@ pub fn root() -> PathBuf {
     package.parent().unwrap_or(package).to_path_buf()
 }
 
+/// The failure to read or write a file.
+pub fn failure(path: &Path, error: &std::io::Error) -> Failure {
+    Failure::bad_input(format!("{}: {error}", path.display()))
+}
+
+/// A file's text.
+pub fn read(path: &Path) -> Result<String, Failure> {
+    fs::read_to_string(path).map_err(|error| failure(path, &error))
+}
+
+/// Writes a file, and the folders that it is in.
+pub fn write(path: &Path, text: &str) -> Result<(), Failure> {
+    let folder = path.parent().unwrap_or(path);
+    fs::create_dir_all(folder).and_then(|()| fs::write(path, text)).map_err(|error| failure(path, &error))
+}
+
+/// The rows of a list with ` | ` between the fields; lines that begin with `#` are comments.
+pub fn rows<const FIELDS: usize>(list: &str) -> impl Iterator<Item = [&str; FIELDS]> {
+    let lines = list.lines().filter(|line| !line.starts_with('#'));
+    lines.filter_map(|line| line.split(" | ").collect::<Vec<_>>().try_into().ok())
+}
+
+/// A command of git in a repository.
+pub fn git(root: &Path, words: &[&str]) -> Command {
+    let mut command = Command::new("git");
+    command.args(words).current_dir(root);
+    command
+}
+
+/// The commit that is checked out.
+pub fn commit(root: &Path) -> Result<String, Failure> {
+    Ok(process::output(&mut git(root, &["rev-parse", "--short=12", "HEAD"]))?.trim().to_owned())
+}
+
+/// The digest of a text, as git computes that of a file.
+pub fn digest(text: &str) -> Result<String, Failure> {
+    let cannot = |error: std::io::Error| failure("git hash-object".as_ref(), &error);
+    let mut git = git(&root(), &["hash-object", "--stdin"]);
+    let mut child = git.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().map_err(cannot)?;
+    if let Some(mut input) = child.stdin.take() {
+        input.write_all(text.as_bytes()).map_err(cannot)?;
+    }
+    let output = child.wait_with_output().map_err(cannot)?;
+    Ok(String::from_utf8_lossy(&output.stdout).trim().to_owned())
+}
+
 /// Paths of all files below the root, relative to it, with `/`, sorted; build products and version control left out.
 ///
 /// # Errors
 /// When a folder cannot be read.
 pub fn files() -> Result<Vec<String>, Failure> {
-    let root = root();
+    below(&root())
+}
+
+/// The same of another folder.
+pub fn below(folder: &Path) -> Result<Vec<String>, Failure> {
     let mut found = Vec::new();
-    collect(&root, &root, &mut found)?;
+    for path in entries(folder)? {
+        let name = file_name(&path);
+        if matches!(name.as_str(), "target" | ".git" | "__pycache__") {
+            continue;
+        }
+        if path.is_dir() {
+            found.extend(below(&path)?.into_iter().map(|inner| format!("{name}/{inner}")));
+        } else {
+            found.push(name);
+        }
+    }
     found.sort();
     Ok(found)
 }
@@ -42,19 +105,12 @@ pub fn reports() -> Result<Vec<String>, Failure> {
     Ok(names)
 }
 
-/// Whether a path is a source file of the program's own packages.
-pub fn is_product(path: &str) -> bool {
-    ["crates/algebra/src/", "crates/core/src/", "crates/plot/src/", "src/"]
-        .iter()
-        .any(|folder| path.starts_with(folder))
-}
-
 /// The paths in a folder, unsorted.
 ///
 /// # Errors
 /// When the folder cannot be read.
 pub fn entries(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
-    let cannot = |error: std::io::Error| Failure::bad_input(format!("{}: {error}", folder.display()));
+    let cannot = |error| failure(folder, &error);
     fs::read_dir(folder).map_err(cannot)?.map(|entry| entry.map(|e| e.path()).map_err(cannot)).collect()
 }
 
@@ -63,25 +119,36 @@ pub fn file_name(path: &Path) -> String {
     path.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
 
-fn collect(root: &Path, folder: &Path, found: &mut Vec<String>) -> Result<(), Failure> {
-    for path in entries(folder)? {
-        let name = file_name(&path);
-        if path.is_dir() {
-            if !matches!(name.as_str(), "target" | ".git" | "__pycache__") {
-                collect(root, &path, found)?;
-            }
-        } else if name != ".git"
-            && let Ok(relative) = path.strip_prefix(root)
-        {
-            found.push(relative.to_string_lossy().replace('\\', "/"));
-        }
-    }
-    Ok(())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn every_line_of_the_lists_is_a_comment_or_a_row() {
+        let complete = |name: &str, rows: usize| {
+            let list = read(&root().join(name)).unwrap();
+            assert_eq!(list.lines().filter(|line| !line.starts_with('#')).count(), rows, "{name}");
+        };
+        complete("xtask/tools.txt", rows::<3>(include_str!("../tools.txt")).count());
+        complete(
+            "xtask/validate/validators.txt",
+            rows::<3>(include_str!("../validate/validators.txt")).count(),
+        );
+        complete(
+            "xtask/tidy/refused_words.txt",
+            rows::<5>(include_str!("../tidy/refused_words.txt")).count(),
+        );
+        complete(
+            "xtask/tidy/private_words.txt",
+            rows::<2>(include_str!("../tidy/private_words.txt")).count(),
+        );
+    }
+
+    #[test]
+    fn another_text_has_another_digest() {
+        assert_eq!(digest("").unwrap(), "e69de29bb2d1d6434b8b29ae775ad8c2e48c5391");
+        assert_ne!(digest("a").unwrap(), digest("b").unwrap());
+    }
 
     #[test]
     fn the_listing_has_this_file_and_no_build_products() {

@@ -4,14 +4,15 @@ use std::process::Command;
 use std::time::Instant;
 
 use crate::failure::Failure;
-use crate::{licences, machine, process, tidy, verify};
+use crate::{licences, lines, machine, process, tidy, verify};
 
 /// A step's name and what it does.
-type Step = (&'static str, fn() -> Result<(), Failure>);
+pub type Step = (&'static str, fn() -> Result<(), Failure>);
 
-const STEPS: [Step; 6] = [
+const STEPS: [Step; 7] = [
     ("fmt", format),
     ("tidy", tidy::run),
+    ("lines", || lines::run(&[])),
     ("licences", licences::run),
     ("clippy", clippy),
     ("core without features", core_without_features),
@@ -22,9 +23,13 @@ const STEPS: [Step; 6] = [
 ///
 /// # Errors
 /// When any step or any test fails.
-pub fn run() -> Result<(), Failure> {
+pub fn run(arguments: &[String]) -> Result<(), Failure> {
+    let is_slow = arguments == ["--slow"];
+    if !is_slow && !arguments.is_empty() {
+        return Err(Failure::bad_input("`test` takes `--slow` or nothing"));
+    }
     machine::run()?;
-    machine::require_rust_components()?;
+    machine::require(&["fmt", "clippy"])?;
     let mut failed = Vec::new();
     for (name, step) in STEPS {
         if let Err(failure) = timed(name, step) {
@@ -33,7 +38,7 @@ pub fn run() -> Result<(), Failure> {
         }
     }
     let mut count = Count::default();
-    if timed("tests", || tests(&mut count)).is_err() {
+    if timed("tests", || tests(&mut count, is_slow)).is_err() {
         failed.push("tests");
     }
     println!();
@@ -83,8 +88,11 @@ fn rustdoc() -> Result<(), Failure> {
     process::check(command.env("RUSTDOCFLAGS", "--deny warnings"))
 }
 
-fn tests(count: &mut Count) -> Result<(), Failure> {
+fn tests(count: &mut Count, is_slow: bool) -> Result<(), Failure> {
     let mut command = cargo("test", &["--workspace", "--locked", "--no-fail-fast"]);
+    if is_slow {
+        command.env("SLIPMODE_SLOW", "1");
+    }
     let code = process::listen(&mut command, |line| count.hear(line))?;
     if code == 0 && count.failed == 0 && count.passed > 0 {
         return Ok(());

@@ -83,7 +83,6 @@ fn complaints(files: &[TextFile], paths: &[String]) -> Vec<Complaint> {
     for source in rust_sources(files) {
         rust_rules::check(&source, &mut found);
         floors::check(&source, &mut found);
-        views::check_report(&source, &mut found);
         wording::check_command_line(&source, &mut found);
     }
     references::check_data_is_read(files, paths, &mut found);

@@ -8,7 +8,9 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use crate::failure::Failure;
-use crate::{machine, process, repository, validate, verify};
+use crate::repository::{entries, root};
+use crate::validate::{environment, new_environment, pip};
+use crate::{machine, process, verify};
 
 /// The first use of the package, without the packages that are optional.
 const FIRST_USE: &str = "import slipmode; s = slipmode.Slider(a='0.004', b='0.006', d_c='10um', k='1e7', m='1000'); \
@@ -23,46 +25,27 @@ pub fn run(arguments: &[String]) -> Result<(), Failure> {
     if !is_test && !arguments.is_empty() {
         return Err(Failure::bad_input("`wheel` takes `--test` or nothing"));
     }
-    let mut lacking = validate::lacking_after_install(&[validate::PYTHON])?;
-    let emulator = if is_test { validate::lacking_after_install(&[validate::EMULATOR])? } else { Vec::new() };
-    if machine::is_continuous_integration() {
+    machine::require(&["python3"])?;
+    if is_test && machine::is_continuous_integration() {
         // Elsewhere, the tests on older processors are skipped without it.
-        lacking.extend(emulator);
-    }
-    if !lacking.is_empty() {
-        return Err(Failure::bad_input(format!("missing {}, which makes the wheel", lacking.join(", "))));
+        machine::require(&["qemu-x86_64"])?;
     }
     machine::run()?;
-    let tools = tools()?;
+    let tools = workshop("tools");
+    environment(&tools, &root().join("python/tests/requirements.txt"))?;
     let wheel = build(&tools, if is_test { verify::profile() } else { "dist" })?;
     if is_test { test(&tools, &wheel) } else { Ok(()) }
 }
 
-/// The environment with the tools, made again when their list has changed.
-fn tools() -> Result<PathBuf, Failure> {
-    let cannot = |error: std::io::Error| Failure::bad_input(format!("requirements.txt: {error}"));
-    let list = repository::root().join("python/tests/requirements.txt");
-    let (folder, wanted) = (workshop("tools"), fs::read(&list).map_err(cannot)?);
-    // Written last: an installation that failed or was killed is repeated.
-    let stamp = folder.join("installed.txt");
-    if fs::read(&stamp).is_ok_and(|used| used == wanted) {
-        return Ok(folder);
-    }
-    new_environment(&folder)?;
-    process::check(pip(&folder).args(["--require-hashes", "--requirement"]).arg(&list))?;
-    fs::write(stamp, wanted).map_err(cannot)?;
-    Ok(folder)
-}
-
 fn build(tools: &Path, profile: &str) -> Result<PathBuf, Failure> {
-    let wheels = repository::root().join("target/wheels");
+    let wheels = root().join("target/wheels");
     // An earlier version's wheel would be taken for this one's.
     let _ = fs::remove_dir_all(&wheels);
     for build in [&["build", "--locked", "--profile", profile, "--out"][..], &["sdist", "--out"]] {
         let mut maturin = Command::new(tools.join("bin/maturin"));
-        process::check(maturin.args(build).arg(&wheels).current_dir(repository::root().join("python")))?;
+        process::check(maturin.args(build).arg(&wheels).current_dir(root().join("python")))?;
     }
-    let made = repository::entries(&wheels)?;
+    let made = entries(&wheels)?;
     let wheel = made.into_iter().find(|path| path.extension().is_some_and(|ending| ending == "whl"));
     wheel.ok_or_else(|| Failure::check("maturin made no wheel"))
 }
@@ -76,7 +59,7 @@ fn test(tools: &Path, wheel: &Path) -> Result<(), Failure> {
     let mut python = Command::new(fresh.join("bin/python"));
     process::check(python.args(["-c", FIRST_USE]).env("PATH", &search_path).current_dir(&fresh))?;
     process::check(pip(tools).args(["--force-reinstall", "--no-deps"]).arg(wheel))?;
-    let folder = repository::root().join("python");
+    let folder = root().join("python");
     let check = |program: &str, arguments: &[&str], files: &[PathBuf]| {
         let mut command = Command::new(tools.join("bin").join(program));
         process::check(command.args(arguments).args(files).current_dir(workshop("")))
@@ -88,21 +71,11 @@ fn test(tools: &Path, wheel: &Path) -> Result<(), Failure> {
         &[folder.clone(), "-c".into(), settings.clone(), folder.join("tests")],
     )?;
     check("stubtest", &["slipmode", "--mypy-config-file"], &[settings, "--allowlist".into(), allowed])?;
-    check("twine", &["check", "--strict"], &repository::entries(&repository::root().join("target/wheels"))?)?;
+    check("twine", &["check", "--strict"], &entries(&root().join("target/wheels"))?)?;
     check("auditwheel", &["show"], &[wheel.to_path_buf()])
 }
 
 /// A folder for environments.
 fn workshop(name: &str) -> PathBuf {
-    repository::root().join("target/wheel").join(name)
-}
-
-fn new_environment(folder: &Path) -> Result<(), Failure> {
-    process::check(Command::new("python3").args(["-m", "venv", "--clear"]).arg(folder))
-}
-
-fn pip(environment: &Path) -> Command {
-    let mut command = Command::new(environment.join("bin/python"));
-    command.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check"]);
-    command
+    root().join("target/wheel").join(name)
 }

@@ -20,7 +20,7 @@ use crate::claims::reading::{self, of_readings};
 use crate::claims::rule::Region;
 use crate::claims::{Evidence, Finding, Resolved, Verdict, computed};
 use crate::experiments::Context;
-use crate::scene::{ClaimEntry, ClaimFormula, Names, Premises, StatedClaim, Statement};
+use crate::scene::{ClaimEntry, ClaimFormula, Names, Premises, StatedClaim, Statement, filled};
 use lowering::Lowered;
 use points::{Point, Points};
 use prover::{Draft, Prover};
@@ -29,8 +29,20 @@ pub(super) use warnings::warnings;
 
 /// The finding on a claim: one formula decides it, or all parts of its first reading.
 pub(super) fn decide(id: &str, stated: &StatedClaim, context: &Context) -> Finding {
-    let found = stated.remarks.iter().fold(decide_readings(id, stated, context), Finding::remark);
+    let found = decide_readings(id, stated, context);
+    let remarks: Vec<String> =
+        stated.remarks.iter().filter_map(|text| remark(text, stated, &found)).collect();
+    let found = remarks.into_iter().fold(found, Finding::remark);
     stated.argued.iter().fold(found, |found, step| found.argued(step))
+}
+
+/// A remark with its numbers; none where a statement over rows does not find them.
+fn remark(text: &str, stated: &StatedClaim, found: &Finding) -> Option<String> {
+    let names_numbers = stated.parts().any(|(_, formula)| formula.rows.is_some());
+    match filled(text, &found.numbers) {
+        Ok(text) => Some(text),
+        Err(_) => (!names_numbers).then(|| text.to_owned()),
+    }
 }
 
 fn decide_readings(id: &str, stated: &StatedClaim, context: &Context) -> Finding {
@@ -140,8 +152,8 @@ pub(super) fn decide_part(id: &str, words: &str, formula: &ClaimFormula, context
 }
 
 fn decide_formula(id: &str, words: &str, formula: &ClaimFormula, context: &Context) -> Finding {
-    if let Some(table) = &formula.rows {
-        return over_rows::decide(table, &formula.text, context);
+    if let Some(rows) = &formula.rows {
+        return over_rows::decide(rows, &formula.text, context);
     }
     if let Some(part) = formula.computed() {
         return computed::decide(part, context);

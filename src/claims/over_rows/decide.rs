@@ -2,61 +2,36 @@
 
 use std::collections::BTreeSet;
 
-use slipmode_algebra::{Comparison, Expression, Function, Symbol};
+use slipmode_algebra::{Comparison, Expression, Symbol};
 use slipmode_core::number::format::round_digits;
 use slipmode_core::number::{Ball, Rational};
 use slipmode_plot::table::Table;
 
 use super::arithmetic::{BITS, compared, correlation, magnitude};
+use super::neighbours::neighbours;
 use super::statement::{Form, RowStatement};
-use super::values::{Row, rows};
+use super::truth::{Rows, Truth};
+use super::values::{self, error_column};
+use crate::claims::rule::{Deviations, Measure};
 use crate::claims::{Evidence, Finding, Strength};
-use crate::scene::Formula;
+use crate::scene::Kind;
 
-/// How many columns name a row: scene, law and place in most tables.
+/// How many columns name a row in a table that does not say it: scene, law and place in most tables.
 const FIRST_COLUMNS: usize = 4;
 
-/// The finding on a statement over the rows of a table that has some.
-pub(super) fn decide(text: &str, statement: &RowStatement, table: &Table) -> Finding {
-    let rows = rows(table, &statement.words);
-    let all = All { text, statement, table, rows, used: statement.names() };
-    let chosen: Vec<(usize, Option<bool>)> = (0..all.rows.len())
-        .map(|at| (at, all.truth(&statement.selected, at)))
-        .filter(|(_, chosen)| *chosen != Some(false))
+/// The finding on a statement over the rows of a table that has some, in a sentence of this kind.
+pub(super) fn decide(text: &str, statement: &RowStatement, table: &Table, kind: Kind) -> Finding {
+    let rows = match values::rows(table, &statement.words) {
+        Ok(rows) => Rows { statement, rows },
+        Err(contradiction) => return Finding::not_checked(contradiction),
+    };
+    let numbers: Vec<(String, String)> = statement
+        .numbers
+        .iter()
+        .filter_map(|(name, number)| Some((name.clone(), number.text(&rows)?)))
         .collect();
-    if chosen.is_empty() && !matches!(statement.form, Form::Count(..)) {
-        return Finding::not_checked(format!("No row of the table `{}` meets the condition.", table.id));
-    }
-    let unsure =
-        || chosen.iter().filter(|(_, chosen)| chosen.is_none()).map(|(at, _)| (*at, None, String::new()));
-    match &statement.form {
-        Form::Every(claimed) => all.conclude(
-            "rows",
-            chosen.iter().map(|&(at, chosen)| {
-                let truth = all.truth(claimed, at).filter(|truth| *truth || chosen.is_some());
-                (at, truth, String::new())
-            }),
-        ),
-        Form::Count(comparison, number) => {
-            let certain = chosen.len() - unsure().count();
-            let compares = |count: usize| comparison.holds(Rational::from(count).cmp(number));
-            let truths: BTreeSet<bool> = (certain..=chosen.len()).map(compares).collect();
-            let found = all.finding(format!("{certain} of {} rows", all.rows.len()), all.rows.len());
-            match (truths.len(), truths.contains(&true)) {
-                (1, true) => found,
-                (1, false) => found.refuted(format!("there are {certain}")),
-                _ => all.conclude("rows", unsure()),
-            }
-        }
-        _ if unsure().next().is_some() => all.conclude("rows", unsure()),
-        Form::Correlation(sides, comparison, number) => {
-            all.in_groups(&chosen, |group| all.correlation(group, sides, *comparison, number))
-        }
-        Form::Extreme { least, of, at, place } => {
-            all.in_groups(&chosen, |group| all.extreme(group, (*least, of), at, place))
-        }
-        Form::Trend { rises, sides } => all.in_groups(&chosen, |group| all.trend(group, *rises, sides)),
-    }
+    let found = All { text, statement, table, rows, used: statement.names() }.found(kind);
+    numbers.into_iter().fold(found, |found, (name, value)| found.number(name, value))
 }
 
 /// The rows with what is said of them.
@@ -64,29 +39,168 @@ struct All<'a> {
     text: &'a str,
     statement: &'a RowStatement,
     table: &'a Table,
-    rows: Vec<Row>,
+    rows: Rows<'a>,
     /// The columns that the statement names.
     used: BTreeSet<Symbol>,
+}
+
+/// One thing that is true, false or open: the rows that it is about, or the first of them, and what to say of it.
+struct Case {
+    at: Vec<usize>,
+    truth: Truth,
+    value: String,
 }
 
 /// Whether the statement is true, and the value; none for too few rows or without different values.
 type InGroup = Option<(Option<bool>, String)>;
 
 impl All<'_> {
-    /// The finding of cases that each are true, false or open, with the row at which each begins.
-    fn conclude(&self, of: &str, cases: impl Iterator<Item = (usize, Option<bool>, String)>) -> Finding {
-        let cases: Vec<(usize, Option<bool>, String)> = cases.collect();
-        let with = |wanted: Option<bool>| cases.iter().filter(move |(_, truth, _)| *truth == wanted);
+    fn found(&self, kind: Kind) -> Finding {
+        match &self.statement.form {
+            Form::Every(claimed) => self.in_rows(|at| self.rows.truth(claimed, at)),
+            Form::Agrees(sides) => self.in_rows(|at| self.rows.agree(sides, at)),
+            Form::Neighbours { along, changes } => self.between(along, changes),
+            Form::Count(comparison, number) => self.count(*comparison, number),
+            Form::Correlation(sides, comparison, number) => {
+                self.in_groups(|group| self.correlation(group, sides, *comparison, number))
+            }
+            Form::Extreme { least, of, at, place } => {
+                self.in_groups(|group| self.extreme(group, (*least, of), at, place))
+            }
+            Form::Near(sides, to) => self.near(kind, sides, to),
+        }
+    }
+
+    /// Every row with whether it meets the condition.
+    fn every(&self) -> Vec<(usize, Truth)> {
+        let rows = 0..self.rows.rows.len();
+        rows.map(|at| (at, self.rows.truth(&self.statement.selected, at))).collect()
+    }
+
+    /// The rows that meet the condition.
+    ///
+    /// # Errors
+    /// The finding where it is open which rows do, and where none does.
+    fn chosen(&self) -> Result<Vec<usize>, Finding> {
+        let every = self.every();
+        let chosen = every.iter().filter(|(_, truth)| truth.is == Some(true)).map(|(at, _)| *at);
+        let chosen: Vec<usize> = chosen.collect();
+        match every.iter().any(|(_, truth)| truth.is.is_none()) {
+            true => Err(self.open(&every)),
+            false if chosen.is_empty() => Err(self.nothing("row")),
+            false => Ok(chosen),
+        }
+    }
+
+    /// The finding where it is open which rows meet the condition.
+    fn open(&self, every: &[(usize, Truth)]) -> Finding {
+        let open = every.iter().filter(|(_, truth)| truth.is.is_none());
+        let open = open.map(|&(at, truth)| Case { at: vec![at], truth, value: String::new() });
+        self.conclude("rows", open.collect(), None)
+    }
+
+    /// The finding that something is true in every row that meets the condition.
+    fn in_rows(&self, claimed: impl Fn(usize) -> Truth) -> Finding {
+        let cases = self.every().into_iter().map(|(at, chosen)| (vec![at], chosen, claimed(at)));
+        self.implied("rows", cases)
+    }
+
+    fn nothing(&self, of: &str) -> Finding {
+        Finding::not_checked(format!("No {of} of the table `{}` meets the condition.", self.table.id))
+    }
+
+    /// The finding that the second is true wherever the first one is, from the rows at which they begin.
+    fn implied(&self, of: &str, cases: impl Iterator<Item = (Vec<usize>, Truth, Truth)>) -> Finding {
+        // Whatever does not meet the condition has to be out of the way as surely as the others are true.
+        let (met, left_out): (Vec<_>, Vec<_>) = cases.partition(|(_, chosen, _)| chosen.is != Some(false));
+        let left_out = left_out.into_iter().map(|(_, chosen, _)| chosen.strength).max();
+        let met = met.into_iter().map(|(at, chosen, claimed)| Case {
+            at,
+            truth: chosen.implies(claimed),
+            value: String::new(),
+        });
+        let met: Vec<Case> = met.collect();
+        match met.is_empty() {
+            true => self.nothing(of.trim_end_matches('s')),
+            false => self.conclude(of, met, left_out),
+        }
+    }
+
+    /// The finding that between neighbours that both meet the condition the values change so.
+    fn between(&self, along: &[String], changes: &[(Expression, bool)]) -> Finding {
+        let pairs = match neighbours(self.table, along, &self.statement.groups) {
+            Ok(pairs) => pairs,
+            Err(reason) => return Finding::not_checked(reason),
+        };
+        let all = |truths: &mut dyn Iterator<Item = Truth>| Truth::joined(truths, false);
+        let cases = pairs.into_iter().map(|pair| {
+            let chosen = &mut pair.into_iter().map(|at| self.rows.truth(&self.statement.selected, at));
+            let changes = &mut changes.iter().map(|(side, rises)| self.rows.changes(side, *rises, pair));
+            (pair.to_vec(), all(chosen), all(changes))
+        });
+        self.implied("neighbours", cases)
+    }
+
+    fn count(&self, comparison: Comparison, number: &Rational) -> Finding {
+        let every = self.every();
+        let with = |wanted: Option<bool>| every.iter().filter(move |(_, truth)| truth.is == wanted).count();
+        let (certain, open) = (with(Some(true)), with(None));
+        let compares = |count: usize| comparison.holds(Rational::from(count).cmp(number));
+        let truths: BTreeSet<bool> = (certain..=certain + open).map(compares).collect();
+        if truths.len() > 1 {
+            return self.open(&every);
+        }
+        let strength = every.iter().map(|(_, truth)| truth.strength).max();
+        let strength = strength.filter(|_| !self.used.is_empty()).unwrap_or(Strength::Sampled);
+        let found = self.finding(strength, format!("{certain} of {} rows", every.len()), every.len());
+        let found = found.number("count", certain.to_string());
+        found.require(truths.contains(&true), || format!("there are {certain}"))
+    }
+
+    /// The finding that values are near another one in the chosen rows.
+    fn near(&self, kind: Kind, sides: &[Expression], to: &Expression) -> Finding {
+        let chosen = match self.chosen() {
+            Ok(chosen) => chosen,
+            Err(undecided) => return undecided,
+        };
+        let is_place =
+            sides.iter().flat_map(|side| side.variables()).all(|name| name.as_str().ends_with("_dex"));
+        let deviation = |(side, at): (&Expression, usize)| {
+            let (value, to) = (self.rows.value(side, at)?, self.rows.value(to, at)?);
+            let difference = value - &to;
+            let is_relative = !is_place && to.sign().is_some_and(|sign| sign.is_ne());
+            let deviation = if is_relative { difference / to } else { difference };
+            deviation.is_bounded().then(|| (deviation.to_f64(), deviation.radius().to_f64()))
+        };
+        let compared = chosen.iter().flat_map(|&at| sides.iter().map(move |side| (side, at)));
+        let Some(each) = compared.map(deviation).collect::<Option<Vec<_>>>() else {
+            return Finding::not_checked("A value that is compared is missing or has no bounds.");
+        };
+        let deviations = Deviations::new(if is_place { Measure::Place } else { Measure::Value }, each);
+        let strength = self.weakest(&chosen);
+        let found = self.finding(strength, format!("off by {}", deviations.range()), chosen.len());
+        found.near(kind, &deviations).number("count", chosen.len().to_string())
+    }
+
+    /// The finding of cases that each are true, false or open, where what was left out is as sure as this.
+    fn conclude(&self, of: &str, cases: Vec<Case>, left_out: Option<Strength>) -> Finding {
+        let with = |wanted: Option<bool>| cases.iter().filter(move |case| case.truth.is == wanted);
+        let strengths = |wanted| with(wanted).map(|case| case.truth.strength);
         let first = |wanted: Option<bool>| {
-            with(wanted).next().map_or_else(String::new, |(at, _, value)| match value.is_empty() {
-                true => self.place(*at),
-                false => format!("{value}: {}", self.place(*at)),
+            let sure = strengths(wanted).min();
+            let first = with(wanted).find(|case| Some(case.truth.strength) == sure);
+            first.map_or_else(String::new, |case| match case.value.is_empty() {
+                true => self.places(&case.at),
+                false => format!("{}: {}", case.value, self.places(&case.at)),
             })
         };
         let (count, wrong, open) = (cases.len(), with(Some(false)).count(), with(None).count());
-        if wrong > 0 {
-            let found = self.finding(format!("false in {wrong} of {count} {of}"), count);
-            return found.refuted(format!("in {wrong} of {count} {of}; the first: {}", first(Some(false))));
+        if let Some(strength) = strengths(Some(false)).min() {
+            let found = self.finding(strength, format!("false in {wrong} of {count} {of}"), count);
+            return found
+                .number("share", format!("{wrong} of {count}"))
+                .number("count", count.to_string())
+                .refuted(format!("in {wrong} of {count} {of}; the first: {}", first(Some(false))));
         }
         if open > 0 {
             return Finding::not_checked(format!(
@@ -96,29 +210,45 @@ impl All<'_> {
             ));
         }
         let values: BTreeSet<&str> =
-            cases.iter().map(|(_, _, value)| value.as_str()).filter(|value| !value.is_empty()).collect();
+            cases.iter().map(|case| case.value.as_str()).filter(|value| !value.is_empty()).collect();
         let values = values.into_iter().map(|value| format!("; {value}")).collect::<String>();
-        self.finding(format!("true in {count} of {count} {of}{values}"), count)
+        let strength = strengths(Some(true)).chain(left_out).max().unwrap_or(Strength::Sampled);
+        let found = self.finding(strength, format!("true in {count} of {count} {of}{values}"), count);
+        found.number("count", count.to_string())
     }
 
     /// The rows in groups of the same cells in the statement's columns, and what is found in each.
-    fn in_groups(&self, chosen: &[(usize, Option<bool>)], decide: impl Fn(&[usize]) -> InGroup) -> Finding {
+    fn in_groups(&self, decide: impl Fn(&[usize]) -> InGroup) -> Finding {
+        let mut rows = match self.chosen() {
+            Ok(chosen) => chosen,
+            Err(undecided) => return undecided,
+        };
         let by: Vec<usize> = (0..self.table.columns.len())
             .filter(|&at| self.statement.groups.contains(&self.table.columns[at].name))
             .collect();
         let key = |row: usize| {
             by.iter().map(|&column| self.table.rows[row][column].text.as_str()).collect::<Vec<_>>()
         };
-        let mut rows: Vec<usize> = chosen.iter().map(|(at, _)| *at).collect();
         rows.sort_by_key(|&row| key(row));
-        let groups = rows.chunk_by(|&one, &other| key(one) == key(other));
-        let mut found = groups
-            .filter_map(|group| decide(group).map(|(truth, value)| (group[0], truth, value)))
-            .peekable();
-        match found.peek() {
-            None => Finding::not_checked("No group of rows has enough rows with different values."),
-            Some(_) => self.conclude("groups of rows", found),
+        let case = |group: &[usize]| {
+            let (is, value) = decide(group)?;
+            let truth = Truth { is, strength: self.weakest(group) };
+            Some(Case { at: vec![group[0]], truth, value })
+        };
+        let found: Vec<Case> =
+            rows.chunk_by(|&one, &other| key(one) == key(other)).filter_map(case).collect();
+        match found.is_empty() {
+            true => Finding::not_checked("No group of rows has enough rows with different values."),
+            false => self.conclude("groups of rows", found, None),
         }
+    }
+
+    /// The strength of the least sure value that the statement names in these rows.
+    fn weakest(&self, group: &[usize]) -> Strength {
+        let names = || self.used.iter().filter(|name| !RowStatement::is_word(name));
+        let strengths =
+            group.iter().flat_map(|&at| names().map(move |name| self.rows.rows[at].strength(name)));
+        strengths.max().unwrap_or(Strength::Sampled)
     }
 
     fn correlation(
@@ -128,7 +258,7 @@ impl All<'_> {
         comparison: Comparison,
         number: &Rational,
     ) -> InGroup {
-        let Some([x, y]) = self.values(group, sides) else {
+        let Some([x, y]) = self.rows.values(group, sides) else {
             return Some((None, "a value is missing".into()));
         };
         let found = correlation(&x, &y)?;
@@ -144,7 +274,7 @@ impl All<'_> {
         [place, distance]: &[Rational; 2],
     ) -> InGroup {
         let of = if least { of.clone() } else { -of.clone() };
-        let Some([values, places]) = self.values(group, &[of, at.clone()]) else {
+        let Some([values, places]) = self.rows.values(group, &[of, at.clone()]) else {
             return Some((None, "a value is missing".into()));
         };
         // Each row that may have the least value, as far as errors tell.
@@ -161,85 +291,26 @@ impl All<'_> {
         Some((truth, format!("at {text}")))
     }
 
-    fn trend(&self, group: &[usize], rises: bool, sides: &[Expression; 2]) -> InGroup {
-        let Some([of, with]) = self.values(group, sides) else {
-            return Some((None, "a value is missing".into()));
-        };
-        let mut values: Vec<(Ball, Ball)> = with.into_iter().zip(of).collect();
-        values.sort_by(|one, other| one.0.to_f64().total_cmp(&other.0.to_f64()));
-        let wanted = if rises { Comparison::Greater } else { Comparison::Less };
-        let step = |pair: &[(Ball, Ball)]| {
-            let ordered = compared(&(pair[1].0.clone() - &pair[0].0), Comparison::Greater, true);
-            ordered
-                .filter(|ordered| *ordered)
-                .and_then(|_| compared(&(pair[1].1.clone() - &pair[0].1), wanted, true))
-        };
-        let steps: Vec<Option<bool>> = values.windows(2).map(step).collect();
-        let passed = steps.iter().filter(|step| **step == Some(true)).count();
-        let words = format!("{passed} of {} neighbours", steps.len());
-        (!steps.is_empty()).then(|| (joined(steps.into_iter(), false), words))
-    }
-
-    /// The values of two expressions in rows; none where one is missing.
-    fn values(&self, group: &[usize], sides: &[Expression; 2]) -> Option<[Vec<Ball>; 2]> {
-        let of =
-            |side: &Expression| group.iter().map(|&at| self.value(side, at)).collect::<Option<Vec<Ball>>>();
-        Some([of(&sides[0])?, of(&sides[1])?])
-    }
-
-    /// The value of an expression in a row; none where a column has none there.
-    fn value(&self, side: &Expression, at: usize) -> Option<Ball> {
-        match side {
-            Expression::Call(Function::Abs, inner) => self.value(inner, at).map(|inner| magnitude(&inner)),
-            _ => side.enclosed(&self.rows[at].values, BITS),
-        }
-    }
-
-    /// Whether a formula is true in a row; none where a value is missing or errors could turn it.
-    fn truth(&self, formula: &Formula, at: usize) -> Option<bool> {
-        let go = |part: &Formula| self.truth(part, at);
-        match formula {
-            Formula::Compare(left, comparison, right) => self.comparison([left, right], *comparison, at),
-            Formula::Not(inner) => go(inner).map(|truth| !truth),
-            Formula::All(parts) => joined(parts.iter().map(go), false),
-            Formula::Any(parts) => joined(parts.iter().map(go), true),
-            Formula::Implies(parts) => {
-                joined([go(&parts[0]).map(|truth| !truth), go(&parts[1])].into_iter(), true)
-            }
-            Formula::Iff(parts) => Some(go(&parts[0])? == go(&parts[1])?),
-            Formula::Roots(..) | Formula::Crossing(_) => None,
-        }
-    }
-
-    fn comparison(&self, sides: [&Expression; 2], comparison: Comparison, at: usize) -> Option<bool> {
-        let row = &self.rows[at];
-        if let Some(column) = self.statement.compared_with_nothing(sides) {
-            return Some(row.is_empty(column) == (comparison == Comparison::Equal));
-        }
-        let difference = self.value(sides[0], at)? - self.value(sides[1], at)?;
-        let is_estimated =
-            sides.iter().flat_map(|side| side.variables()).any(|name| row.estimated.contains(&name));
-        compared(&difference, comparison, is_estimated)
-    }
-
-    /// A finding that holds, as sure as the least sure value that the statement names.
-    fn finding(&self, value: String, count: usize) -> Finding {
-        let strengths =
-            self.rows.iter().flat_map(|row| self.used.iter().filter_map(|name| row.strengths.get(name)));
+    /// A finding that holds, as sure as this.
+    fn finding(&self, strength: Strength, value: String, count: usize) -> Finding {
         let quantity = format!("{}: {}", self.table.id, self.text);
-        Finding::from_evidence(match strengths.max() {
-            Some(Strength::Certified) => Evidence::Enclosure { quantity, value },
-            Some(Strength::Converged) => {
+        Finding::from_evidence(match strength {
+            Strength::Sampled => Evidence::Sample { quantity, value, points: count },
+            Strength::Converged => {
                 Evidence::Simulation { quantity, value, error: self.largest_errors(), runs: count }
             }
-            _ => Evidence::Sample { quantity, value, points: count },
+            _ => Evidence::Enclosure { quantity, value },
         })
     }
 
-    /// The largest entry of each column of errors.
+    /// The largest entry of each column of errors of what the statement names; of all of them where it names words only.
     fn largest_errors(&self) -> String {
-        let columns =
-            self.table.columns.iter().enumerate().filter(|(_, column)| column.name.contains("_error"));
+        let used = self.used.iter().filter_map(|name| error_column(name.as_str(), self.table));
+        let used: BTreeSet<usize> = used.collect();
+        let is_shown =
+            |at: usize, name: &str| used.contains(&at) || used.is_empty() && name.contains("_error");
+        let columns = self.table.columns.iter().enumerate();
+        let columns = columns.filter(|(at, column)| is_shown(*at, &column.name));
         let largest = columns.filter_map(|(at, column)| {
             let sizes = self.table.rows.iter().filter_map(|row| row[at].text.parse::<f64>().ok());
             Some(format!("{} at most {}", column.name, round_digits(sizes.reduce(f64::max)?, 2)))
@@ -247,25 +318,30 @@ impl All<'_> {
         largest.collect::<Vec<_>>().join(", ")
     }
 
-    /// A row for people: its first columns, and those that the statement names.
-    fn place(&self, at: usize) -> String {
-        let shown = self.table.columns.iter().zip(&self.table.rows[at]).enumerate();
-        let shown = shown.filter(|(place, (column, cell))| {
-            !cell.text.is_empty()
-                && (*place < FIRST_COLUMNS || self.used.iter().any(|name| name.as_str() == column.name))
-        });
-        shown
-            .map(|(_, (column, cell))| format!("{} = {}", column.name, cell.text))
+    /// Rows for people: the first one, and what is different in the others.
+    fn places(&self, rows: &[usize]) -> String {
+        let Some((&first, others)) = rows.split_first() else { return String::new() };
+        let of_first = self.cells(first);
+        let differs = |cell: &String| !of_first.contains(cell);
+        let others = others.iter().map(|&at| self.cells(at).into_iter().filter(differs).collect::<Vec<_>>());
+        std::iter::once(of_first.clone())
+            .chain(others)
+            .map(|cells| cells.join(", "))
             .collect::<Vec<_>>()
-            .join(", ")
+            .join(" and ")
     }
-}
 
-/// A conjunction, or with `wanted` a disjunction, of truths of which some are open.
-fn joined(truths: impl Iterator<Item = Option<bool>>, wanted: bool) -> Option<bool> {
-    let truths: BTreeSet<Option<bool>> = truths.collect();
-    match truths.contains(&Some(wanted)) {
-        true => Some(wanted),
-        false => (!truths.contains(&None)).then_some(!wanted),
+    /// A row for people: the columns that name it, and those that the statement names, but for words that the condition fixes.
+    fn cells(&self, at: usize) -> Vec<String> {
+        let names = if self.table.names > 0 { self.table.names } else { FIRST_COLUMNS };
+        let fixed = self.statement.fixed();
+        let cells = self.table.columns.iter().zip(&self.table.rows[at]).enumerate();
+        let shown = cells.filter(|(place, (column, cell))| {
+            let is = |name: &&Symbol| name.as_str() == column.name;
+            !cell.text.is_empty()
+                && !fixed.iter().any(is)
+                && (*place < names || self.used.iter().any(|name| is(&name)))
+        });
+        shown.map(|(_, (column, cell))| format!("{} = {}", column.name, cell.text)).collect()
     }
 }

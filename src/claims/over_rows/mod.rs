@@ -1,25 +1,44 @@
-//! Claims over the rows of a table: what every run does, how many do, and what agrees within the estimated errors.
+//! Claims over the rows of a table: what every run does, how many do, how values change between neighbours, and what agrees within
+//! the estimated errors. Where a certificate encloses a value, it takes the place of the value with its estimated error.
 
 mod arithmetic;
 mod decide;
+mod neighbours;
+mod numbers;
 mod statement;
+mod truth;
 mod values;
 
-use crate::claims::Finding;
+use crate::claims::{Finding, Verdict};
+use crate::experiments::certificates::Certificates;
 use crate::experiments::{Context, Need, Outcome, TableMaker, table_makers};
-use crate::scene::{ClaimEntry, Fault, Faults, Problem, nearest};
+use crate::scene::{ClaimEntry, Fault, Faults, OverRows, Problem, filled, nearest};
 use slipmode_core::theory::Equations;
 
-/// The finding on a statement over the rows of a table.
-pub(super) fn decide(table: &str, text: &str, context: &Context) -> Finding {
-    let found = maker(table).and_then(|maker| {
+/// The finding on a statement over the rows of a table. A stored certificate that is not proved again decides nothing.
+pub(super) fn decide(rows: &OverRows, text: &str, context: &Context) -> Finding {
+    let found = maker(&rows.table).and_then(|maker| {
         let none = "No scene of the report computes the table.";
         let table = maker.table(context).ok_or(none)?;
-        Ok((statement::read(text, &table.columns)?, table))
+        let certificates = context.outcome.scenes.iter().filter_map(|scene| scene.certificates.as_ref());
+        match certificates
+            .filter(|_| maker.needs.contains(&Need::Certificates))
+            .find_map(Certificates::refusal)
+        {
+            Some(refusal) => Err(refusal),
+            None => Ok((statement::read(text, &rows.numbers, &table.columns)?, table)),
+        }
     });
-    match found {
-        Ok((statement, table)) => decide::decide(text, &statement, &table),
+    let found = match found {
+        Ok((statement, table)) => decide::decide(text, &statement, &table, context.kind),
         Err(reason) => Finding::not_checked(reason),
+    };
+    match rows.extent.as_ref().filter(|_| found.verdict == Verdict::Holds) {
+        Some(extent) => match filled(extent, &found.numbers) {
+            Ok(extent) => found.on(extent),
+            Err(name) => found.remark(format!("The number {{{name}}} is open.")),
+        },
+        None => found,
     }
 }
 
@@ -49,11 +68,11 @@ pub fn row_faults(file: &str, claims: &[ClaimEntry]) -> Faults {
 }
 
 /// Reads a statement in the names of the table's columns.
-fn check(table: &str, text: &str) -> Result<(), String> {
+fn check(rows: &OverRows, text: &str) -> Result<(), String> {
     let (equations, outcome) = (Equations::default(), Outcome::default());
-    let columns = (maker(table)?.make)(&Context::new(&equations, &outcome)).map(|table| table.columns);
+    let columns = (maker(&rows.table)?.make)(&Context::new(&equations, &outcome)).map(|table| table.columns);
     // A table that needs a slider to have columns is checked when the claim is decided.
-    columns.map_or(Ok(()), |columns| statement::read(text, &columns).map(|_| ()))
+    columns.map_or(Ok(()), |columns| statement::read(text, &rows.numbers, &columns).map(|_| ()))
 }
 
 /// The maker of a table that rests on computations.
@@ -65,3 +84,6 @@ fn maker(id: &str) -> Result<&'static TableMaker, String> {
         format!("there is no table `{id}` of computed values{near}")
     })
 }
+
+#[cfg(test)]
+mod tests;

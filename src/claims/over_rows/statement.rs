@@ -5,18 +5,25 @@
 //!            | 'count' ['where' condition] comparison number
 //!            | 'correlation of' side 'with' side [group] comparison number ['where' condition]
 //!            | ('least' | 'largest') side 'at' side '=' number 'within' number [group] ['where' condition]
-//!            | side 'agrees with' side 'within' number ['where' condition]
-//!            | side ('rises' | 'falls') 'with' side [group] ['where' condition]
+//!            | side 'agrees with' side 'within' (number | 'errors') ['where' condition]
+//!            | side ('is near' | ('and' side)* 'are near') side ['where' condition]
+//!            | 'between neighbours along' column ('and' column)* [group] ['where' condition] ':' change ('and' change)*
+//!            | side ('rises' | 'falls') 'with' column [group] ['where' condition]
 //! group     := 'at each' column (',' column)*
+//! change    := side ('rises' | 'falls')
+//! number    := ('least' | 'largest') side ['where' condition] ',' whole 'digits' [',' ('above' | 'below')]
+//!            | 'count' ['where' condition]
 //! ```
 //! A side is an expression in the names of the table's columns, and a condition a formula in them. A word in single quotes is compared
 //! with a column of words; `''` is an empty cell.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use slipmode_algebra::{Comparison, Expression, Function, Source, Symbol};
+use slipmode_core::number::format::Side;
 use slipmode_core::number::{Rational, parse_decimal};
 
+use super::numbers::{Number, What};
 use crate::scene::{Formula, Names, nearest};
 use slipmode_plot::table::{Column, Kind};
 
@@ -30,6 +37,8 @@ pub(super) struct RowStatement {
     pub groups: Vec<String>,
     /// The words in quotes, by the number in their placeholder.
     pub words: Vec<String>,
+    /// The numbers that its sentences name.
+    pub numbers: Vec<(String, Number)>,
 }
 
 /// What is said of the rows.
@@ -43,8 +52,12 @@ pub(super) enum Form {
     Correlation([Expression; 2], Comparison, Rational),
     /// In each group, the row with the least (or largest) value has another value within a distance of a number.
     Extreme { least: bool, of: Expression, at: Expression, place: [Rational; 2] },
-    /// In each group, between neighbours in the order of the second value, the first one rises (or falls).
-    Trend { rises: bool, sides: [Expression; 2] },
+    /// Two values differ by no more than their estimated errors in every row.
+    Agrees([Expression; 2]),
+    /// Values are near another one, as near as the kind of the sentence allows.
+    Near(Vec<Expression>, Expression),
+    /// Between neighbours along these columns, in each group of rows, each value rises (or falls).
+    Neighbours { along: Vec<String>, changes: Vec<(Expression, bool)> },
 }
 
 impl RowStatement {
@@ -61,15 +74,34 @@ impl RowStatement {
     fn sides(&self) -> Vec<&Expression> {
         match &self.form {
             Form::Every(_) | Form::Count(..) => Vec::new(),
-            Form::Correlation(sides, ..) | Form::Trend { sides, .. } => sides.iter().collect(),
+            Form::Correlation(sides, ..) | Form::Agrees(sides) => sides.iter().collect(),
+            Form::Near(sides, to) => sides.iter().chain([to]).collect(),
             Form::Extreme { of, at, .. } => vec![of, at],
+            Form::Neighbours { changes, .. } => changes.iter().map(|(side, _)| side).collect(),
         }
+    }
+
+    /// Whether a name stands for a quoted word.
+    pub fn is_word(name: &Symbol) -> bool {
+        name.as_str().starts_with(PLACEHOLDER)
     }
 
     /// The columns that it names, with what stands for words.
     pub fn names(&self) -> BTreeSet<Symbol> {
         let compared = self.comparisons().flat_map(|(left, _, right)| [left, right]);
         compared.chain(self.sides()).flat_map(Expression::variables).collect()
+    }
+
+    /// The columns that have to be a certain word.
+    pub fn fixed(&self) -> Vec<&Symbol> {
+        let Formula::All(parts) = &self.selected else { return Vec::new() };
+        let fixed = parts.iter().filter_map(|part| match part {
+            Formula::Compare(Expression::Variable(column), Comparison::Equal, Expression::Variable(word)) => {
+                Self::is_word(word).then_some(column)
+            }
+            _ => None,
+        });
+        fixed.collect()
     }
 
     /// The column that is compared with `''`.
@@ -83,17 +115,25 @@ impl RowStatement {
     fn check_words(self, columns: &[Column]) -> Result<Self, String> {
         let is_word = |name: &Symbol| {
             let of_words = |column: &Column| column.name == name.as_str() && column.kind == Kind::Text;
-            name.as_str().starts_with(PLACEHOLDER) || columns.iter().any(of_words)
+            Self::is_word(name) || columns.iter().any(of_words)
         };
         let lone = |side: &Expression| matches!(side, Expression::Variable(name) if is_word(name));
-        let numbers = self.comparisons().filter(|(left, comparison, right)| {
+        let of_numbers = || self.numbers.iter().map(|(_, number)| number);
+        let compared = of_numbers().flat_map(|number| comparisons(&number.selected));
+        let numbers = self.comparisons().chain(compared).filter(|(left, comparison, right)| {
             let whole = lone(left) && lone(right) || self.compared_with_nothing([left, right]).is_some();
             !(whole && matches!(comparison, Comparison::Equal | Comparison::Unequal))
         });
-        let numbers = numbers.flat_map(|(left, _, right)| [left, right]).chain(self.sides());
-        let word = numbers.flat_map(Expression::variables).find(is_word);
+        let sides = self.sides().into_iter().chain(of_numbers().filter_map(Number::side));
+        let numbers = numbers.flat_map(|(left, _, right)| [left, right]).chain(sides);
+        let along = match &self.form {
+            Form::Neighbours { along, .. } => &along[..],
+            _ => &[],
+        };
+        let along = along.iter().filter_map(|name| name.parse::<Symbol>().ok());
+        let word = numbers.flat_map(Expression::variables).chain(along).find(is_word);
         match word {
-            Some(word) if word.as_str().starts_with(PLACEHOLDER) => {
+            Some(word) if Self::is_word(&word) => {
                 Err("a word in quotes is compared with a column of words, by = or !=".into())
             }
             Some(word) => Err(format!(
@@ -123,25 +163,36 @@ pub(super) fn placeholder(number: usize) -> String {
 }
 
 const FORMS: &str = "a statement over rows is `for every row: …`, `count … = n`, `correlation of x with y … > r`, `least y at x = v within d`, \
-                     `x agrees with y within d`, `x rises with y` or `x falls with y`";
+                     `x agrees with y within d`, `x is near y`, `between neighbours along x: y rises`, `x rises with y` or `x falls with y`";
 
-/// Reads a statement in the names of columns.
+/// Reads a statement, and the numbers that its sentences name, in the names of columns.
 ///
 /// # Errors
 /// What is wrong with it, with the nearest known column for an unknown one.
-pub(super) fn read(text: &str, columns: &[Column]) -> Result<RowStatement, String> {
-    let (text, words) = without_quotes(text)?;
+pub(super) fn read(
+    text: &str,
+    numbers: &BTreeMap<String, String>,
+    columns: &[Column],
+) -> Result<RowStatement, String> {
+    let mut words = Vec::new();
+    let text = without_quotes(text, &mut words)?;
+    let numbers = numbers.iter().map(|(name, text)| Ok((name, without_quotes(text, &mut words)?)));
+    let numbers = numbers.collect::<Result<Vec<_>, String>>()?;
     let placeholders: Vec<String> = (0..words.len()).map(placeholder).collect();
     let known = columns.iter().map(|column| column.name.as_str());
     let names = Names::plain(known.clone().chain(placeholders.iter().map(String::as_str)));
     let mut reader = Reader { columns: known.collect(), names, groups: Vec::new() };
     let (form, selected) = reader.statement(text.trim())?;
-    RowStatement { form, selected, groups: reader.groups, words }.check_words(columns)
+    let number = |(name, text): (&String, String)| match reader.number(&text) {
+        Ok(number) => Ok((name.clone(), number)),
+        Err(message) => Err(format!("the number `{name}`: {message}")),
+    };
+    let numbers = numbers.into_iter().map(number).collect::<Result<_, _>>()?;
+    RowStatement { form, selected, groups: reader.groups, words, numbers }.check_words(columns)
 }
 
-/// The text with a placeholder for each word in single quotes, and the words.
-fn without_quotes(text: &str) -> Result<(String, Vec<String>), String> {
-    let mut words = Vec::new();
+/// The text with a placeholder for each word in single quotes; the words are added to the others.
+fn without_quotes(text: &str, words: &mut Vec<String>) -> Result<String, String> {
     let mut found = String::new();
     for (number, piece) in text.split('\'').enumerate() {
         if number % 2 == 0 {
@@ -152,7 +203,7 @@ fn without_quotes(text: &str) -> Result<(String, Vec<String>), String> {
         words.push(piece.to_owned());
     }
     match text.matches('\'').count() % 2 {
-        0 => Ok((found, words)),
+        0 => Ok(found),
         _ => Err("a quote ' is not closed".into()),
     }
 }
@@ -167,38 +218,97 @@ impl Reader<'_> {
     fn statement(&mut self, text: &str) -> Result<(Form, Formula), String> {
         if let Some(rest) = text.strip_prefix("for every row") {
             let (selected, claimed) = rest.split_once(':').ok_or("`for every row` needs a ':'")?;
-            let selected = selected.trim();
-            let selected = match selected.strip_prefix("where ") {
-                Some(condition) => self.condition(condition)?,
-                None if selected.is_empty() => all(),
-                None => return Err(format!("'{selected}': expected `where` or ':'")),
-            };
+            let selected = self.selected(selected, "`for every row`")?;
             return Ok((Form::Every(self.condition(claimed)?), selected));
         }
         if let Some(rest) = text.strip_prefix("count ") {
             let (condition, comparison, number) = compared(rest)?;
-            let selected = match condition.trim() {
-                "" => all(),
-                condition => {
-                    self.condition(condition.strip_prefix("where ").ok_or("`count` needs `where`")?)?
-                }
-            };
-            return Ok((Form::Count(comparison, number), selected));
+            return Ok((Form::Count(comparison, number), self.selected(condition, "`count`")?));
         }
-        let (text, selected) = match text.split_once(" where ") {
-            Some((text, condition)) => (text, self.condition(condition)?),
-            None => (text, all()),
-        };
+        if let Some(rest) = text.strip_prefix("between neighbours along ") {
+            let (rest, changes) = rest.split_once(':').ok_or("`between neighbours` needs a ':'")?;
+            let (rest, selected) = self.without_condition(rest)?;
+            let along = self.without_groups(rest)?.split(" and ");
+            let along = along.map(|name| self.column(name.trim())).collect::<Result<_, _>>()?;
+            let changes = changes.split(" and ").map(|text| self.change(text)).collect::<Result<_, _>>()?;
+            return Ok((Form::Neighbours { along, changes }, selected));
+        }
+        let (text, selected) = self.without_condition(text)?;
         Ok((self.form(text)?, selected))
+    }
+
+    /// The rows that stand between words of a statement: those with a condition after `where`, or all.
+    fn selected(&self, text: &str, words: &str) -> Result<Formula, String> {
+        match text.trim() {
+            "" => Ok(all()),
+            text => match text.strip_prefix("where ") {
+                Some(condition) => self.condition(condition),
+                None => Err(format!("'{text}': expected `where` after {words}")),
+            },
+        }
+    }
+
+    /// The text before `where`, and the condition after it.
+    fn without_condition<'t>(&self, text: &'t str) -> Result<(&'t str, Formula), String> {
+        match text.split_once(" where ") {
+            Some((text, condition)) => Ok((text, self.condition(condition)?)),
+            None => Ok((text, all())),
+        }
+    }
+
+    /// An expression that rises or falls.
+    fn change(&self, text: &str) -> Result<(Expression, bool), String> {
+        let text = text.trim();
+        let found = [(" rises", true), (" falls", false)];
+        let mut found = found.into_iter().filter_map(|(word, rises)| Some((text.strip_suffix(word)?, rises)));
+        let (side, rises) =
+            found.next().ok_or_else(|| format!("'{text}': expected `… rises` or `… falls`"))?;
+        Ok((self.side(side)?, rises))
+    }
+
+    /// A number for sentences.
+    fn number(&self, text: &str) -> Result<Number, String> {
+        if let Some(rest) = text.strip_prefix("count") {
+            return Ok(Number { what: What::Count, selected: self.selected(rest, "`count`")? });
+        }
+        let form = "the form is `least x where …, 2 digits, below`, `largest …` or `count where …`";
+        let mut parts = text.split(',').map(str::trim);
+        let (side, selected) = self.without_condition(parts.next().unwrap_or_default())?;
+        let digits = parts.next().and_then(|part| part.strip_suffix(" digits")?.parse().ok());
+        let rounding = match parts.next() {
+            None => None,
+            Some("above") => Some(Side::Above),
+            Some("below") => Some(Side::Below),
+            Some(_) => return Err(form.into()),
+        };
+        let (least, side) = match (side.strip_prefix("least "), side.strip_prefix("largest ")) {
+            (Some(side), _) => (true, side),
+            (_, Some(side)) => (false, side),
+            _ => return Err(form.into()),
+        };
+        let digits = digits.filter(|digits| (1..=15).contains(digits)).ok_or(form)?;
+        let what = What::Extreme { least, of: self.side(side)?, digits, side: rounding };
+        Ok(Number { what, selected })
+    }
+
+    fn column(&self, name: &str) -> Result<String, String> {
+        if self.columns.contains(&name) { Ok(name.to_owned()) } else { Err(self.unknown(name)) }
     }
 
     fn form(&mut self, text: &str) -> Result<Form, String> {
         if let Some((one, rest)) = text.split_once(" agrees with ") {
             let (other, distance) = rest.split_once(" within ").ok_or("`agrees with` needs `within`")?;
             let (one, other) = (self.side(one)?, self.side(other)?);
+            if distance.trim() == "errors" {
+                return Ok(Form::Agrees([one, other]));
+            }
             let allowed = Expression::Number(number(distance)?) * other.clone().call(Function::Abs);
             let difference = (one - other).call(Function::Abs);
             return Ok(Form::Every(Formula::Compare(difference, Comparison::AtMost, allowed)));
+        }
+        if let Some((sides, to)) = text.split_once(" is near ").or_else(|| text.split_once(" are near ")) {
+            let sides = sides.split(" and ").map(|side| self.side(side)).collect::<Result<_, _>>()?;
+            return Ok(Form::Near(sides, self.side(to)?));
         }
         if let Some(rest) = text.strip_prefix("correlation of ") {
             let (rest, comparison, number) = compared(rest)?;
@@ -218,8 +328,9 @@ impl Reader<'_> {
         }
         for (word, rises) in [(" rises with ", true), (" falls with ", false)] {
             let Some((of, rest)) = text.split_once(word) else { continue };
-            let with = self.without_groups(rest)?;
-            return Ok(Form::Trend { rises, sides: [self.side(of)?, self.side(with)?] });
+            let rest = self.without_groups(rest)?;
+            let along = vec![self.column(rest.trim())?];
+            return Ok(Form::Neighbours { along, changes: vec![(self.side(of)?, rises)] });
         }
         Err(FORMS.into())
     }
@@ -227,12 +338,9 @@ impl Reader<'_> {
     /// The text before `at each`; the columns after it are kept.
     fn without_groups<'t>(&mut self, text: &'t str) -> Result<&'t str, String> {
         let Some((text, list)) = text.split_once(" at each ") else { return Ok(text) };
-        for name in list.split(',').map(str::trim) {
-            if !self.columns.contains(&name) {
-                return Err(self.unknown(name));
-            }
-            self.groups.push(name.to_owned());
-        }
+        let names = list.split(',').map(|name| self.column(name.trim()));
+        let names = names.collect::<Result<Vec<_>, _>>()?;
+        self.groups.extend(names);
         Ok(text)
     }
 
@@ -261,8 +369,10 @@ impl Reader<'_> {
 
     fn unknown(&self, name: &str) -> String {
         let near = nearest(name, self.columns.iter().copied());
-        let near = near.map(|near| format!("; did you mean `{near}`?")).unwrap_or_default();
-        format!("'{name}' is no column of the table{near} (columns: {})", self.columns.join(", "))
+        match near {
+            Some(near) => format!("'{name}' is no column of the table; did you mean `{near}`?"),
+            None => format!("'{name}' is no column of the table (columns: {})", self.columns.join(", ")),
+        }
     }
 }
 

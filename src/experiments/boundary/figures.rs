@@ -2,6 +2,7 @@
 
 use crate::experiments::boundary::BoundaryOutcome;
 use crate::experiments::{Figure, FigureMaker, Need, SceneOutcome};
+use crate::scene::cited;
 use slipmode_core::number::Rational;
 use slipmode_core::stability::boundary::ErrorPair;
 use slipmode_core::stability::{ArcFrame, Asymptote};
@@ -12,13 +13,14 @@ pub(crate) const FIGURES: &[FigureMaker] =
         along_arcs(outcome.potentially_unstable()?)
     })];
 
-const ALONG: &str = "Signed relative error of each of the four asymptotes along the exact boundary, against the inertial parameter. Errors of eqs 15 and 16 fall in proportion to the inertial parameter towards low velocity; those of eqs 18 and 20 fall towards the other end of their arcs.";
-const CAPTION: &str = "Signed relative error of each asymptote along its arc, for a < b: error of σ at the same velocity for eqs 15 and 16, error of V0 at the same normal stress for eqs 18 and 20. The lower arc turns back at the cusp.";
+const ALONG: &str = "Signed relative error of each of the four asymptotes along the exact boundary, against the inertial parameter. Errors of {quasi-static-upper, quasi-static-lower} fall in proportion to the inertial parameter towards low velocity; those of {inertial-upper, inertial-lower} fall towards the other end of their arcs.";
+const CAPTION: &str = "Signed relative error of each asymptote along its arc, for a < b: error of σ at the same velocity for {quasi-static-upper, quasi-static-lower}, error of V0 at the same normal stress for {inertial-upper, inertial-lower}. The lower arc turns back at the cusp.";
 
 fn along_arcs(scene: &SceneOutcome) -> Option<Figure> {
     let outcome = scene.boundary.as_ref()?;
     let beta = scene.slider()?.effect_ratio();
-    let caption = Caption::new("deviation", "Relative error of the asymptotes along the boundary", ALONG);
+    let caption =
+        Caption::new("deviation", "Relative error of the asymptotes along the boundary", &cited(ALONG));
     let chart = LineChart {
         caption,
         x: Axis::log10("Inertial parameter *η* on the boundary", "", 1e-6, 1e6),
@@ -29,7 +31,7 @@ fn along_arcs(scene: &SceneOutcome) -> Option<Figure> {
             Reference::Horizontal { at: -0.01, label: "−1 %".into() },
         ],
     };
-    Some(Figure::own(&chart.caption, CAPTION, chart.svg()))
+    Some(Figure::own(&chart.caption, &cited(CAPTION), chart.svg()))
 }
 
 fn error_series(outcome: &BoundaryOutcome, beta: &Rational, asymptote: Asymptote) -> Series {

@@ -2,6 +2,7 @@
 
 use crate::experiments::effect_ratio_sweep::{SweepOutcome, SweepRow};
 use crate::experiments::{Figure, FigureMaker, Need};
+use crate::scene::cited;
 use slipmode_core::number::{Ball, nearest_f64};
 use slipmode_plot::figure::{Axis, Caption, LineChart, Reference, Series};
 
@@ -37,8 +38,12 @@ fn worst_errors(sweep: &SweepOutcome) -> Option<Figure> {
         ),
         y: Axis::linear("Largest log10 distance from the nearer asymptote", "", 0.0, 0.5),
         series: vec![
-            line("upper arc (eqs 15 and 18)", &|row| row.errors.upper_worst_log10.as_ref()),
-            line("lower arc (eqs 16 and 20)", &|row| Some(&row.errors.lower_worst_log10)),
+            line(&cited("upper arc ({quasi-static-upper, inertial-upper})"), &|row| {
+                row.errors.upper_worst_log10.as_ref()
+            }),
+            line(&cited("lower arc ({quasi-static-lower, inertial-lower})"), &|row| {
+                Some(&row.errors.lower_worst_log10)
+            }),
         ],
         references: vec![Reference::Vertical { at: 1.0, label: "*a* = *b*".into() }],
     };

@@ -3,6 +3,7 @@
 use crate::experiments::frequency::{FrequencyLine, FrequencyOutcome};
 use crate::experiments::shared::axes::{axes, boundary_lines, transition_line};
 use crate::experiments::{Figure, FigureMaker, Need, SceneOutcome};
+use crate::scene::cited;
 use std::cmp::Ordering;
 
 use slipmode_core::friction::Slider;
@@ -15,8 +16,8 @@ pub(crate) const FIGURES: &[FigureMaker] =
         frequency_lines(outcome.potentially_unstable()?)
     })];
 
-const DESCRIPTION: &str = "Largest imaginary part against loading velocity at constant normal stresses, on logarithmic axes. At the critical normal stress it follows eq 23 at low velocity and approaches the natural frequency at high velocity. The frequency is zero in the gaps of a line.";
-const CAPTION: &str = "Largest imaginary part along lines of constant normal stress (compare fig 2 of the paper), with eq 23 and the natural angular frequency. In the gaps of a line all roots are real. The inset shows where the lines lie, with the exact boundary and the transition. The inset of the paper is its coloured fig 1; the reference line at the natural frequency is added here.";
+const DESCRIPTION: &str = "Largest imaginary part against loading velocity at constant normal stresses, on logarithmic axes. At the critical normal stress it follows {frequency-limit} at low velocity and approaches the natural frequency at high velocity. The frequency is zero in the gaps of a line.";
+const CAPTION: &str = "Largest imaginary part along lines of constant normal stress (compare fig 2 of the paper), with {frequency-limit} and the natural angular frequency. In the gaps of a line all roots are real. The inset shows where the lines lie, with the exact boundary and the transition. The inset of the paper is its coloured fig 1; the reference line at the natural frequency is added here.";
 
 fn frequency_lines(scene: &SceneOutcome) -> Option<Figure> {
     let (parameters, outcome) = (scene.slider()?, scene.frequency.as_ref()?);
@@ -27,14 +28,18 @@ fn frequency_lines(scene: &SceneOutcome) -> Option<Figure> {
     let mut series: Vec<Series> = lines.iter().map(|line| line_series(outcome, line)).collect();
     series.push(crossing_series(parameters, natural, first, last));
     let chart = LineChart {
-        caption: Caption::new("fig-2", "Largest imaginary part at constant normal stress", DESCRIPTION),
+        caption: Caption::new(
+            "fig-2",
+            "Largest imaginary part at constant normal stress",
+            &cited(DESCRIPTION),
+        ),
         x: Axis::log10("Loading velocity *V*_0", "m/s", first, last),
         y: Axis::log10("max Im(*s*)", "1/s", natural * 1e-4, natural * 3.0),
         series,
         references: vec![Reference::Horizontal { at: natural, label: "*ω*_n = √(*K*/*M*)".into() }],
     };
     let inset = inset(scene, &lines);
-    Some(Figure::new(&chart.caption, "Figure 2", CAPTION, chart.svg_with(inset.as_ref())))
+    Some(Figure::new(&chart.caption, "Figure 2", &cited(CAPTION), chart.svg_with(inset.as_ref())))
 }
 
 /// Normal stresses above the critical one, those below it, and the critical one: solid, dashed and dotted, as in the paper.
@@ -83,5 +88,5 @@ fn crossing_series(parameters: &Slider<Rational>, natural: f64, first: f64, last
     let enclosed = parameters.map(|value| Ball::from_rational(value, 128));
     let per_metre = enclosed.transition_angular_frequency_over_velocity_per_m().to_f64();
     let end = last.min(natural * 3.0 / per_metre);
-    Series::of_theory("eq 23", vec![(first, first * per_metre), (end, end * per_metre)])
+    Series::of_theory(cited("{frequency-limit}"), vec![(first, first * per_metre), (end, end * per_metre)])
 }

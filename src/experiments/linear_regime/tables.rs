@@ -21,7 +21,7 @@ fn all_runs(context: &Context) -> Option<Table> {
         .flat_map(|(name, found)| found.runs.iter().flatten().map(move |run| (name, run)));
     let rows =
         runs.filter_map(|(name, run)| Some((name, run, run.mismatches.first()?, run.mismatches.last()?)));
-    Table::of("linear-regime", "Small disturbances compared with the roots of eq 8", rows)
+    Table::of("linear-regime", "Small disturbances compared with the roots of {characteristic}", rows)
         .note(note)
         .text("scene", "Scene", |(name, ..)| name)
         .digits("loading_velocity_m_per_s", "V_l", "m/s", 6, |(_, run, ..)| run.loading_velocity_m_per_s)

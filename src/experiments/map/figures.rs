@@ -8,6 +8,7 @@ use crate::experiments::shared::axes::{asymptote_lines, axes, boundary_lines, cu
 use crate::experiments::shared::bands::{VELOCITIES, band_lines, bands, velocities};
 use crate::experiments::shared::map_readout::readout;
 use crate::experiments::{Figure, FigureMaker, Need, SceneOutcome};
+use crate::scene::cited;
 use slipmode_core::number::nearest_f64;
 use slipmode_core::stability::Arc;
 use slipmode_core::stability::boundary::BoundaryPoint;
@@ -34,7 +35,7 @@ pub(crate) struct Words {
 pub(crate) const FIG_1: Words = Words {
     id: "fig-1",
     label: "Figure 1",
-    title: "Largest imaginary part of the roots of eq 8, a < b",
+    title: "Largest imaginary part of the roots of {characteristic}, a < b",
     caption: "Largest imaginary part of the three roots for a < b (compare fig 1 of the paper). Every point was classified exactly. Solid line: exact boundary. Dashed lines: its four asymptotes. White line: transition. Thin lines divide the brightest colours. The paper shows the asymptotes and the colours; the exact boundary and the cusp are added here.",
     description: "Map over loading velocity and normal stress. Two areas without colour do not oscillate, one at high and one at low normal stress. Exact lines that join pairs of dashed asymptotes bound them. The lower area ends in a cusp to the right of the asymptotes' corner. The frequency rises from left to right and saturates at the natural frequency.",
 };
@@ -42,8 +43,8 @@ pub(crate) const FIG_1: Words = Words {
 pub(crate) const FIG_6A: Words = Words {
     id: "fig-6a",
     label: "Figure 6a",
-    title: "Largest imaginary part of the roots of eq 8, a ≥ b",
-    caption: "Largest imaginary part of the three roots for a ≥ b (compare fig 6a of the paper). Every point was classified exactly. There is no transition. The paper draws the asymptotes of fig 3a here; the line of eq 20 and the contours of this slider lie at other velocities, because they depend on a and not on b.",
+    title: "Largest imaginary part of the roots of {characteristic}, a ≥ b",
+    caption: "Largest imaginary part of the three roots for a ≥ b (compare fig 6a of the paper). Every point was classified exactly. There is no transition. The paper draws the asymptotes of fig 3a here; the line of {inertial-lower} and the contours of this slider lie at other velocities, because they depend on a and not on b.",
     description: "Map over loading velocity and normal stress for a not below b: areas without colour do not oscillate, at low and, unless a equals b, at high normal stress. Exact lines that join pairs of dashed asymptotes bound them. There is no transition line.",
 };
 
@@ -74,7 +75,7 @@ fn frequency_map(scene: &SceneOutcome, words: &Words) -> Option<Figure> {
     let parameters = scene.slider()?;
     let natural = parameters.map(nearest_f64).natural_angular_frequency_per_s();
     let heat_map = HeatMap {
-        caption: Caption::new(words.id, words.title, words.description),
+        caption: Caption::new(words.id, &cited(words.title), words.description),
         columns: map.loading_velocity_m_per_s.len(),
         values: frequencies(map),
         colours: ColourScale::new("max Im(*s*)", "1/s", (natural * 1e-4, natural), STEPS).with_contours(
@@ -91,7 +92,7 @@ fn frequency_map(scene: &SceneOutcome, words: &Words) -> Option<Figure> {
     Some(Figure::new(
         &heat_map.caption,
         words.label,
-        words.caption,
+        &cited(words.caption),
         heat_map.svg_with(Some(&readout(map, boundary))),
     ))
 }

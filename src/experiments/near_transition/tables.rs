@@ -4,6 +4,7 @@ use crate::experiments::near_transition::bistability::DIGITS;
 use crate::experiments::near_transition::{CycleFamilyOutcome, NearRun, NearTransitionOutcome};
 use crate::experiments::shared::cells::DigitColumns;
 use crate::experiments::{Context, Need, TableMaker};
+use slipmode_core::dynamics::Outcome;
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::format::round_digits;
 use slipmode_core::number::nearest_f64;
@@ -30,7 +31,7 @@ fn families_of<'c>(context: &'c Context) -> impl Iterator<Item = &'c CycleFamily
 }
 
 fn coefficients(context: &Context) -> Option<Table> {
-    let note = "Derived from eqs 1 to 4 by two routes and proved (exact). A is the amplitude of ln(V/V_l) along the cycle.";
+    let note = "Derived from {friction, aging-law, slip-law, motion} by two routes and proved (exact). A is the amplitude of ln(V/V_l) along the cycle.";
     let of = |law| Some((law, context.hopf_coefficient(law).ok()?));
     let hopf = EvolutionLaw::ALL.into_iter().map(of).collect::<Option<Vec<_>>>()?;
     Table::of("hopf-coefficient", "The first Lyapunov coefficient on K = K_c", &hopf)
@@ -65,6 +66,9 @@ fn runs(context: &Context) -> Option<Table> {
     .digits("log_peak", "ln(V_peak/V_l)", "", 6, |run| {
         let found = run.outcome.as_ref().ok().filter(|_| ended(run, true));
         found.map(|found| found.log_peak())
+    })
+    .digits("log_peak_error", "Its error", "", 2, |run| {
+        run.outcome.as_ref().ok().map(Outcome::peak_relative_error)
     })
     .digits("log_peak_newton", "the same by Newton's method", "", 6, |run| run.newton_log_peak)
     .digits("amplitude", "Amplitude of ln(V/V_l)", "", 6, |run| run.amplitude())

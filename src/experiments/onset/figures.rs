@@ -2,6 +2,7 @@
 
 use crate::experiments::onset::ShownRun;
 use crate::experiments::{Figure, FigureMaker, Need, Outcome};
+use crate::scene::cited;
 use slipmode_core::number::format::round_digits;
 use slipmode_core::number::nearest_f64;
 use slipmode_core::stability::Asymptote;
@@ -34,19 +35,19 @@ fn runs(outcome: &Outcome, index: usize, letter: &str) -> Option<Figure> {
     let title =
         format!("Velocity after a start at a tenth of the loading velocity, σ = {stress} Pa, {law} law");
     let description = format!(
-        "Velocity divided by loading velocity against loaded distance divided by critical slip distance for {} loading velocities. Below the boundary, at {exact} times the velocity of equation 20, the velocity rises once above the loading velocity and returns without falling below it. Well above the boundary it oscillates.",
+        "Velocity divided by loading velocity against loaded distance divided by critical slip distance for {} loading velocities. Below the boundary, at {exact} times the velocity of {{inertial-lower}}, the velocity rises once above the loading velocity and returns without falling below it. Well above the boundary it oscillates.",
         line.shown.len()
     );
     let chart = LineChart {
-        caption: Caption::new(&id, &title, &description),
+        caption: Caption::new(&id, &title, &cited(&description)),
         x: Axis::linear("Loaded distance *V*_l *t*/*D*_c", "", 0.0, until),
         y: Axis::linear("*V*/*V*_l", "", LOWEST, (5.0 * highest).ceil() / 5.0),
         series: line.shown.iter().map(series).chain(line.at_boundary.as_ref().map(boundary_series)).collect(),
         references: vec![Reference::Horizontal { at: 1.0, label: String::new() }],
     };
-    let caption = format!(
-        "Runs at σ = {stress} Pa with the {law} law on either side of the onset (compare fig 4{letter} of the paper, whose caption must mean Pa). Velocities are in units of that of eq 20. The exact boundary lies at {exact}. From {seen} on, V rises again by {visible} V_l after its first peak. The single rise above V_l below the boundary is no oscillation; it occurs because the spring must shorten. The run at the exact boundary is added to those of the paper."
-    );
+    let caption = cited(&format!(
+        "Runs at σ = {stress} Pa with the {law} law on either side of the onset (compare fig 4{letter} of the paper, whose caption must mean Pa). Velocities are in units of that of {{inertial-lower}}. The exact boundary lies at {exact}. From {seen} on, V rises again by {visible} V_l after its first peak. The single rise above V_l below the boundary is no oscillation; it occurs because the spring must shorten. The run at the exact boundary is added to those of the paper."
+    ));
     (!line.shown.is_empty())
         .then(|| Figure::new(&chart.caption, &format!("Figure 4{letter}"), &caption, chart.svg()))
 }

@@ -1,6 +1,7 @@
 //! The (V, σ) plane of the maps: axes, and the lines of theory drawn over them.
 
 use crate::experiments::shared::Grid;
+use crate::scene::cited;
 use slipmode_core::friction::{OperatingPoint, Slider};
 use slipmode_core::number::{Ball, Rational, nearest_f64};
 use slipmode_core::stability::boundary::{BoundaryPoint, Mark};
@@ -70,7 +71,11 @@ pub(crate) fn asymptote_lines(parameters: &Slider<Rational>, x: &Axis, y: &Axis)
 }
 
 fn asymptote_line(points: Vec<(f64, f64)>) -> Line {
-    Line::new("asymptotes, eqs 15, 16, 18, 20", LineRole::Asymptote, points)
+    Line::new(
+        cited("asymptotes, {quasi-static-upper, quasi-static-lower, inertial-upper, inertial-lower}"),
+        LineRole::Asymptote,
+        points,
+    )
 }
 
 /// How many vertices draw the bend of K = K_c.

@@ -6,6 +6,7 @@ use crate::experiments::shared::map_readout::simulated_readout;
 use crate::experiments::simulations::map_figure::{least_peak_line, peak_velocity};
 use crate::experiments::simulations::{LeastPeak, SimulatedPoint};
 use crate::experiments::{Figure, FigureMaker, Need, SceneOutcome};
+use crate::scene::cited;
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::format::round_digits;
 use slipmode_core::number::nearest_f64;
@@ -44,7 +45,7 @@ fn normalised(grid: &Grid<SimulatedPoint>) -> Option<Vec<f64>> {
     Some(grid.values.chunks(grid.loading_velocity_m_per_s.len()).flat_map(row).collect())
 }
 
-const MAP: &str = "Map over loading velocity and normal stress of the peak velocity divided by that at the lowest loading velocities. From left to right it falls to a flat minimum close to the line of equation 18 and rises steeply beyond it.";
+const MAP: &str = "Map over loading velocity and normal stress of the peak velocity divided by that at the lowest loading velocities. From left to right it falls to a flat minimum close to the line of {inertial-upper} and rises steeply beyond it.";
 
 fn map(scene: &SceneOutcome) -> Option<Figure> {
     let outcome = scene.simulations.as_ref()?;
@@ -68,8 +69,11 @@ fn map(scene: &SceneOutcome) -> Option<Figure> {
         let slider = scene.slider()?.map(nearest_f64);
         Some(Asymptote::InertialUpper.value(&slider, &stress))
     };
-    let asymptote =
-        Line::new("eq 18", LineRole::Asymptote, vec![(eq18(y.min)?, y.min), (eq18(y.max)?, y.max)]);
+    let asymptote = Line::new(
+        cited("{inertial-upper}"),
+        LineRole::Asymptote,
+        vec![(eq18(y.min)?, y.min), (eq18(y.max)?, y.max)],
+    );
     let (from, to) = (x.min, x.max);
     let sections = chosen(&outcome.least_peaks, *law).into_iter().map(|least| {
         let stress = least.normal_stress_pa;
@@ -77,7 +81,7 @@ fn map(scene: &SceneOutcome) -> Option<Figure> {
     });
     let title = format!("Peak velocity divided by that at 10^−5.5 m/s, {law_word} law, a < b");
     let map = HeatMap {
-        caption: Caption::new("fig-5a", &title, MAP),
+        caption: Caption::new("fig-5a", &title, &cited(MAP)),
         columns,
         colours: ColourScale::new(
             "Normalised peak",
@@ -96,9 +100,9 @@ fn map(scene: &SceneOutcome) -> Option<Figure> {
     Some(Figure::new(
         &map.caption,
         "Figure 5a",
-        &format!(
-            "Peak velocity of the limit cycle with the {law_word} law, divided by that at 10⁻⁵·⁵ m/s and the same normal stress (compare fig 5a of the paper). The dashed line is eq 18. The dotted line joins the minima found by minimisation, which the paper does not have: it reads the minimum off the colours. The paper colours its lines of constant normal stress one by one."
-        ),
+        &cited(&format!(
+            "Peak velocity of the limit cycle with the {law_word} law, divided by that at 10⁻⁵·⁵ m/s and the same normal stress (compare fig 5a of the paper). The dashed line is {{inertial-upper}}. The dotted line joins the minima found by minimisation, which the paper does not have: it reads the minimum off the colours. The paper colours its lines of constant normal stress one by one."
+        )),
         map.svg_with(said.as_ref()),
     ))
 }
@@ -133,22 +137,24 @@ fn curves(scene: &SceneOutcome, law: EvolutionLaw, id: &str, label: &str) -> Opt
     let (low, high) =
         (heights().map(|p| p.1).fold(f64::INFINITY, f64::min), heights().map(|p| p.1).fold(0.0, f64::max));
     let description = format!(
-        "Normalised peak velocity with the {} law against loading velocity divided by that of equation 18, for several normal stresses. Every curve falls to a flat minimum near 1 and rises beyond it.",
+        "Normalised peak velocity with the {} law against loading velocity divided by that of {{inertial-upper}}, for several normal stresses. Every curve falls to a flat minimum near 1 and rises beyond it.",
         law.as_str()
     );
-    let title =
-        format!("Normalised peak velocity against V_l divided by that of eq 18, {} law", law.as_str());
+    let title = cited(&format!(
+        "Normalised peak velocity against V_l divided by that of {{inertial-upper}}, {} law",
+        law.as_str()
+    ));
     let chart = LineChart {
         caption: Caption::new(id, &title, &description),
-        x: Axis::log10("*V*_l / velocity of eq 18", "", LOWEST, HIGHEST),
+        x: Axis::log10(&cited("*V*_l / velocity of {inertial-upper}"), "", LOWEST, HIGHEST),
         y: Axis::linear("Peak velocity / that at 10^{−5.5} m/s", "", 0.8 * low, 1.25 * high),
         series,
-        references: vec![Reference::Vertical { at: 1.0, label: "eq 18".into() }],
+        references: vec![Reference::Vertical { at: 1.0, label: cited("{inertial-upper}") }],
     };
-    let caption = format!(
-        "Normalised peak velocity of the limit cycle with the {} law against the loading velocity divided by that of eq 18 (compare fig 5b of the paper), with the minima found by minimisation. Every marker is a converged run. The paper joins the runs of its grid by lines and has no minima between them.",
+    let caption = cited(&format!(
+        "Normalised peak velocity of the limit cycle with the {} law against the loading velocity divided by that of {{inertial-upper}} (compare fig 5b of the paper), with the minima found by minimisation. Every marker is a converged run. The paper joins the runs of its grid by lines and has no minima between them.",
         law.as_str()
-    );
+    ));
     (!chosen.is_empty()).then(|| Figure::new(&chart.caption, label, &caption, chart.svg()))
 }
 

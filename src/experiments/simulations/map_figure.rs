@@ -7,6 +7,7 @@ use crate::experiments::shared::map_readout::simulated_readout;
 use crate::experiments::simulations::{LeastPeak, SimulatedPoint, SimulationsOutcome};
 use crate::experiments::trajectories::curves::point_marks;
 use crate::experiments::{Figure, FigureMaker, Need, SceneOutcome};
+use crate::scene::cited;
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::nearest_f64;
 use slipmode_core::stability::Asymptote;
@@ -20,7 +21,7 @@ pub(crate) const FIGURES: &[FigureMaker] = &[FigureMaker::new(
 )];
 
 const TITLE: &str = "Peak velocity of the simulated limit cycles, slip law, a < b";
-const DESCRIPTION: &str = "Map over loading velocity and normal stress. Simulations that end in steady sliding fill the lower left, without colour, up to the line of the transition. Beyond it the peak velocity rises with normal stress; from left to right it falls to a minimum near equation 18 and then rises.";
+const DESCRIPTION: &str = "Map over loading velocity and normal stress. Simulations that end in steady sliding fill the lower left, without colour, up to the line of the transition. Beyond it the peak velocity rises with normal stress; from left to right it falls to a minimum near {inertial-upper} and then rises.";
 const LETTERS: &str = " Letters mark the points of figs 3b to 3g, and 4a and 4b their runs.";
 const CAPTION: &str = "Peak velocity of the limit cycle, simulated on a grid with the slip law (compare fig 3a of the paper), with the exact boundary, its asymptotes and the transition of the linear theory. Points that end in steady sliding have no colour. The dotted line joins the lowest peak velocities at given normal stress (compare fig 5). The edge of the colour lies half-way between grid points. The paper has one circle a simulation and an approximate line between fast and slow oscillation; the exact boundary and the line of lowest peaks are added here.";
 
@@ -36,7 +37,7 @@ fn peak_map(scene: &SceneOutcome) -> Option<Figure> {
     let mut lines = theory_lines(scene, boundary, &x, &y);
     lines.push(least_peak_line(outcome, LAW));
     let map = HeatMap {
-        caption: Caption::new("fig-3a", TITLE, DESCRIPTION),
+        caption: Caption::new("fig-3a", TITLE, &cited(DESCRIPTION)),
         columns: grid.loading_velocity_m_per_s.len(),
         colours: ColourScale::new(
             "Peak velocity",

@@ -6,6 +6,7 @@ use crate::experiments::shared::map_readout::simulated_readout;
 use crate::experiments::simulations::SimulatedPoint;
 use crate::experiments::trajectories::curves::point_marks;
 use crate::experiments::{Figure, FigureMaker, Need, SceneOutcome};
+use crate::scene::cited;
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_plot::figure::{Caption, ColourScale, HeatMap, Side};
 
@@ -18,7 +19,7 @@ pub(crate) const FIGURES: &[FigureMaker] = &[FigureMaker::new(
 
 const TITLE: &str = "Overshoot of the simulated approach to steady sliding, slip law, a ≥ b";
 const DESCRIPTION: &str = "Map over loading velocity and normal stress for a not below b. Unless a equals b, there is an area without colour and without overshoot at high normal stress; its edge follows the exact upper boundary. Everywhere else the velocity exceeds the loading velocity, by more at higher loading velocity. This holds also in the lower area, which the linear theory calls overdamped; the colour continues across the lower boundary without a step.";
-const CAPTION: &str = "Overshoot of the velocity above the loading velocity after a start at a tenth of it, as a fraction of the loading velocity, simulated on a grid with the slip law (compare fig 6a of the paper; every run ends in steady sliding; the paper shows a few runs on its map of frequencies), with the exact boundary and its asymptotes. The overshoot ends along the exact upper boundary, as at critical damping. In the lower area runs exceed the loading velocity and return, although no root of eq 8 is complex there. Values are converged; the edges of colour are sampled, half-way between grid points.";
+const CAPTION: &str = "Overshoot of the velocity above the loading velocity after a start at a tenth of it, as a fraction of the loading velocity, simulated on a grid with the slip law (compare fig 6a of the paper; every run ends in steady sliding; the paper shows a few runs on its map of frequencies), with the exact boundary and its asymptotes. The overshoot ends along the exact upper boundary, as at critical damping. In the lower area runs exceed the loading velocity and return, although no root of {characteristic} is complex there. Values are converged; the edges of colour are sampled, half-way between grid points.";
 
 /// The law of the paper's figure.
 const LAW: EvolutionLaw = EvolutionLaw::Slip;
@@ -43,7 +44,7 @@ fn overshoot_map(scene: &SceneOutcome) -> Option<Figure> {
     Some(Figure::new(
         &map.caption,
         "Figure 6a, simulated",
-        CAPTION,
+        &cited(CAPTION),
         map.svg_with(Some(&simulated_readout(grid, boundary))),
     ))
 }

@@ -1,14 +1,21 @@
 //! Tables of the simulations: the grid, the disagreements with the theory, and the least peaks.
 
+use std::f64::consts::{SQRT_2, TAU};
+
 use crate::experiments::shared::cells::{DigitColumns, Rounded};
-use crate::experiments::simulations::SimulatedPoint;
-use crate::experiments::{Context, Need, TableMaker};
-use slipmode_core::dynamics::Simulation;
+use crate::experiments::simulations::{SIDE_WIDTH, SimulatedPoint};
+use crate::experiments::{Context, Need, SceneOutcome, TableMaker};
+use slipmode_core::dynamics::certified::Certificate;
+use slipmode_core::dynamics::{Behaviour, Estimate, Simulation};
 use slipmode_core::friction::EvolutionLaw;
-use slipmode_plot::table::Table;
+use slipmode_core::number::format::{Side, rounded};
+use slipmode_core::number::nearest_f64;
+use slipmode_core::stability::SlipMode;
+use slipmode_core::stability::asymptote::inertial_upper_velocity_m_per_s;
+use slipmode_plot::table::{Cell, Column, Table, TableRows};
 
 pub(crate) const TABLES: &[TableMaker] = &[
-    TableMaker { id: "simulations", needs: &[Need::Simulations], make: simulations },
+    TableMaker { id: "simulations", needs: &[Need::Simulations, Need::Certificates], make: simulations },
     TableMaker { id: "simulation-disagreements", needs: &[Need::Simulations], make: disagreements },
     TableMaker { id: "least-peaks", needs: &[Need::Simulations], make: least_peaks },
 ];
@@ -16,20 +23,22 @@ pub(crate) const TABLES: &[TableMaker] = &[
 /// Digits of peak and period: one fewer than the tolerance of 1e-8 allows, so that no rounding shows.
 const DIGITS: usize = 7;
 
-/// A point of a grid with its scene, its law and its run, where that has a result.
+/// A point of a grid with its scene, its law, its run, where that has a result, and what is proved of it.
 #[derive(Clone, Copy)]
 struct GridPoint<'c> {
-    scene: &'c str,
+    scene: &'c SceneOutcome,
     law: EvolutionLaw,
     velocity: f64,
     stress: f64,
     point: &'c SimulatedPoint,
     run: Option<&'c Simulation>,
+    proof: Option<&'c Certificate>,
 }
 
 fn points<'c>(context: &'c Context) -> impl Iterator<Item = GridPoint<'c>> {
-    context.outcome.each(|scene| &scene.simulations).flat_map(|(scene, found)| {
-        found.grids.iter().flat_map(move |&(law, ref grid)| {
+    let of_scene = |scene: &'c SceneOutcome| {
+        let grids = scene.simulations.iter().flat_map(|found| &found.grids);
+        grids.flat_map(move |&(law, ref grid)| {
             grid.points().map(move |(velocity, stress, point)| GridPoint {
                 scene,
                 law,
@@ -37,19 +46,108 @@ fn points<'c>(context: &'c Context) -> impl Iterator<Item = GridPoint<'c>> {
                 stress,
                 point,
                 run: point.simulation.as_ref().ok(),
+                proof: scene.certificates.as_ref().and_then(|all| all.at(law, velocity, stress)),
             })
         })
+    };
+    context.outcome.scenes.iter().flat_map(of_scene)
+}
+
+/// What stands where no limit cycle is.
+const NO_CYCLE: &str = "none";
+
+/// More than the error of a period over √2 natural ones, in 64 bits.
+const ROUNDING: f64 = 1e-14;
+
+impl GridPoint<'_> {
+    fn scene(&self) -> &str {
+        &self.scene.scene.name
+    }
+
+    /// K over the critical stiffness without inertia; below 1 steady sliding is unstable at every velocity.
+    fn stiffness_over_quasi_static(&self) -> Option<f64> {
+        let slider = self.scene.slider().filter(|slider| slider.has_transition())?;
+        Some(nearest_f64(&slider.critical_normal_stress_pa()) / self.stress)
+    }
+
+    /// √(K/M), 1/s.
+    fn natural_per_s(&self) -> Option<f64> {
+        Some(self.scene.slider()?.map(nearest_f64).natural_angular_frequency_per_s())
+    }
+
+    /// The largest imaginary part of a root in ω_n.
+    fn max_imaginary_over_natural(&self) -> Option<f64> {
+        let largest = &self.point.theory.max_imaginary_per_s;
+        let largest = if largest.is_zero() { 0.0 } else { largest.to_f64()? };
+        Some(largest / self.natural_per_s()?)
+    }
+
+    /// V_l over the velocity of eq 18.
+    fn velocity_over_eq18(&self) -> Option<f64> {
+        let slider = self.scene.slider().filter(|slider| slider.has_transition())?.map(nearest_f64);
+        Some(self.velocity / inertial_upper_velocity_m_per_s(&slider, &self.stress))
+    }
+
+    /// ω/ω_n − 1 of the run.
+    fn frequency_excess(&self) -> Option<f64> {
+        Some(TAU / (self.run?.period_s? * self.natural_per_s()?) - 1.0)
+    }
+
+    fn distortion(&self) -> Option<Estimate> {
+        Some(self.point.course?.on_cycle?.distortion)
+    }
+
+    /// The slip mode of the limit cycle on which the run ends.
+    fn cycle(&self) -> Option<&'static str> {
+        let run = self.run?;
+        Some(if run.behaviour == Behaviour::Periodic { run.slip_mode.as_str() } else { NO_CYCLE })
+    }
+
+    /// The slip mode of the limit cycle that is proved to be there: stick-slip has a period above √2 natural ones.
+    fn cycle_proved(&self) -> Option<&'static str> {
+        let Some([low, high]) = self.proof?.period_s() else { return Some(NO_CYCLE) };
+        let limit = SQRT_2 * TAU / self.natural_per_s()?;
+        let is_slow = low > limit * (1.0 + ROUNDING);
+        let is_fast = high < limit * (1.0 - ROUNDING);
+        let mode = if is_slow { SlipMode::StickSlip } else { SlipMode::HarmonicVibration };
+        (is_slow || is_fast).then(|| mode.as_str())
+    }
+}
+
+/// Digits of the ends of an enclosure.
+const ENCLOSED_DIGITS: usize = 12;
+
+/// Two columns with the ends of an enclosure of a column, rounded outward.
+fn enclosed<'c>(
+    table: TableRows<GridPoint<'c>>,
+    (name, header, unit): (&str, &str, &str),
+    ends: impl Fn(&Certificate) -> Option<[f64; 2]>,
+) -> TableRows<GridPoint<'c>> {
+    let columns = [("low", "from"), ("high", "to")];
+    let columns = columns.map(|(end, words)| {
+        Column::number(&format!("{name}_{end}"), &format!("{header}, proved: {words}"), unit)
+    });
+    table.columns(columns, |at| {
+        let ends = at.proof.and_then(&ends);
+        let cell = |which: usize, side: Side| {
+            ends.map_or_else(Cell::empty, |ends| {
+                Cell::number(rounded(ends[which], ENCLOSED_DIGITS, side)).certain()
+            })
+        };
+        [cell(0, Side::Below), cell(1, Side::Above)]
     })
 }
 
 fn simulations(context: &Context) -> Option<Table> {
-    let note = "Start: steady sliding at V_l/10. Peak and stress drop are those of the limit cycle, or of the transient of a decay; the period is that of the cycle or of the small oscillation at the end. Errors are relative estimates from a second run at a tenth of the tolerance.";
-    Table::of("simulations", "Simulations, all grid points", points(context))
+    let note = "Start: steady sliding at V_l/10. Peak and stress drop are those of the limit cycle, or of the transient of a decay; the period is that of the cycle or of the small oscillation at the end. Errors are relative estimates from a second run at a tenth of the tolerance. Limit cycle: the slip mode of the limit cycle on which the run ends. Proved: what a certificate encloses of the limit cycle or of the decay.";
+    let table = Table::of("simulations", "Simulations, all grid points", points(context))
         .note(note)
-        .text("scene", "Scene", |at| at.scene)
+        .text("scene", "Scene", |at: GridPoint| at.scene().to_owned())
+        .text("slider", "Slider", |at| at.scene.slider_words())
         .text("law", "Law", |at| at.law.as_str())
         .digits("normal_stress_pa", "Normal stress σ", "Pa", DIGITS, |at| Rounded(at.stress))
         .digits("loading_velocity_m_per_s", "Loading velocity V_l", "m/s", DIGITS, |at| Rounded(at.velocity))
+        .named()
         .digits("stiffness_over_critical", "K/K_c", "", DIGITS, |at| {
             at.point.stiffness_over_critical.map(Rounded)
         })
@@ -64,8 +162,28 @@ fn simulations(context: &Context) -> Option<Table> {
         .digits("peak_relative_error", "Error of the peak", "", 2, |at| Some(at.run?.peak_relative_error))
         .digits("period_relative_error", "Error of the period", "", 2, |at| at.run?.period_relative_error)
         .text("failure", "Failure", |at| at.point.simulation.as_ref().err().map(ToString::to_string))
-        .table()
-        .into()
+        .digits("stress_drop_relative_error", "Error of the stress drop", "", 2, |at| {
+            Some(at.run?.stress_drop_relative_error).filter(|error| error.is_finite())
+        })
+        .digits("max_imaginary_over_natural", "max Im(s)/ω_n", "", DIGITS, |at| {
+            at.max_imaginary_over_natural().map(Rounded)
+        })
+        .digits("stiffness_over_quasi_static", "K/K_c without inertia", "", DIGITS, |at| {
+            at.stiffness_over_quasi_static().map(Rounded)
+        })
+        .digits("velocity_over_eq18", "V_l over {inertial-upper}", "", DIGITS, |at| {
+            at.velocity_over_eq18().map(Rounded)
+        })
+        .digits("frequency_excess", "ω/ω_n − 1", "", 5, |at| at.frequency_excess())
+        .digits("harmonic_distortion", "Distortion of V", "", 5, |at| Some(at.distortion()?.value))
+        .digits("harmonic_error", "Its error", "", 2, |at| Some(at.distortion()?.error))
+        .text("cycle", "Limit cycle", |at| at.cycle())
+        .text("cycle_proved", "Limit cycle, proved", |at| at.cycle_proved());
+    let peak = ("peak_velocity_m_per_s", "Peak velocity", "m/s");
+    let table = enclosed(table, peak, |proof| Some(proof.peak_velocity_m_per_s));
+    let table = enclosed(table, ("period_s", "Period", "s"), Certificate::period_s);
+    let is_cycle = |proof: &Certificate| proof.period_s().map(|_| proof.stress_drop_pa);
+    enclosed(table, ("stress_drop_pa", "Stress drop", "Pa"), is_cycle).table().into()
 }
 
 fn disagreements(context: &Context) -> Option<Table> {
@@ -73,7 +191,7 @@ fn disagreements(context: &Context) -> Option<Table> {
     let disagreeing = points(context).filter(|at| !at.point.agrees());
     Table::of("simulation-disagreements", "Runs whose slip mode differs from theory", disagreeing)
         .note(note)
-        .text("scene", "Scene", |at| at.scene)
+        .text("scene", "Scene", |at: GridPoint| at.scene().to_owned())
         .text("law", "Law", |at| at.law.as_str())
         .digits("normal_stress_pa", "Normal stress σ", "Pa", 4, |at| at.stress)
         .digits("loading_velocity_m_per_s", "Loading velocity V_l", "m/s", 4, |at| at.velocity)
@@ -83,24 +201,29 @@ fn disagreements(context: &Context) -> Option<Table> {
             at.point.theory.max_imaginary_per_s.to_f64()
         })
         .digits("angular_frequency_per_s", "Angular frequency of the run", "1/s", 5, |at| {
-            Some(std::f64::consts::TAU * at.run?.frequency_hz?)
+            Some(TAU * at.run?.frequency_hz?)
         })
         .table()
         .into()
 }
 
 fn least_peaks(context: &Context) -> Option<Table> {
-    let note = "Minimised over one decade on either side of eq 18. All positions are log10 of the velocity divided by that of eq 18. The ends of the flat range and the changes of mode are located to 0.001 dex. The mode changes from stick-slip to harmonic vibration where the frequency of the limit cycle, or of small deviations by the exact theory, passes the threshold.";
+    let note = "Minimised over one decade on either side of {inertial-upper}. Positions are log10 of the velocity over its velocity. The ends of the flat range and the changes of mode are located to 0.001 dex. The mode changes from stick-slip to harmonic vibration where the frequency of the limit cycle, or of small deviations by the exact theory, passes the threshold.";
     let found = context.outcome.each(|scene| &scene.simulations);
     let least_peaks = found.flat_map(|(_, found)| &found.least_peaks);
-    Table::of("least-peaks", "Velocity of the lowest peak, compared with eq 18", least_peaks)
+    Table::of("least-peaks", "Velocity of the lowest peak, compared with {inertial-upper}", least_peaks)
         .note(note)
         .text("law", "Law", |least| least.law.as_str())
         .digits("normal_stress_pa", "Normal stress σ", "Pa", 4, |least| least.normal_stress_pa)
-        .digits("eq18_velocity_m_per_s", "Velocity of eq 18", "m/s", 4, |least| least.eq18_velocity_m_per_s)
-        .digits("offset_dex", "Offset of the minimum from eq 18", "dex", 4, |least| least.offset_dex)
+        .named()
+        .digits("eq18_velocity_m_per_s", "Velocity of {inertial-upper}", "m/s", 4, |least| {
+            least.eq18_velocity_m_per_s
+        })
+        .digits("offset_dex", "Offset of the minimum from {inertial-upper}", "dex", 6, |least| {
+            least.offset_dex
+        })
         .digits("offset_error_dex", "Its error", "dex", 1, |least| least.offset_error_dex)
-        .digits("peak_at_eq18_over_least", "Peak at eq 18 / lowest peak", "", 5, |least| {
+        .digits("peak_at_eq18_over_least", "Peak at {inertial-upper} / lowest peak", "", 5, |least| {
             least.peak_at_eq18_over_least
         })
         .digits("curvature_per_dex2", "Curvature of ln(peak)", "1/dex²", 3, |least| least.curvature_per_dex2)
@@ -108,9 +231,20 @@ fn least_peaks(context: &Context) -> Option<Table> {
         .digits("one_percent_to_dex", "to", "dex", 3, |least| least.flat[0][1])
         .digits("five_percent_from_dex", "Within 5 % from", "dex", 3, |least| least.flat[1][0])
         .digits("five_percent_to_dex", "to", "dex", 3, |least| least.flat[1][1])
-        .digits("cycle_mode_change_dex", "Mode of the cycle changes", "dex", 3, |least| {
+        .digits("cycle_mode_change_dex", "Mode of the cycle changes", "dex", 6, |least| {
             least.cycle_mode_change_dex
         })
+        .digits("cycle_mode_change_error_dex", "Its error", "dex", 1, |_| SIDE_WIDTH)
+        .digits(
+            "period_change_width_dex",
+            "Period falls from 2 to 1.1 natural ones over",
+            "dex",
+            6,
+            |least| {
+                let [slow, fast] = least.period_change_dex;
+                Some(fast? - slow?)
+            },
+        )
         .digits("theory_mode_change_dex", "Mode by theory changes", "dex", 3, |least| {
             least.theory_mode_change_dex
         })

@@ -2,6 +2,7 @@
 
 use crate::experiments::Outcome;
 use crate::experiments::simulations::SimulatedPoint;
+use crate::scene::cited;
 use slipmode_core::number::format::{Side, round_digits, rounded};
 
 /// Velocities at which the rate-and-state law is measured in laboratories, m/s, rounded outward to decades: the reviews of Marone
@@ -26,10 +27,10 @@ pub fn range_of_velocities(outcome: &Outcome) -> Option<String> {
     let (low, high) = (rounded(slowest, DIGITS, Side::Above), rounded(fastest, DIGITS, Side::Below));
     let [least, most] = MEASURED_M_PER_S.map(|velocity| round_digits(velocity, DIGITS));
     (outside > 0).then(|| {
-        format!(
-            "Validity: the simulated limit cycles slip as slowly as {low} m/s and as fast as {high} m/s. In {outside} of {} cycles the law of eq 1 is extrapolated beyond {least} to {most} m/s, where laboratories measure it.",
+        cited(&format!(
+            "Validity: the simulated limit cycles slip as slowly as {low} m/s and as fast as {high} m/s. In {outside} of {} cycles the law of {{friction}} is extrapolated beyond {least} to {most} m/s, where laboratories measure it.",
             extremes.len()
-        )
+        ))
     })
 }
 

@@ -3,6 +3,7 @@
 use crate::experiments::map::figures::theory_lines;
 use crate::experiments::swept::Swept;
 use crate::experiments::{Figure, FigureMaker, Need, Outcome, SceneOutcome};
+use crate::scene::cited;
 use crate::sweep::{SummarySection, SweepWork};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::Rational;
@@ -207,12 +208,19 @@ fn worst_errors(worst: &[WorstOfBin]) -> Option<Figure> {
             worst.iter().flat_map(|bin| bin.effect_ratio.map(|end| (end, bin.sampled[arc]))).collect(),
         )
     };
-    let names = [(0, "upper arc (eqs 15 and 18)"), (1, "lower arc (eqs 16 and 20)")];
+    let names = [
+        (0, "upper arc ({quasi-static-upper, inertial-upper})"),
+        (1, "lower arc ({quasi-static-lower, inertial-lower})"),
+    ];
     let chart = LineChart {
         caption,
         x: Axis::log10("*β* = *b*/*a*", "", first.effect_ratio[0], last.effect_ratio[1]),
         y: Axis::linear("Largest log10 distance from the nearer asymptote", "", 0.0, 0.5),
-        series: names.into_iter().flat_map(|(arc, label)| [line(arc, label), stairs(arc, label)]).collect(),
+        series: names
+            .into_iter()
+            .map(|(arc, label)| (arc, cited(label)))
+            .flat_map(|(arc, label)| [line(arc, &label), stairs(arc, &label)])
+            .collect(),
         references: vec![Reference::Vertical { at: 1.0, label: "*a* = *b*".into() }],
     };
     Some(Figure::own(&chart.caption, WORST_CAPTION, chart.svg()))

@@ -13,7 +13,7 @@ pub(crate) const TABLES: &[TableMaker] = &[
 ];
 
 fn tolerance(context: &Context) -> Option<Table> {
-    let note = "Leading order in closed form, for a relative error ε: η = ε for eqs 15 and 16, κ = ε(β−1)²/(2β) for eq 18, κ = β/(2ε) for eq 20. A branch that is accurate up to the cusp has the values of the cusp.";
+    let note = "Leading order in closed form, for a relative error ε: η = ε for {quasi-static-upper, quasi-static-lower}, κ = ε(β−1)²/(2β) for {inertial-upper}, κ = β/(2ε) for {inertial-lower}. A branch that is accurate up to the cusp has the values of the cusp.";
     let found = context.outcome.each(|scene| &scene.tolerance);
     let rows = found.flat_map(|(name, found)| found.rows.iter().map(move |row| (name, row)));
     Table::of("tolerance", "Which formula may be used where", rows)

@@ -1,7 +1,7 @@
 //! Tables of the trajectories: what each run showed, and the samples that the figures draw.
 
 use crate::experiments::shared::cells::{DigitColumns, Digits};
-use crate::experiments::trajectories::TrajectoryRun;
+use crate::experiments::trajectories::{DRAWING_TOLERANCE, TrajectoryRun};
 use crate::experiments::{Context, Need, TableMaker};
 use slipmode_core::dynamics::Simulation;
 use slipmode_core::number::nearest_f64;
@@ -66,6 +66,12 @@ fn modes(context: &Context) -> Option<Table> {
         .digits("stress_drop_relative_error", "Its error", "", 2, |run| {
             finite(Some(found(run)?.stress_drop_relative_error))
         })
+        .number("visible_turns", "Visible peaks and troughs", "", |run| {
+            visible_turns(run).map(|found| found[0])
+        })
+        .number("visible_error", "Its error", "", |run| {
+            visible_turns(run).map(|[all, least, most]| (most - all).max(all - least))
+        })
         .digits("free_residual_pa", "Free residual", "Pa", 1, |run| {
             run.course.as_ref().ok().map(|course| course.free_residual_pa)
         })
@@ -81,6 +87,26 @@ fn found(run: &TrajectoryRun) -> Option<&Simulation> {
 fn period_by_theory(run: &TrajectoryRun) -> Option<f64> {
     let imaginary = run.theory.max_imaginary_per_s.to_f64().filter(|imaginary| *imaginary > 0.0);
     imaginary.map(|imaginary| std::f64::consts::TAU / imaginary)
+}
+
+/// Smallest deviation from V_l, in V_l, that a reader sees as a peak or trough.
+const VISIBLE: f64 = 0.01;
+
+/// How many peaks and troughs of V a reader sees, the least number and the most within the error of the drawing.
+fn visible_turns(run: &TrajectoryRun) -> Option<[u64; 3]> {
+    let moments = &run.course.as_ref().ok()?.moments;
+    let velocities: Vec<f64> = moments.iter().map(|moment| libm::exp(moment.log_velocity_ratio)).collect();
+    let error = DRAWING_TOLERANCE * velocities.iter().copied().fold(0.0, f64::max);
+    Some([0.0, error, -error].map(|room| turns(&velocities, VISIBLE + room)))
+}
+
+/// How many peaks and troughs differ from V_l by so much, in V_l.
+fn turns(velocities: &[f64], visible: f64) -> u64 {
+    let is_turn = |three: &&[f64]| {
+        let [before, here, after] = three else { return false };
+        (here - before) * (after - here) < 0.0 && (here - 1.0).abs() >= visible
+    };
+    velocities.windows(3).filter(is_turn).count() as u64
 }
 
 fn failure(run: &TrajectoryRun) -> Option<String> {
@@ -109,4 +135,15 @@ fn samples(context: &Context) -> Option<Table> {
         )
         .table()
         .into()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::turns;
+
+    #[test]
+    fn only_visible_turns_count() {
+        assert_eq!(turns(&[0.1, 1.5, 0.9, 1.005, 1.0], 0.01), 2);
+        assert_eq!(turns(&[0.1, 1.5, 0.9, 1.005, 1.0], 0.004), 3);
+    }
 }

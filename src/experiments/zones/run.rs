@@ -20,9 +20,9 @@ slipmode_algebra::named! {
         /// The straight line, on logarithmic axes, from the corner of eqs 15 and 18 to that of eqs 16 and 20.
         Corners = "line between the corners",
         /// Eq 18, continued below eq 15.
-        InertialUpper = "eq 18",
+        InertialUpper = "{inertial-upper}",
         /// Eq 20, continued above eq 16.
-        InertialLower = "eq 20",
+        InertialLower = "{inertial-lower}",
     }
 }
 

@@ -3,6 +3,7 @@
 use crate::experiments::shared::Grid;
 use crate::experiments::shared::cells::DigitColumns;
 use crate::experiments::{Context, Need, TableMaker};
+use crate::scene::cited;
 use slipmode_core::stability::SlipMode;
 use slipmode_plot::table::Table;
 
@@ -42,9 +43,9 @@ fn inertial_lines(context: &Context) -> Option<Table> {
         "The simplified map of fig 7 with each line between inertial and non-inertial",
         counts,
     )
-    .note("The paper gives no equation of this line. Eqs 9, 15, 16, 18 and 20 draw all other lines.")
+    .note("The paper gives no equation of this line. Those of the transition and of the asymptotes draw all other lines.")
     .text("scene", "Scene", |(name, ..)| name)
-    .text("line", "Line", |(.., count)| count.line.as_str())
+    .text("line", "Line", |(.., count)| cited(count.line.as_str()))
     .number("misplaced", "Points in another slip mode than the exact one", "", |(.., count)| count.misplaced)
     .number("points", "Points", "", |(_, zones, _)| zones.exact.values.len())
     .table()

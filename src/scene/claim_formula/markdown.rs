@@ -2,13 +2,13 @@
 
 use slipmode_algebra::{Comparison, End, Expression, Symbol, Toward};
 
-use super::{ClaimFormula, Formula, FormulaCondition, Statement};
+use super::{ClaimFormula, Formula, FormulaCondition, OverRows, Statement};
 
 impl ClaimFormula {
     /// The formula and over what it is said, in words and LaTeX between `$`.
     #[must_use]
     pub fn markdown(&self) -> String {
-        if let Some(table) = &self.rows {
+        if let Some(OverRows { table, .. }) = &self.rows {
             return format!("over the rows of the table `{table}`, `{}`", self.text);
         }
         let scope = &self.scope;

@@ -21,6 +21,8 @@ mod grammar;
 mod markdown;
 mod premises;
 
+use std::collections::BTreeMap;
+
 use slipmode_algebra::{
     Comparison, ConversionError, End, Expression, Extent, Literal, Sign, SignFormula, Symbol, Toward,
     within_budget,
@@ -57,9 +59,20 @@ pub struct ClaimFormula {
     /// Over what it is said.
     pub scope: Scope,
     /// The table over whose rows the text is said; then the statement and the scope are empty.
-    pub rows: Option<String>,
+    pub rows: Option<OverRows>,
     /// The limit within which it holds, and where it does not.
     pub limit: Option<Box<FormulaLimit>>,
+}
+
+/// Over which rows a text is said, and what its sentences name.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct OverRows {
+    /// The table.
+    pub table: String,
+    /// How a number is computed of the rows, by its name.
+    pub numbers: BTreeMap<String, String>,
+    /// How far a statement that is true goes, in words and numbers.
+    pub extent: Option<String>,
 }
 
 /// A limit of a formula: the words of the limit, and what is true outside it.
@@ -264,6 +277,12 @@ impl ClaimFormula {
             Statement::Computed(computed) => Some(computed),
             _ => None,
         }
+    }
+
+    /// Whether a procedure or the rows of a table decide it.
+    #[must_use]
+    pub fn is_over_results(&self) -> bool {
+        self.rows.is_some() || self.computed().is_some_and(|computed| computed.check.is_some())
     }
 
     fn checked(self, equations: &Equations) -> Result<Self, String> {

@@ -3,6 +3,7 @@
 //! When a signal ends this program, the kernel ends the daemons; the supervisor of a task that runs just then goes on asking
 //! for its controller until it is stopped.
 
+use std::ffi::OsStr;
 use std::fs::{self, File};
 use std::net::TcpListener;
 use std::os::unix::fs::PermissionsExt;
@@ -12,7 +13,10 @@ use std::process::{Child, Command, Stdio};
 use super::sessions;
 use super::wait_for;
 use crate::failure::Failure;
-use crate::{machine, process};
+use crate::process;
+use crate::repository::failure;
+
+const CONFIGURATION: &str = include_str!("../../cluster/slurm.conf");
 
 /// The nodes' names.
 const NODES: [&str; 3] = ["n1", "n2", "n3"];
@@ -52,15 +56,10 @@ impl Task {
     }
 }
 
-/// The folders of programs, those of daemons included.
-pub fn search_path() -> String {
-    format!("{}:/usr/sbin:/sbin", machine::search_path())
-}
-
 impl Cluster {
     /// Starts the daemons in a new folder and waits until every node is idle.
     pub fn start(place: &Path) -> Result<Self, Failure> {
-        let cannot = |error: std::io::Error| Failure::bad_input(format!("{}: {error}", place.display()));
+        let cannot = |error: std::io::Error| failure(place, &error);
         fs::create_dir(place).map_err(cannot)?;
         // munge requires folders that only its user can write to.
         fs::set_permissions(place, fs::Permissions::from_mode(0o755)).map_err(cannot)?;
@@ -69,30 +68,23 @@ impl Cluster {
         fs::write(place.join("slurm.conf"), configuration(place, &free_ports().map_err(cannot)?))
             .map_err(cannot)?;
         let mut cluster = Self { place: place.to_path_buf(), daemons: Vec::new() };
-        let at = |name: &str| place.join(name).display().to_string();
-        cluster.spawn(
-            "munged",
-            "munged",
-            &[
-                "--foreground".into(),
-                "--force".into(),
-                format!("--socket={}", at("munge.sock")),
-                format!("--key-file={}", at("munge.key")),
-                format!("--pid-file={}", at("munged.pid")),
-                format!("--log-file={}", at("munged.log")),
-                format!("--seed-file={}", at("munged.seed")),
-            ],
-        )?;
+        let at = |option: &str, name: &str| format!("{option}{}", place.join(name).display());
+        let munged = [
+            "--foreground".to_owned(),
+            "--force".to_owned(),
+            at("--socket=", "munge.sock"),
+            at("--key-file=", "munge.key"),
+            at("--pid-file=", "munged.pid"),
+            at("--log-file=", "munged.log"),
+            at("--seed-file=", "munged.seed"),
+        ];
+        cluster.spawn("munged", "munged", &munged)?;
         let socket = place.join("munge.sock");
         wait_for("munge", || Ok(socket.exists().then_some(())))?;
-        cluster.spawn(
-            "slurmctld",
-            "slurmctld",
-            &["-D".into(), "-c".into(), "-f".into(), at("slurm.conf")],
-        )?;
+        let configuration = at("", "slurm.conf");
+        cluster.spawn("slurmctld", "slurmctld", &["-D", "-c", "-f", &configuration])?;
         for node in NODES {
-            let arguments = ["-D".into(), "-N".into(), node.into(), "-f".into(), at("slurm.conf")];
-            cluster.spawn(node, "slurmd", &arguments)?;
+            cluster.spawn(node, "slurmd", &["-D", "-N", node, "-f", &configuration])?;
         }
         wait_for("three idle nodes", || {
             let mut command = cluster.tool("sinfo");
@@ -104,8 +96,13 @@ impl Cluster {
     }
 
     /// Starts a daemon in the foreground that ends when this program does, however that comes about.
-    fn spawn(&mut self, name: &'static str, program: &str, arguments: &[String]) -> Result<(), Failure> {
-        let cannot = |error: std::io::Error| Failure::bad_input(format!("{program}: {error}"));
+    fn spawn(
+        &mut self,
+        name: &'static str,
+        program: &str,
+        arguments: &[impl AsRef<OsStr>],
+    ) -> Result<(), Failure> {
+        let cannot = |error: std::io::Error| failure(program.as_ref(), &error);
         let log = File::create(self.place.join(format!("{name}.out"))).map_err(cannot)?;
         let mut command = self.tool("setpriv");
         command.args(["--pdeathsig", "TERM", program]).args(arguments);
@@ -117,7 +114,7 @@ impl Cluster {
     /// A program of the cluster's user.
     fn tool(&self, name: &str) -> Command {
         let mut command = Command::new(name);
-        command.env("SLURM_CONF", self.place.join("slurm.conf")).env("PATH", search_path());
+        command.env("SLURM_CONF", self.place.join("slurm.conf")).env("PATH", process::search_path());
         command
     }
 
@@ -199,26 +196,14 @@ fn free_ports() -> std::io::Result<Vec<u16>> {
     listeners.iter().map(|listener| Ok(listener.local_addr()?.port())).collect()
 }
 
+/// The configuration with the folder, the host and the ports of the controller and of the nodes filled in.
 fn configuration(place: &Path, ports: &[u16]) -> String {
-    let place = place.display();
     let host = fs::read_to_string("/proc/sys/kernel/hostname").unwrap_or_default();
     let host = host.trim().split('.').next().unwrap_or_default();
-    let (controller, nodes) = ports.split_first().map_or((0, ports), |(first, rest)| (*first, rest));
-    let node = |(name, port): (&&str, &u16)| {
-        format!("NodeName={name} NodeHostname={host} NodeAddr=127.0.0.1 Port={port} CPUs=1\n")
-    };
-    let nodes: String = NODES.iter().zip(nodes).map(node).collect();
-    format!(
-        "ClusterName=rehearsal\nSlurmctldHost={host}(127.0.0.1)\nSlurmctldPort={controller}\n\
-         SlurmUser=root\nSlurmdUser=root\nAuthType=auth/munge\nAuthInfo=socket={place}/munge.sock\n\
-         StateSaveLocation={place}/state\nSlurmdSpoolDir={place}/spool-%n\n\
-         SlurmctldPidFile={place}/slurmctld.pid\nSlurmdPidFile={place}/slurmd-%n.pid\n\
-         ProctrackType=proctrack/pgid\nTaskPlugin=task/none\nJobAcctGatherType=jobacct_gather/none\n\
-         AccountingStorageType=accounting_storage/none\nSelectType=select/cons_tres\n\
-         SelectTypeParameters=CR_CPU\nSlurmdParameters=config_overrides\nReturnToService=2\n\
-         MpiDefault=none\nMailProg=/bin/true\nKillWait=2\n{nodes}\
-         PartitionName=all Nodes=n[1-3] Default=YES MaxTime=INFINITE State=UP\n"
-    )
+    let text = CONFIGURATION.replace("{place}", &place.display().to_string()).replace("{host}", host);
+    let fill =
+        |text: String, (at, port): (usize, &u16)| text.replace(&format!("{{port{at}}}"), &port.to_string());
+    ports.iter().enumerate().fold(text, fill)
 }
 
 #[cfg(test)]
@@ -242,6 +227,6 @@ mod tests {
         assert!(
             text.contains("SlurmctldPort=1\n") && text.contains("NodeName=n3 ") && text.contains("Port=4 ")
         );
-        assert!(text.contains("SlurmdSpoolDir=/p/spool-%n\n"));
+        assert!(text.contains("SlurmdSpoolDir=/p/spool-%n\n") && !text.contains('{'));
     }
 }

@@ -1,18 +1,10 @@
 //! The processes that a node started: found by their environment, ended with their whole sessions.
 
-use std::collections::BTreeSet;
 use std::fs;
-use std::process::Command;
+use std::process::{Command, Stdio};
 
 use crate::failure::Failure;
 use crate::process;
-
-/// A process as the kernel lists it.
-struct Entry {
-    id: u32,
-    session: u32,
-    environment: Vec<String>,
-}
 
 /// Kills, with SIGKILL, every session that has a process with all these variables. Returns how many processes that were.
 ///
@@ -21,54 +13,37 @@ struct Entry {
 /// # Errors
 /// When `kill` cannot be started.
 pub fn kill(variables: &[String]) -> Result<usize, Failure> {
-    let entries = entries();
-    let sessions: BTreeSet<u32> = entries
-        .iter()
-        .filter(|entry| variables.iter().all(|variable| entry.environment.contains(variable)))
-        .map(|entry| entry.session)
-        // A node's work never has our session; killing that would be a mistake of ours.
-        .filter(|session| Some(*session) != own_session())
-        .collect();
-    let condemned: Vec<String> = entries
-        .iter()
-        .filter(|entry| sessions.contains(&entry.session))
-        .map(|entry| entry.id.to_string())
-        .collect();
+    let ids = fs::read_dir("/proc").into_iter().flatten().flatten();
+    let ids: Vec<String> = ids.map(|entry| entry.file_name().to_string_lossy().into_owned()).collect();
+    let own = session("self");
+    // A node's work never has our session; killing that would be a mistake of ours.
+    let marked = ids.iter().filter(|id| has(id, variables)).filter_map(|id| session(id));
+    let sessions: Vec<u32> = marked.filter(|session| Some(*session) != own).collect();
+    let is_condemned = |id: &&String| session(id).is_some_and(|session| sessions.contains(&session));
+    let condemned: Vec<&String> =
+        ids.iter().filter(|id| id.bytes().all(|byte| byte.is_ascii_digit())).filter(is_condemned).collect();
     if !condemned.is_empty() {
         // Some may have ended meanwhile: that is what is wanted.
-        process::status(
-            Command::new("kill").arg("-KILL").args(&condemned).stderr(std::process::Stdio::null()),
-        )?;
+        process::status(Command::new("kill").arg("-KILL").args(&condemned).stderr(Stdio::null()))?;
     }
     Ok(condemned.len())
 }
 
-fn entries() -> Vec<Entry> {
-    let Ok(folder) = fs::read_dir("/proc") else { return Vec::new() };
-    folder.flatten().filter_map(|entry| read(&entry.file_name().to_string_lossy())).collect()
+/// Whether a process has all these variables; another user's process keeps its own to itself.
+fn has(id: &str, variables: &[String]) -> bool {
+    let environment = fs::read(format!("/proc/{id}/environ")).unwrap_or_default();
+    let known: Vec<&[u8]> = environment.split(|byte| *byte == 0).collect();
+    variables.iter().all(|variable| known.contains(&variable.as_bytes()))
 }
 
-fn own_session() -> Option<u32> {
-    read("self").map(|entry| entry.session)
+/// The session of a process.
+fn session(id: &str) -> Option<u32> {
+    parse(&fs::read_to_string(format!("/proc/{id}/stat")).ok()?)
 }
 
-fn read(name: &str) -> Option<Entry> {
-    if name != "self" && !name.bytes().all(|byte| byte.is_ascii_digit()) {
-        return None;
-    }
-    let stat = fs::read_to_string(format!("/proc/{name}/stat")).ok()?;
-    // Other users' processes keep theirs to themselves: they are none of ours.
-    let environment = fs::read(format!("/proc/{name}/environ")).ok()?;
-    let (id, session) = parse(&stat)?;
-    let text = |part: &[u8]| String::from_utf8_lossy(part).into_owned();
-    Some(Entry { id, session, environment: environment.split(|byte| *byte == 0).map(text).collect() })
-}
-
-/// Process and session of `id (name) state parent group session …`; the name may hold anything.
-fn parse(stat: &str) -> Option<(u32, u32)> {
-    let id = stat.split(' ').next()?.parse().ok()?;
-    let session = stat.rsplit_once(") ")?.1.split(' ').nth(3)?.parse().ok()?;
-    Some((id, session))
+/// The session in `id (name) state parent group session …`; the name may hold anything.
+fn parse(stat: &str) -> Option<u32> {
+    stat.rsplit_once(") ")?.1.split(' ').nth(3)?.parse().ok()
 }
 
 #[cfg(test)]
@@ -77,13 +52,13 @@ mod tests {
 
     #[test]
     fn the_session_stands_behind_any_name() {
-        assert_eq!(parse("42 (a) b) S 1 40 39 0 -1"), Some((42, 39)));
+        assert_eq!(parse("42 (a) b) S 1 40 39 0 -1"), Some(39));
         assert_eq!(parse("nonsense"), None);
     }
 
     #[test]
     fn our_own_session_is_known_and_nothing_is_killed_for_a_variable_that_nobody_has() {
-        assert!(own_session().is_some());
+        assert!(session("self").is_some());
         assert_eq!(kill(&["SLURMD_NODENAME=no-such-node-anywhere".to_string()]).unwrap(), 0);
     }
 }

@@ -42,11 +42,7 @@ pub fn refusal(task: &Task, message: String) -> Said {
 
 /// Has Gappa check the rounding errors of the 64-bit filter too, installing it where that is possible.
 pub fn second_opinion() -> Result<(), Failure> {
-    let is_missing = || Command::new("gappa").arg("--version").output().is_err();
-    if is_missing() && machine::can_install() {
-        machine::install_packages(&["gappa"])?;
-    }
-    if is_missing() {
+    if !machine::provide(&["gappa"])?.is_empty() {
         println!("prove: no second opinion on rounding errors, because gappa is not installed");
         return Ok(());
     }

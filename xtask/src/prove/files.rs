@@ -1,10 +1,9 @@
 //! Files of the proofs: the library in the order of its imports, and the generated ones.
 
-use std::fs;
 use std::path::Path;
 
 use crate::failure::Failure;
-use crate::repository;
+use crate::repository::{below, read};
 
 /// Words that let a file state what it does not prove.
 const FORBIDDEN: [&str; 9] = [
@@ -18,37 +17,6 @@ const FORBIDDEN: [&str; 9] = [
     "Hypothesis",
     "Declare",
 ];
-
-/// The failure to read or write a file.
-pub fn failure(path: &Path, error: &std::io::Error) -> Failure {
-    Failure::bad_input(format!("{}: {error}", path.display()))
-}
-
-/// A file's text.
-pub fn read(path: &Path) -> Result<String, Failure> {
-    fs::read_to_string(path).map_err(|error| failure(path, &error))
-}
-
-/// Writes a file, and the folders that it is in.
-pub fn write(path: &Path, text: &str) -> Result<(), Failure> {
-    let folder = path.parent().unwrap_or(path);
-    fs::create_dir_all(folder).and_then(|()| fs::write(path, text)).map_err(|error| failure(path, &error))
-}
-
-/// The files below a folder, as paths relative to it, sorted.
-pub fn below(folder: &Path) -> Result<Vec<String>, Failure> {
-    let mut found = Vec::new();
-    for path in repository::entries(folder)? {
-        let name = repository::file_name(&path);
-        if path.is_dir() {
-            found.extend(below(&path)?.into_iter().map(|inner| format!("{name}/{inner}")));
-        } else {
-            found.push(name);
-        }
-    }
-    found.sort();
-    Ok(found)
-}
 
 /// The library's modules, each after those that it imports.
 pub fn library(folder: &Path) -> Result<Vec<(String, String)>, Failure> {

@@ -3,13 +3,10 @@
 //! A digest covers the version of Coq, the file's text and the modules of the library on which it rests.
 
 use std::collections::BTreeMap;
-use std::io::Write;
-use std::process::{Command, Stdio};
 
-use super::files::{failure, read, write};
 use super::{Said, Task};
 use crate::failure::Failure;
-use crate::{process, repository};
+use crate::repository::{self, read, write};
 
 const HEADER: &str = "file,digest,commit,assumes\n";
 
@@ -58,9 +55,7 @@ impl Record {
         checked: &[(Task, Said)],
         digests: &BTreeMap<String, String>,
     ) -> Result<bool, Failure> {
-        let mut git = Command::new("git");
-        git.args(["rev-parse", "--short=12", "HEAD"]).current_dir(repository::root());
-        let commit = process::output(&mut git)?.trim().to_owned();
+        let commit = repository::commit(&repository::root())?;
         let row = |(task, said): &(Task, Said)| {
             let digest = digests.get(&task.file)?;
             let axioms = said.as_ref().map(|output| super::assumptions::listed(output).unwrap_or_default());
@@ -84,19 +79,6 @@ fn path() -> std::path::PathBuf {
     repository::root().join("proofs/checked.csv")
 }
 
-/// The digest of a text, as git computes that of a file.
-pub fn digest(text: &str) -> Result<String, Failure> {
-    let cannot = |error: std::io::Error| failure("git hash-object".as_ref(), &error);
-    let mut git = Command::new("git");
-    git.args(["hash-object", "--stdin"]).stdin(Stdio::piped()).stdout(Stdio::piped());
-    let mut child = git.spawn().map_err(cannot)?;
-    if let Some(mut input) = child.stdin.take() {
-        input.write_all(text.as_bytes()).map_err(cannot)?;
-    }
-    let output = child.wait_with_output().map_err(cannot)?;
-    Ok(String::from_utf8_lossy(&output.stdout).trim().to_owned())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -112,11 +94,5 @@ mod tests {
         assert_eq!(super::super::assumptions::listed(&axioms), Some(vec!["X.y", "Z.w"]));
         assert!(said("c", "d1").is_some_and(|said| said.is_err()));
         assert!(said("a", "d2").is_none() && said("e", "d1").is_none());
-    }
-
-    #[test]
-    fn another_text_has_another_digest() {
-        assert_eq!(digest("").unwrap(), "e69de29bb2d1d6434b8b29ae775ad8c2e48c5391");
-        assert_ne!(digest("a").unwrap(), digest("b").unwrap());
     }
 }

@@ -5,9 +5,9 @@
 
 use std::collections::BTreeSet;
 
-use super::files::{below, read, write};
-use super::{generate, repository};
+use super::generate;
 use crate::failure::Failure;
+use crate::repository::{below, read, root, write};
 use crate::{machine, verify};
 
 /// A row that has moved: the number of its line, the line as it would be, and what a person reads before.
@@ -24,15 +24,15 @@ struct Moved {
 pub fn run(arguments: &[String]) -> Result<(), Failure> {
     machine::run()?;
     verify::build()?;
-    let generated = generate(&repository::root().join("target/proofs"))?;
+    let generated = generate(&root().join("target/proofs"))?;
     let mut moved = Vec::new();
     for path in below(&generated)? {
         let Some(line) = path.strip_prefix("ties/").and_then(|path| path.strip_suffix(".txt")) else {
             continue;
         };
+        let line = line.parse().map_err(|_| Failure::check(format!("{path}: no number of a line")))?;
         let text = read(&generated.join(&path))?;
         let (row, to_read) = text.split_once('\n').unwrap_or((&text, ""));
-        let line = line.parse().map_err(|_| Failure::check(format!("{path}: no number of a line")))?;
         moved.push(Moved { line, row: row.to_owned(), to_read: to_read.to_owned() });
     }
     let Some((report, ids)) = arguments.split_first() else {
@@ -43,7 +43,7 @@ pub fn run(arguments: &[String]) -> Result<(), Failure> {
         println!("tie: `cargo xtask tie REPORT [CLAIM...]` shows and writes them");
         return Ok(());
     };
-    let path = repository::root().join("proofs/claims.csv");
+    let path = root().join("proofs/claims.csv");
     let ids = if ids.is_empty() { ids_of(&moved, report) } else { ids.to_vec() };
     let text = rewritten(&read(&path)?, &moved, report, &ids)?;
     write(&path, &text)?;

@@ -3,53 +3,42 @@
 use super::Complaint;
 use super::rust_source::{RustSource, word_positions};
 
-/// Every top module of a library and its floor; modules on one floor may not import each other.
-type Floors = &'static [(&'static str, u32)];
-
-/// The source folder of each library with its floors. What one library may take from another is in its `Cargo.toml`.
-const LIBRARIES: [(&str, Floors); 3] = [
-    (
-        "crates/core/src/",
-        &[("number", 0), ("roots", 1), ("friction", 2), ("theory", 3), ("stability", 3), ("dynamics", 3)],
-    ),
-    ("crates/plot/src/", &[("table", 0), ("figure", 1)]),
+/// The source folder of each library with its top modules, from the lowest floor to the highest; modules on one floor may not import
+/// each other. What one library may take from another is in its `Cargo.toml`.
+const LIBRARIES: [(&str, &str); 3] = [
+    ("crates/core/src/", "number < roots < friction < theory stability dynamics"),
+    ("crates/plot/src/", "table < figure"),
     (
         "src/",
-        &[
-            ("scene", 0),
-            ("sweep", 1),
-            ("comparison", 1),
-            ("csv", 2),
-            ("experiments", 2),
-            ("explorer", 3),
-            ("claims", 3),
-            ("theorems", 4),
-            ("report", 5),
-            ("archive", 6),
-            ("cli", 7),
-            ("main", 8),
-        ],
+        "scene < sweep comparison < csv experiments < explorer claims < theorems < report < archive < cli < main",
     ),
 ];
 
 /// Complains about imports of an equal or higher floor, and about paths that hide their floor.
 pub fn check(source: &RustSource, found: &mut Vec<Complaint>) {
-    let Some((floors, inside)) = library(&source.file.path) else { return };
-    let Some(module) = top_module(inside) else { return };
+    let inside = |(folder, floors): &(_, _)| Some((*floors, source.file.path.strip_prefix(*folder)?));
+    let Some((floors, inside)) = LIBRARIES.iter().find_map(inside) else { return };
+    let module = inside.split('/').next().unwrap_or(inside).trim_end_matches(".rs");
+    // The library's root stands on no floor.
+    if module == "lib" {
+        return;
+    }
     let Some(height) = floor(floors, module) else {
-        found.push(
-            source.file.complaint(0, format!("module `{module}` has no floor in the table of xtask tidy")),
-        );
+        let message = format!("module `{module}` has no floor in the table of xtask tidy");
+        found.push(source.file.complaint(0, message));
         return;
     };
-    for root in ["crate::", "slipmode::"] {
-        for (position, name) in imports(&source.code, root) {
-            if let Some(message) = objection(floors, module, height, &name) {
-                found.push(source.file.complaint(source.line_at(position), message));
-            }
-        }
+    for (position, name) in ["crate::", "slipmode::"].iter().flat_map(|root| imports(&source.code, root)) {
+        let message = match floor(floors, &name) {
+            _ if name == module => continue,
+            Some(other) if other < height => continue,
+            Some(_) => format!("`{module}` may not import `{name}`, which is not on a lower floor"),
+            None => format!("`{name}` is not a floor: name the module that holds it"),
+        };
+        found.push(source.file.complaint(source.line_at(position), message));
     }
-    check_super(source, depth(inside), found);
+    let depth = inside.matches('/').count() + 1 - usize::from(inside.ends_with("/mod.rs"));
+    check_super(source, depth, found);
 }
 
 /// A chain of `super` that is as long as the module is deep reaches the crate's root, where every floor is.
@@ -64,79 +53,40 @@ fn check_super(source: &RustSource, depth: usize, found: &mut Vec<Complaint>) {
     }
 }
 
-/// How many modules deep a file's module is: 1 for `roots/mod.rs`, 2 for `roots/ladder.rs`.
-fn depth(inside: &str) -> usize {
-    inside.matches('/').count() + 1 - usize::from(inside.ends_with("/mod.rs"))
-}
-
-fn objection(floors: Floors, module: &str, height: u32, imported: &str) -> Option<String> {
-    match floor(floors, imported) {
-        _ if imported == module => None,
-        None => Some(format!("`{imported}` is not a floor: name the module that holds it")),
-        Some(other) if other < height => None,
-        Some(other) => {
-            Some(format!("`{module}` (floor {height}) may not import `{imported}` (floor {other})"))
-        }
-    }
-}
-
-fn floor(floors: Floors, module: &str) -> Option<u32> {
-    floors.iter().find(|(name, _)| *name == module).map(|(_, height)| *height)
-}
-
-/// The floors of the library that a file belongs to, and its path inside the library.
-fn library(path: &str) -> Option<(Floors, &str)> {
-    LIBRARIES.iter().find_map(|(folder, floors)| Some((*floors, path.strip_prefix(folder)?)))
-}
-
-/// The first component, without `.rs`; the library's root stands on no floor.
-fn top_module(inside: &str) -> Option<&str> {
-    let first = inside.split('/').next()?;
-    let name = first.strip_suffix(".rs").unwrap_or(first);
-    (name != "lib").then_some(name)
+fn floor(floors: &str, module: &str) -> Option<usize> {
+    floors.split(" < ").position(|floor| floor.split(' ').any(|name| name == module))
 }
 
 /// Position and name of every module that follows `root`, groups such as `crate::{a::B, c}` included.
 fn imports(code: &str, root: &str) -> Vec<(usize, String)> {
-    let name = root.trim_end_matches(':');
-    let starts = word_positions(code, name).filter(|start| code[*start..].starts_with(root));
-    let mut found = Vec::new();
-    for start in starts {
-        let rest = &code[start + root.len()..];
-        let heads = if rest.starts_with('{') { group_heads(rest) } else { vec![identifier(rest)] };
-        found.extend(heads.into_iter().map(|head| (start, head)));
-    }
-    found
+    let starts = word_positions(code, root.trim_end_matches(':'));
+    let paths = starts.filter_map(|start| Some((start, code[start..].strip_prefix(root)?)));
+    paths.flat_map(|(start, path)| heads(path).into_iter().map(move |head| (start, head))).collect()
 }
 
-/// The first identifier of each entry of a braced group.
-fn group_heads(group: &str) -> Vec<String> {
-    let mut depth = 0_u32;
-    let mut heads = Vec::new();
-    for (position, character) in group.char_indices() {
-        let opens_entry = match character {
-            '{' => {
-                depth += 1;
-                depth == 1
-            }
-            '}' if depth == 1 => return heads,
-            '}' => {
-                depth -= 1;
-                false
-            }
-            ',' => depth == 1,
-            _ => false,
-        };
-        let head = identifier(group[position + 1..].trim_start());
-        if opens_entry && !head.is_empty() {
-            heads.push(head);
+/// The first identifier of a path, or of each entry of a braced group.
+fn heads(path: &str) -> Vec<String> {
+    let identifier = |text: &str| -> String {
+        text.trim_start().chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect()
+    };
+    if !path.starts_with('{') {
+        return vec![identifier(path)];
+    }
+    let (mut depth, mut heads) = (0_u32, Vec::new());
+    for (position, character) in path.char_indices() {
+        match character {
+            '{' => depth += 1,
+            '}' => depth -= 1,
+            _ => {}
+        }
+        match (depth, character) {
+            (0, _) => break,
+            (1, '{' | ',') => heads.push(identifier(&path[position + 1..])),
+            _ => {}
         }
     }
+    heads.retain(|head| !head.is_empty());
     heads
-}
-
-fn identifier(text: &str) -> String {
-    text.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect()
 }
 
 #[cfg(test)]

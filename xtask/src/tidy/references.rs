@@ -9,22 +9,16 @@ const TEST_DATA: [&str; 2] = ["tests/golden/", "tests/vectors/"];
 
 /// Complains about files of test data that no Rust file mentions, by name or by the folder that a test walks.
 pub fn check_data_is_read(files: &[TextFile], paths: &[String], found: &mut Vec<Complaint>) {
-    let sources: Vec<&str> = files
-        .iter()
-        .filter(|file| file.has_extension("rs") && !file.path.starts_with("xtask/"))
-        .map(|file| file.text.as_str())
-        .collect();
+    let sources = || files.iter().filter(|file| file.has_extension("rs") && !file.path.starts_with("xtask/"));
     for path in paths {
         let Some(inside) = TEST_DATA.iter().find_map(|folder| path.strip_prefix(folder)) else { continue };
         if inside.ends_with(".md") || inside.ends_with(".py") {
             continue;
         }
-        let name = inside.rsplit('/').next().unwrap_or(inside);
-        let folder = inside.rsplit_once('/').map(|(folder, _)| format!("golden/{folder}"));
-        let is_mentioned = |source: &&str| {
-            source.contains(name) || folder.as_ref().is_some_and(|folder| source.contains(folder))
-        };
-        if !sources.iter().any(is_mentioned) {
+        let (folder, name) = inside.rsplit_once('/').unwrap_or(("", inside));
+        let walked = format!("golden/{folder}");
+        let is_mentioned = |text: &str| text.contains(name) || !folder.is_empty() && text.contains(&walked);
+        if !sources().any(|source| is_mentioned(&source.text)) {
             let message = "no test mentions this file: read it or delete it".to_string();
             found.push(Complaint { path: path.clone(), line: 0, message });
         }
@@ -74,9 +68,8 @@ fn targets(line: &str) -> impl Iterator<Item = &str> {
 
 fn is_local(target: &str) -> bool {
     !target.is_empty()
-        && !target.starts_with('#')
+        && !["#", "mailto:"].iter().any(|start| target.starts_with(start))
         && !target.contains("://")
-        && !target.starts_with("mailto:")
 }
 
 /// The path from the root that a link in `from` means.
@@ -84,13 +77,10 @@ fn resolve(from: &str, target: &str) -> String {
     let target = target.split('#').next().unwrap_or(target);
     let mut parts: Vec<&str> = if target.starts_with('/') { Vec::new() } else { from.split('/').collect() };
     parts.pop();
-    for part in target.split('/') {
-        match part {
-            "" | "." => {}
-            // Above the root there is nothing: keep the dots, so that the link leads nowhere.
-            ".." if parts.pop().is_none() => parts.push(".."),
-            ".." => {}
-            name => parts.push(name),
+    for part in target.split('/').filter(|part| !matches!(*part, "" | ".")) {
+        // Above the root there is nothing: the dots stay, so that the link leads nowhere.
+        if part != ".." || parts.pop().is_none() {
+            parts.push(part);
         }
     }
     parts.join("/")

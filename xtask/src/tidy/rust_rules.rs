@@ -1,107 +1,49 @@
-//! Rules for every Rust file: a header, one subject's length, no left-overs, no panics, one place for side effects.
+//! Rules for every Rust file: a header, one subject's length, and words that have no place, or one place only.
 
 use super::Complaint;
 use super::rust_source::{RustSource, word_positions};
-use crate::repository;
+use crate::repository::rows;
 
 const LONGEST_FILE: usize = 600;
 
-/// Macros and attributes that must not be committed.
-const REFUSED_CODE: [&str; 4] = ["todo!", "unimplemented!", "dbg!", "#[ignore"];
+/// Words of code that are refused in some places.
+const RULES: &str = include_str!("../../tidy/refused_words.txt");
 
-/// Only the command line opens files, reads the clock and the environment, or ends the process.
-const SIDE_EFFECTS: [&str; 7] =
-    ["std::fs", "std::env", "std::process", "std::net", "SystemTime", "Instant", "std::io::stdin"];
-
-/// Where text from outside is handled: a panic there could be reached by input.
-const NEAR_INPUT: [&str; 7] = [
-    "src/cli",
-    "src/main.rs",
-    "src/scene",
-    "src/report",
-    "src/archive",
-    "crates/plot/src/table",
-    "crates/algebra/src/number/decimal.rs",
-];
-
-/// The one place for `unsafe`: the dispatch to a function compiled for the machine's vector unit.
-const UNSAFE_ALLOWED: &str = "crates/core/src/stability/batch";
+/// The source folders of the program's own packages.
+const PROGRAM: [&str; 4] = ["crates/algebra/src/", "crates/core/src/", "crates/plot/src/", "src/"];
 
 /// Checks all rules of this file.
 pub fn check(source: &RustSource, found: &mut Vec<Complaint>) {
-    check_header(source, found);
-    check_length(source, found);
-    check_refused_code(source, found);
-    if repository::is_product(&source.file.path) {
-        check_panics(source, found);
-        check_side_effects(source, found);
-        check_unsafe(source, found);
-        check_claims(source, found);
-    }
-}
-
-fn check_header(source: &RustSource, found: &mut Vec<Complaint>) {
+    let path = source.file.path.as_str();
     if !source.file.text.starts_with("//!") {
         found.push(source.file.complaint(1, "a file starts with `//!` and its one subject"));
     }
-}
-
-fn check_length(source: &RustSource, found: &mut Vec<Complaint>) {
     let lines = source.file.text.lines().count();
     if lines > LONGEST_FILE {
         let message = format!("{lines} lines (at most {LONGEST_FILE}): split by subject");
         found.push(source.file.complaint(0, message));
     }
-}
-
-fn check_refused_code(source: &RustSource, found: &mut Vec<Complaint>) {
-    for (number, code, _) in source.lines() {
-        for refused in REFUSED_CODE {
-            if code.match_indices(refused).any(|(at, _)| !code[..at].ends_with(|c: char| c.is_alphanumeric()))
+    let is_program = PROGRAM.iter().any(|folder| path.starts_with(folder));
+    let is_in = |places: &str| {
+        let is_below = |place| place == "*" || path.starts_with(place) || place == "program" && is_program;
+        places.split(' ').any(is_below)
+    };
+    for [words, places, except, tests, message] in rows(RULES) {
+        if !is_in(places) || is_in(except) {
+            continue;
+        }
+        for (number, code, _) in source.lines() {
+            let is_checked = tests == "with tests" || !source.is_test_line(number);
+            for word in
+                words.split(' ').filter(|word| is_checked && word_positions(code, word).next().is_some())
             {
-                found.push(source.file.complaint(number, format!("`{refused}` must not be committed")));
+                found.push(source.file.complaint(number, format!("`{word}`: {message}")));
             }
         }
     }
-}
-
-fn check_panics(source: &RustSource, found: &mut Vec<Complaint>) {
-    let near_input = NEAR_INPUT.iter().any(|part| source.file.path.starts_with(part));
-    for (number, code, _) in source.lines_outside_tests() {
-        if code.contains(".unwrap()") {
-            found.push(
-                source.file.complaint(number, "`.unwrap()` outside tests: handle it, or `expect` a reason"),
-            );
-        }
-        if near_input && [".expect(", "panic!(", "unreachable!("].iter().any(|panic| code.contains(panic)) {
-            found.push(source.file.complaint(number, "a panic that input could reach: return an error"));
-        }
-    }
-}
-
-fn check_side_effects(source: &RustSource, found: &mut Vec<Complaint>) {
-    let path = &source.file.path;
-    if path.starts_with("src/cli/") || path == "src/main.rs" {
-        return;
-    }
-    for (number, code, _) in source.lines_outside_tests() {
-        for effect in SIDE_EFFECTS {
-            if word_positions(code, effect).next().is_some() {
-                let message = format!("`{effect}` belongs to `cli`, the only floor that touches the world");
-                found.push(source.file.complaint(number, message));
-            }
-        }
-    }
-}
-
-fn check_unsafe(source: &RustSource, found: &mut Vec<Complaint>) {
-    if source.file.path.starts_with(UNSAFE_ALLOWED) {
-        return;
-    }
-    for (number, code, _) in source.lines() {
-        if word_positions(code, "unsafe").next().is_some() {
-            found.push(source.file.complaint(number, format!("`unsafe` is for {UNSAFE_ALLOWED} only")));
-        }
+    if is_program {
+        check_claims(source, found);
+        check_equations(source, found);
     }
 }
 
@@ -114,6 +56,25 @@ fn check_claims(source: &RustSource, found: &mut Vec<Complaint>) {
         if starts.into_iter().any(|at| is_claim(&text[at..])) {
             let message =
                 "the program knows no claim: its words, criterion and procedure stand in claims.toml";
+            found.push(source.file.complaint(number, message));
+        }
+    }
+}
+
+/// Whether a text cites an equation of the first paper by its number. A comment may: it says where a formula comes from.
+fn check_equations(source: &RustSource, found: &mut Vec<Complaint>) {
+    for (number, _, text) in source.lines_outside_tests() {
+        let text = text.split("//").next().unwrap_or_default().to_lowercase();
+        let after = |mark: &str| {
+            let is_cited = |(at, _): (usize, &str)| {
+                let is_whole = !text[..at].ends_with(|c: char| c.is_alphanumeric() || c == '_');
+                is_whole && text[at + mark.len()..].starts_with(|c: char| c.is_ascii_digit())
+            };
+            text.match_indices(mark).any(is_cited)
+        };
+        if ["eq ", "eqs ", "equation ", "equations "].into_iter().any(after) {
+            let message =
+                "the program knows no number of an equation: texts name its role in braces (`scene::cited`)";
             found.push(source.file.complaint(number, message));
         }
     }
@@ -151,7 +112,8 @@ mod tests {
 
     #[test]
     fn unfinished_code_is_refused_in_tests_too() {
-        for refused in REFUSED_CODE {
+        let [refused, ..]: [&str; 5] = rows(RULES).next().unwrap();
+        for refused in refused.split(' ') {
             let bad = format!("//!\nfn f() {{ {refused}() }}");
             assert_eq!(complaints("tests/suite/a.rs", &bad), [2], "{bad}");
         }
@@ -174,6 +136,12 @@ mod tests {
     }
 
     #[test]
+    fn report_has_no_floating_point_type() {
+        assert_eq!(complaints("src/report/view.rs", "//!\nfn f(x: &str) {}\nfn g(x: f64) {}"), [3]);
+        assert_eq!(complaints("src/table/view.rs", "//!\nfn g(x: f64) {}"), [0; 0]);
+    }
+
+    #[test]
     fn unsafe_has_one_place() {
         let code = "//!\nfn f() { unsafe { g() } }\n";
         assert_eq!(complaints("crates/core/src/number/dd.rs", code), [2]);
@@ -182,6 +150,14 @@ mod tests {
             complaints("crates/core/src/number/dd.rs", "//! unsafe\n#![forbid(unsafe_code)]\n"),
             [0; 0]
         );
+    }
+
+    #[test]
+    fn an_equation_is_cited_by_its_number_in_comments_and_tests_only() {
+        let bad = "//! Eq 8.\nconst A: &str = \"Eqs 15 and 16\";\nconst B: &str = \"by eq 8\"; // eq 9\n";
+        assert_eq!(complaints("src/cli/a.rs", bad), [2, 3]);
+        let good = "//! Subject.\nconst A: &str = \"{characteristic} of eq15\"; // eq 9\n#[cfg(test)]\nmod tests { const A: &str = \"eq 8\"; }\n";
+        assert_eq!(complaints("src/cli/a.rs", good), Vec::<usize>::new());
     }
 
     #[test]

@@ -64,11 +64,13 @@ impl<'a> RustSource<'a> {
 
 const TEST_MARKER: &str = "#[cfg(test)]";
 
-/// Byte positions of a word in code, where neither neighbour continues the identifier.
+/// Byte positions of a word in code, where neither neighbour continues an identifier of the word.
 pub fn word_positions<'a>(code: &'a str, word: &'a str) -> impl Iterator<Item = usize> + 'a {
     let is_part = |c: char| c.is_alphanumeric() || c == '_';
     code.match_indices(word).map(|(position, _)| position).filter(move |position| {
-        !code[..*position].ends_with(is_part) && !code[position + word.len()..].starts_with(is_part)
+        let (before, after) = (&code[..*position], &code[position + word.len()..]);
+        let (begins_inside, ends_inside) = (before.ends_with(is_part), after.starts_with(is_part));
+        !(begins_inside && word.starts_with(is_part) || ends_inside && word.ends_with(is_part))
     })
 }
 
@@ -117,8 +119,9 @@ fn blank(text: &str) -> String {
 
 /// The length in bytes of the comment or literal that `rest` begins with, if any.
 fn literal_length(rest: &str, previous: Option<char>) -> Option<usize> {
+    let up_to = |end: Option<usize>| Some(end.unwrap_or(rest.len()));
     if rest.starts_with("//") {
-        return Some(rest.find('\n').unwrap_or(rest.len()));
+        return up_to(rest.find('\n'));
     }
     if rest.starts_with("/*") {
         return Some(block_comment_length(rest));
@@ -126,29 +129,35 @@ fn literal_length(rest: &str, previous: Option<char>) -> Option<usize> {
     if rest.starts_with('"') {
         return Some(quoted_length(rest, '"'));
     }
-    let in_word = previous.is_some_and(|c| c.is_alphanumeric() || c == '_');
-    if rest.starts_with('\'') {
-        return character_length(rest);
+    if let Some(inside) = rest.strip_prefix('\'') {
+        // A lifetime has no second quotation mark.
+        let is_character = inside.starts_with('\\') || inside.chars().nth(1) == Some('\'');
+        return is_character.then(|| quoted_length(rest, '\''));
     }
-    if in_word { None } else { raw_string_length(rest) }
+    if previous.is_some_and(|c| c.is_alphanumeric() || c == '_') {
+        return None;
+    }
+    let raw = ["br", "cr", "r"].iter().find_map(|prefix| rest.strip_prefix(prefix))?;
+    let inside = raw.trim_start_matches('#').strip_prefix('"')?;
+    let close = format!("\"{}", "#".repeat(raw.len() - inside.len() - 1));
+    up_to(inside.find(&close).map(|end| rest.len() - inside.len() + end + close.len()))
 }
 
 fn block_comment_length(rest: &str) -> usize {
     let (mut depth, mut position) = (0_u32, 0);
     while position < rest.len() {
-        let here = &rest.as_bytes()[position..];
-        if here.starts_with(b"/*") {
-            depth += 1;
-            position += 2;
-        } else if here.starts_with(b"*/") {
-            depth -= 1;
-            position += 2;
-            if depth == 0 {
-                return position;
+        position += match &rest.as_bytes()[position..] {
+            [b'*', b'/', ..] if depth == 1 => return position + 2,
+            [b'*', b'/', ..] => {
+                depth -= 1;
+                2
             }
-        } else {
-            position += 1;
-        }
+            [b'/', b'*', ..] => {
+                depth += 1;
+                2
+            }
+            _ => 1,
+        };
     }
     rest.len()
 }
@@ -156,37 +165,12 @@ fn block_comment_length(rest: &str) -> usize {
 fn quoted_length(rest: &str, quote: char) -> usize {
     let mut escaped = false;
     for (position, character) in rest.char_indices().skip(1) {
-        match character {
-            _ if escaped => escaped = false,
-            '\\' => escaped = true,
-            c if c == quote => return position + 1,
-            _ => {}
+        if character == quote && !escaped {
+            return position + 1;
         }
+        escaped = character == '\\' && !escaped;
     }
     rest.len()
-}
-
-/// A character literal's length; `None` for a lifetime.
-fn character_length(rest: &str) -> Option<usize> {
-    let mut characters = rest.char_indices().skip(1);
-    let (_, first) = characters.next()?;
-    let (position, second) = characters.next()?;
-    match (first, second) {
-        ('\\', _) => Some(quoted_length(rest, '\'')),
-        (_, '\'') => Some(position + 1),
-        _ => None,
-    }
-}
-
-fn raw_string_length(rest: &str) -> Option<usize> {
-    let prefix = ["br", "cr", "r"].into_iter().find(|prefix| rest.starts_with(prefix))?;
-    let hashes = rest[prefix.len()..].bytes().take_while(|byte| *byte == b'#').count();
-    let open = prefix.len() + hashes + 1;
-    if rest.as_bytes().get(open - 1) != Some(&b'"') {
-        return None;
-    }
-    let close = format!("\"{}", "#".repeat(hashes));
-    Some(rest[open..].find(&close).map_or(rest.len(), |end| open + end + close.len()))
 }
 
 #[cfg(test)]

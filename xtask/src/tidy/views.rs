@@ -1,22 +1,6 @@
-//! Views hold strings: no numbers are computed in `report` or in a template.
+//! Templates hold strings: no numbers are computed in them.
 
-use super::rust_source::{RustSource, word_positions};
 use super::{Complaint, TextFile};
-
-const FLOAT_TYPES: [&str; 2] = ["f64", "f32"];
-
-/// Complains about floating-point types in `report` outside tests: who has none computes with none.
-pub fn check_report(source: &RustSource, found: &mut Vec<Complaint>) {
-    if !source.file.path.starts_with("src/report") {
-        return;
-    }
-    for (number, code, _) in source.lines_outside_tests() {
-        if FLOAT_TYPES.iter().any(|float| word_positions(code, float).next().is_some()) {
-            found
-                .push(source.file.complaint(number, "`report` gets strings; numbers are formatted below it"));
-        }
-    }
-}
 
 /// Complains about arithmetic between the delimiters of a template.
 pub fn check_template(file: &TextFile, found: &mut Vec<Complaint>) {
@@ -58,7 +42,6 @@ fn has_arithmetic(inside: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::tidy::lines_of;
 
     fn template(text: &str) -> Vec<usize> {
         let file = TextFile { path: "templates/a.html".into(), text: text.into() };
@@ -75,11 +58,5 @@ mod tests {
         for bad in ["\n{{ a * b }}", "\n{{ loop.index0 + 1 }}", "\n{% set x = a-b %}", "\n{%- if a / b -%}"] {
             assert_eq!(template(bad), [2], "{bad}");
         }
-    }
-
-    #[test]
-    fn report_has_no_floating_point_type() {
-        assert_eq!(lines_of("src/report/view.rs", "fn f(x: &str) {}\nfn g(x: f64) {}", check_report), [2]);
-        assert_eq!(lines_of("src/table/view.rs", "fn g(x: f64) {}", check_report), [0; 0]);
     }
 }

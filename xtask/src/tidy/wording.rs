@@ -2,36 +2,10 @@
 
 use super::rust_source::{RustSource, word_positions};
 use super::{Complaint, TextFile};
+use crate::repository::rows;
 
 /// Private words, each with the words that readers know.
-const PRIVATE: [(&str, &str); 26] = [
-    ("lap", "cycle or return"),
-    ("laps", "cycles or returns"),
-    ("rung", "precision level"),
-    ("rungs", "precision levels"),
-    ("ladder", "precision levels"),
-    ("sight", "section crossing"),
-    ("plunge", "arrest"),
-    ("plunges", "arrests"),
-    ("exhibit", "figures and tables"),
-    ("exhibits", "figures and tables"),
-    ("bless", "accept"),
-    ("blessed", "accepted"),
-    ("judge", "validator"),
-    ("judges", "validators"),
-    ("chore", "task"),
-    ("chores", "tasks"),
-    ("doubts", "warnings"),
-    ("told", "reported"),
-    ("asked for", "requested"),
-    ("asks for", "requests"),
-    ("held against", "compared with"),
-    ("holes", "failed runs"),
-    ("stated error", "estimated error"),
-    ("stated errors", "estimated errors"),
-    ("late behaviour", "long-term behaviour"),
-    ("somebody", "the user, or who it is"),
-];
+const PRIVATE: &str = include_str!("../../tidy/private_words.txt");
 
 /// Folders and files whose every sentence is for readers.
 const READ: [&str; 8] = [
@@ -76,7 +50,7 @@ fn words_of(code: &str, text: &str) -> String {
 
 fn complain(file: &TextFile, line_number: usize, line: &str, found: &mut Vec<Complaint>) {
     let prose = line.split('`').step_by(2).collect::<Vec<_>>().join("`").to_lowercase();
-    for (private, plain) in PRIVATE.iter().filter(|(private, _)| has_words(&prose, private)) {
+    for [private, plain] in rows(PRIVATE).filter(|[private, _]| has_words(&prose, private)) {
         found.push(file.complaint(line_number, format!("`{private}` is a private word: write {plain}")));
     }
 }
@@ -102,7 +76,7 @@ mod tests {
 
     #[test]
     fn private_words_are_refused_where_they_are_read() {
-        for (private, _) in PRIVATE {
+        for [private, _] in rows(PRIVATE) {
             let text = format!("ok\nA {private}, as one says.\n");
             for path in ["README.md", "docs/evidence/a.md", "reports/a/prose/b.md", "templates/report.html"] {
                 assert!(complaints(path, &text).contains(&2), "{path}: {private}");

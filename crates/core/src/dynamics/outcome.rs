@@ -163,6 +163,12 @@ impl Outcome {
         peak_and_period(&self.long_term, self.start).0
     }
 
+    /// Estimated relative error of the peak velocity.
+    #[must_use]
+    pub const fn peak_relative_error(&self) -> f64 {
+        self.peak_relative_error
+    }
+
     /// Accepted and refused steps of all runs.
     #[must_use]
     pub const fn steps(&self) -> u64 {

@@ -18,17 +18,6 @@ slipmode_algebra::named! {
     }
 }
 
-impl EvolutionLaw {
-    /// The number of the law's equation in the paper.
-    #[must_use]
-    pub const fn equation(self) -> &'static str {
-        match self {
-            Self::Aging => "2",
-            Self::Slip => "3",
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,55 +1,70 @@
-//! How wrong the asymptotes are: relative errors of eqs 15, 16, 18 and 20 as power series, derived to any order.
+//! How wrong the asymptotes are: relative errors of the four asymptotes of the boundary as power series, derived to any order.
 //!
-//! Two ways that share only eq 8: along the boundary's parametrisation by its double root, and by checking that the
-//! series makes the discriminant of eq 8 vanish to the same order (the proof's certificate).
+//! Two ways that share only the characteristic equation: along the boundary's parametrisation by its double root, and by checking that the
+//! series makes its discriminant vanish to the same order (the proof's certificate).
 
 use super::boundary::{Curve, cubic_discriminant, curve};
 use super::notation::{formula, given_nonzero, in_groups, rational};
-use super::{Equation, Equations};
+use super::{Equation, Equations, Role};
 use slipmode_algebra::{
     Certificate, Domain, Expression, Polynomial, Proof, RationalFunction, Refutation, Relation, Series,
     Symbol,
 };
 
+/// The equations from which the series are derived.
+pub const EQUATIONS: [Role; 5] = [
+    Role::Characteristic,
+    Role::QuasiStaticUpper,
+    Role::QuasiStaticLower,
+    Role::InertialUpper,
+    Role::InertialLower,
+];
+
 /// The relative error (exact boundary)/(asymptote) − 1 of one asymptote as a power series.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct AsymptoteSeries {
     /// The number of the asymptote's equation.
-    pub equation: &'static str,
-    /// What is compared: `sigma` at the same V0 (eqs 15, 16), `V_0` at the same σ (eqs 18, 20).
+    pub equation: String,
+    /// What is compared: `sigma` at the same V0 (asymptotes at low velocity), `V_0` at the same σ (at high velocity).
     pub quantity: &'static str,
     /// The small variable in words: η or κ at the exact boundary, or 1/κ.
     pub variable: &'static str,
-    /// Coefficients by ascending power, the first zero; in w = √β for eqs 15 and 16, in β for eqs 18 and 20.
+    /// Coefficients by ascending power, the first zero; in w = √β for `sigma`, in β for `V_0`.
     pub coefficients: Vec<Expression>,
     /// That the coefficients solve the discriminant's equation, and no other series does.
     pub proof: Proof,
 }
 
-/// The series of eqs 15, 16, 18 and 20 up to the power `order`.
+/// The series of the four asymptotes up to the power `order`.
 ///
 /// # Errors
-/// When an equation is no asymptote of the boundary of eq 8.
+/// When an equation is no asymptote of the boundary.
 pub fn derive(equations: &Equations, order: usize) -> Result<Vec<AsymptoteSeries>, Refutation> {
     let curve = curve(equations)?;
     let length = order + 1;
-    let quasi_static = |number| quasi_static(equations, &curve, number, length);
-    let inertial = |number| inertial(equations, &curve, number, length);
-    Ok(vec![quasi_static("15")?, quasi_static("16")?, inertial("18")?, inertial("20")?])
+    let quasi_static = |role| quasi_static(equations, &curve, role, length);
+    let inertial = |role| inertial(equations, &curve, role, length);
+    Ok(vec![
+        quasi_static(Role::QuasiStaticUpper)?,
+        quasi_static(Role::QuasiStaticLower)?,
+        inertial(Role::InertialUpper)?,
+        inertial(Role::InertialLower)?,
+    ])
 }
 
-/// Eqs 15 and 16: σ_exact/σ_asymptote − 1 in η, at the same V0; β = w².
+/// At low velocity: σ_exact/σ_asymptote − 1 in η, at the same V0; β = w².
 fn quasi_static(
     equations: &Equations,
     curve: &Curve,
-    number: &'static str,
+    role: Role,
     length: usize,
 ) -> Result<AsymptoteSeries, Refutation> {
+    let [number] = equations.numbers([role]);
     let proof = series_proof(number, "σ_exact/σ_asymptote − 1 in x = η at the same V0, β = w²");
     let domain = given_nonzero(Domain::positive("w kappa"), &["w - 1"], &[("w", "2")]);
     let domain = domain.with("beta", formula("w^2"));
     // With σ = 1 the right side is σ_asymptote/σ, which is κ/κ_asymptote.
-    let ratio = rational(&proof, &[number], &in_groups(&equations.right(number)), &domain)?;
+    let ratio = rational(&proof, &[number], &in_groups(&equations.right(role)), &domain)?;
     let slope = ratio.derivative(&Symbol::from("kappa"));
     let level = RationalFunction::from(1)
         .checked_div(&slope)
@@ -65,25 +80,26 @@ fn quasi_static(
         let error = error.times(&Series::constant(level.clone(), length)).plus(&minus_one(length));
         error.coefficients()[0].is_zero().then_some(error)
     });
-    let error = error.ok_or_else(|| no_asymptote(&proof, number))?;
+    let error = error.ok_or_else(|| no_asymptote(&proof, equations, role))?;
     let relation = Expression::from(&cubic_discriminant(equations)?)
         .with("beta", &formula("w^2"))
         .with("eta", &formula("x"))
         .with("kappa", &(Expression::from(&level) / formula("1 + y")));
-    finish(proof, equations, number, ("sigma", "eta"), &relation, &error, Domain::default())
+    finish(proof, equations, role, ("sigma", "eta"), &relation, &error, Domain::default())
 }
 
-/// Eqs 18 and 20: V_exact/V_asymptote − 1 in κ or 1/κ, at the same σ.
+/// At high velocity: V_exact/V_asymptote − 1 in κ or 1/κ, at the same σ.
 fn inertial(
     equations: &Equations,
     curve: &Curve,
-    number: &'static str,
+    role: Role,
     length: usize,
 ) -> Result<AsymptoteSeries, Refutation> {
-    let small = number == "18";
+    let [number, cubic] = equations.numbers([role, Role::Characteristic]);
+    let small = role == Role::InertialUpper;
     let says = if small { "x = κ" } else { "x = 1/κ" };
     let proof = series_proof(number, &format!("V_exact/V_asymptote − 1 in {says} at the same σ"));
-    let square = ratio_squared(&proof, equations, number)?;
+    let square = ratio_squared(&proof, equations, role)?;
     let place = if small { formula("r") } else { formula("1/r") };
     let [eta, kappa] = [&curve.inertial_parameter, &curve.stiffness_group]
         .map(|function| Expression::from(function).with("r", &place));
@@ -94,11 +110,11 @@ fn inertial(
         .with("kappa", kappa);
     let variable = if small { formula("kappa") } else { formula("1/kappa") };
     let [variable, along_curve] =
-        [rational(&proof, &["8"], &variable, &on_curve)?, rational(&proof, &[number], &square, &on_curve)?];
+        [rational(&proof, &[cubic], &variable, &on_curve)?, rational(&proof, &[number], &square, &on_curve)?];
     let error = inverse_series(&variable, RationalFunction::from(0), length)
         .and_then(|root| along(&along_curve, &root)?.square_root())
         .map(|ratio| ratio.plus(&minus_one(length)))
-        .ok_or_else(|| no_asymptote(&proof, number))?;
+        .ok_or_else(|| no_asymptote(&proof, equations, role))?;
     let (kappa, inverse) =
         if small { (formula("x"), formula("1/x")) } else { (formula("1/x"), formula("x")) };
     // V²/V_asymptote² is proportional to η κ, so η is (1 + y)² divided by its factor and by κ.
@@ -110,7 +126,7 @@ fn inertial(
     finish(
         proof,
         equations,
-        number,
+        role,
         ("V_0", if small { "kappa" } else { "1/kappa" }),
         &relation,
         &error,
@@ -119,12 +135,9 @@ fn inertial(
 }
 
 /// (V0/V_asymptote)² in groups, the same for a < b and a > b.
-fn ratio_squared(
-    proof: &Proof,
-    equations: &Equations,
-    number: &'static str,
-) -> Result<Expression, Refutation> {
-    let ratio = in_groups(&velocity_ratio(equations.equation(number)).power(2));
+fn ratio_squared(proof: &Proof, equations: &Equations, role: Role) -> Result<Expression, Refutation> {
+    let [number] = equations.numbers([role]);
+    let ratio = in_groups(&velocity_ratio(equations.with_role(role)).power(2));
     let positive = "eta kappa d";
     let case = |beta: &str, distance: &str| {
         let square =
@@ -145,10 +158,10 @@ fn series_proof(number: &str, what: &str) -> Proof {
     Proof::new(&format!("asymptote-series-{number}"), format!("Relative error of eq {number}: {what}."))
 }
 
-fn no_asymptote(proof: &Proof, number: &str) -> Refutation {
+fn no_asymptote(proof: &Proof, equations: &Equations, role: Role) -> Refutation {
     proof.refute(
         "the equation is an asymptote of the boundary",
-        &["8", number],
+        &equations.numbers([Role::Characteristic, role]),
         "the relative error does not tend to zero",
     )
 }
@@ -182,7 +195,7 @@ fn minus_one(length: usize) -> Series {
 fn finish(
     proof: Proof,
     equations: &Equations,
-    number: &'static str,
+    role: Role,
     (quantity, variable): (&'static str, &'static str),
     relation: &Expression,
     error: &Series,
@@ -190,7 +203,8 @@ fn finish(
 ) -> Result<AsymptoteSeries, Refutation> {
     // The small variable is positive, and so is the ratio 1 + y of exact value and asymptote.
     let positive = given_nonzero(Domain::positive("x w"), &["1 + y", "beta - 1"], &[]);
-    let relation = without_powers(&rational(&proof, &["8"], relation, &positive)?);
+    let [cubic, number] = equations.numbers([Role::Characteristic, role]);
+    let relation = without_powers(&rational(&proof, &[cubic], relation, &positive)?);
     let coefficients: Vec<Expression> = error.coefficients().iter().map(with_short_denominator).collect();
     let certificate = Certificate::Series {
         relation: Expression::from(&relation),
@@ -203,13 +217,13 @@ fn finish(
         .certify(
             &format!(
                 "the error y of \"{}\", derived along the boundary's parametrisation by its double root, makes the \
-                 discriminant of eq 8 vanish to every power given",
-                equations.equation(number)
+                 discriminant of eq {cubic} vanish to every power given",
+                equations.with_role(role)
             ),
-            &["8", number],
+            &[cubic, number],
             certificate,
         )?;
-    Ok(AsymptoteSeries { equation: number, quantity, variable, coefficients, proof })
+    Ok(AsymptoteSeries { equation: number.to_owned(), quantity, variable, coefficients, proof })
 }
 
 /// The coefficient as an expression, a denominator that is a power of β − 1 written as one.
@@ -233,7 +247,7 @@ fn without_powers(function: &RationalFunction) -> Polynomial {
     kept.fold(Polynomial::zero(), |sum, coefficient| &(&sum * &Polynomial::variable("x")) + &coefficient)
 }
 
-/// left/right of an equation "ratio = 1": for eqs 18 and 20 the ratio of V0 to the velocity at which they hold.
+/// left/right of an equation "ratio = 1": the ratio of V0 to the velocity at which it holds.
 fn velocity_ratio(equation: &Equation) -> Expression {
     equation.left.clone() / equation.right.clone()
 }

@@ -1,7 +1,7 @@
 //! Whether both sides of an equation have a value.
 //!
-//! An equation in positive a and b may speak of a < b or of a > b only, as eqs 12 and 13 do: it must have a value for all positive
-//! quantities of one of the two cases at least. The proofs state which case they are about. Other conditions are written beside it.
+//! An equation in positive a and b, the direct and the evolution effect, may speak of a < b or of a > b only, as eqs 12 and 13 do: it
+//! must have a value for all positive quantities of one of the two cases at least. The proofs state which case they are about. Other conditions are written beside it.
 
 use super::notation::formula;
 use super::reading::Assumed;
@@ -15,15 +15,19 @@ const LARGEST: Extent = Extent { terms: 16, degree: 24, bits: 4096 };
 /// # Errors
 /// With the column: text outside the grammar, what has no value, and what is too large.
 pub(super) fn read(text: &str, given: &[Condition], assumed: &Assumed<'_>) -> Result<Expression, String> {
-    let Assumed { domain, functions } = *assumed;
+    let Assumed { domain, functions, effects } = *assumed;
     let (expression, demands) = Expression::read_in(text, functions).map_err(|error| error.to_string())?;
     expression.check_extent(LARGEST).map_err(|error| format!("column 1: {error}"))?;
     let add = |domain: Domain, one: &Condition| domain.given(one.expression.clone(), one.relation);
     let all = given.iter().fold(domain.clone(), add);
-    let case = |text: &str| all.clone().given(formula(text), Relation::Positive);
-    let has_effects = ["a", "b"].iter().all(|name| domain.is_positive(&Symbol::from(*name)));
+    let named = effects.and_then(|[a, b]| Some([a.parse().ok()?, b.parse().ok()?]));
+    let named = named.filter(|names: &[Symbol; 2]| names.iter().all(|name| domain.is_positive(name)));
+    let case = |greater: &Symbol, less: &Symbol| {
+        let [greater, less] = [greater, less].map(|name| Expression::Variable(name.clone()));
+        all.clone().given(greater - less, Relation::Positive)
+    };
     let mut cases = vec![all.clone()];
-    cases.extend(has_effects.then(|| ["b - a", "a - b"].map(case)).into_iter().flatten());
+    cases.extend(named.iter().flat_map(|[a, b]| [case(b, a), case(a, b)]));
     let met = |demand: &Demand, case: &Domain| {
         case.proves(&demand.condition) == Ok(true) || case.proves_in_some_form(&demand.condition).is_some()
     };
@@ -32,8 +36,8 @@ pub(super) fn read(text: &str, given: &[Condition], assumed: &Assumed<'_>) -> Re
     }
     let never = demands.iter().find(|demand| !cases.iter().any(|case| met(demand, case)));
     let unmet = never.or_else(|| demands.iter().find(|demand| !met(demand, &all)));
-    let tried = if has_effects { ", and a < b or a > b" } else { "" };
-    unmet.map_or(Ok(expression), |demand| Err(message(demand, &all, tried)))
+    let tried = named.map_or_else(String::new, |[a, b]| format!(", and {a} < {b} or {a} > {b}"));
+    unmet.map_or(Ok(expression), |demand| Err(message(demand, &all, &tried)))
 }
 
 /// What of the demands of a definition is not met: it uses names, which are resolved. A logarithm or an absolute value that stays

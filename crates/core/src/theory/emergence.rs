@@ -1,8 +1,8 @@
-//! The velocity of eq 18 or 20 and the normal stress of eq 16 in numbers, from the equations as the report states them.
+//! The velocity of an asymptote in numbers, from the equations as the report states them.
 
 use std::collections::BTreeMap;
 
-use super::Equations;
+use super::{Equations, Role};
 use crate::friction::Slider;
 use crate::number::{Ball, Rational};
 use slipmode_algebra::Symbol;
@@ -13,7 +13,7 @@ use slipmode_algebra::Symbol;
 #[must_use]
 pub fn velocity_of(
     equations: &Equations,
-    number: &str,
+    role: Role,
     slider: &Slider<Rational>,
     normal_stress_pa: &Rational,
     precision_bits: u32,
@@ -22,7 +22,7 @@ pub fn velocity_of(
     let ratio_at = |velocity: Ball| {
         let mut values = of_slider(slider, precision_bits);
         values.extend([("sigma", ball(normal_stress_pa)), ("V_0", velocity)].map(named));
-        let equation = equations.equation(number);
+        let equation = equations.with_role(role);
         let left = equation.left.enclosed(&values, precision_bits)?;
         Some(left / equation.right.enclosed(&values, precision_bits)?)
     };
@@ -30,16 +30,6 @@ pub fn velocity_of(
     let velocity = one() / ratio_at(one())?;
     let met = ratio_at(velocity.clone())?;
     (met.overlaps(&one()) && velocity.lower() > 0).then_some(velocity)
-}
-
-/// σ in Pa that eq 16 gives for a slider, evaluated as the report states the equation; none when it contains other quantities.
-#[must_use]
-pub fn normal_stress_of_eq_16(
-    equations: &Equations,
-    slider: &Slider<Rational>,
-    precision_bits: u32,
-) -> Option<Ball> {
-    equations.right("16").enclosed(&of_slider(slider, precision_bits), precision_bits)
 }
 
 /// The slider's quantities by their symbols.
@@ -72,7 +62,7 @@ mod tests {
             Rational::from(10_000_000),
             Rational::from(1000),
         ]);
-        velocity_of(&equations, "20", &slider, &Rational::from(1000), 128)
+        velocity_of(&equations, Role::InertialLower, &slider, &Rational::from(1000), 128)
     }
 
     #[test]

@@ -6,6 +6,7 @@ use std::sync::{Arc, LazyLock};
 use super::definitions::{self, Rest};
 use super::names::Names;
 use super::reading::{self, Assumed, DefinitionText, EquationsText, FunctionText, SystemText};
+use super::roles::{self, Quantities, Role};
 use super::stated_proofs::StatedProofs;
 use slipmode_algebra::{Condition, Domain, Expression, within_budget};
 
@@ -27,6 +28,8 @@ pub struct Equation {
     pub note: String,
     /// What it is stated for, besides the assumptions of the file.
     pub given: Vec<Condition>,
+    /// What it is: procedures find it so.
+    pub role: Option<Role>,
 }
 
 impl Equation {
@@ -70,6 +73,12 @@ pub struct EquationFault {
     pub message: String,
 }
 
+impl fmt::Display for EquationFault {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(formatter, "{}: {}", self.key, self.message)
+    }
+}
+
 /// All faults of a file of equations at once.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct EquationsError {
@@ -79,9 +88,9 @@ pub struct EquationsError {
 
 impl fmt::Display for EquationsError {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (index, EquationFault { key, message }) in self.faults.iter().enumerate() {
+        for (index, fault) in self.faults.iter().enumerate() {
             let separator = if index > 0 { "\n" } else { "" };
-            write!(formatter, "{separator}{key}: {message}")?;
+            write!(formatter, "{separator}{fault}")?;
         }
         Ok(())
     }
@@ -91,7 +100,8 @@ impl std::error::Error for EquationsError {}
 
 /// The equations of a paper, in the order of the file: any numbers, any variables.
 ///
-/// The procedures of this module are for one paper. They can start from equations that meet [`Equations::demand_paper`].
+/// The procedures of this module find an equation by its [`Role`], and take the variables in their own symbols
+/// ([`Equations::in_symbols`]).
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Equations {
     equations: Vec<Equation>,
@@ -99,6 +109,7 @@ pub struct Equations {
     domain: Domain,
     names: Arc<Names>,
     proofs: Arc<StatedProofs>,
+    quantities: Quantities,
 }
 
 /// What stands for an equation that is not there: it has no value, so that every step of a proof with it is refused.
@@ -112,6 +123,7 @@ static MISSING: LazyLock<Equation> = LazyLock::new(|| {
         printed: None,
         note,
         given: Vec::new(),
+        role: None,
     }
 });
 
@@ -138,19 +150,27 @@ impl Equations {
     }
 
     fn read_all(text: EquationsText) -> (Self, Vec<EquationFault>) {
-        let EquationsText { assumptions, equation, function, system, units, definition } = text;
+        let EquationsText { assumptions, equation, function, system, units, definition, quantities } = text;
         let mut faults = Vec::new();
         let functions = definitions::functions(&function);
         let domain = definitions::assumed(&assumptions, &functions).unwrap_or_else(|fault| {
             faults.push(fault);
             definitions::positive(&assumptions)
         });
-        let assumed = Assumed { domain: &domain, functions: &functions };
+        let (quantities, of_quantities) = Quantities::read(&quantities, &assumptions);
+        let assumed = Assumed { domain: &domain, functions: &functions, effects: quantities.effects() };
         let (equations, of_equations) = reading::read(equation, &assumptions.positive, &assumed);
+        // Without the quantities every variable would be told to be none of them.
+        let of_roles = match of_quantities.is_empty() {
+            true => roles::faults(&equations.iter().collect::<Vec<_>>(), &quantities),
+            false => of_quantities,
+        };
+        faults.extend(of_roles);
         let rest = Rest { assumptions, functions: function, systems: system, definitions: definition, units };
         let (names, of_names) = definitions::names(&rest, &equations, &domain);
         faults.extend(of_equations.into_iter().chain(of_names));
-        (Self { equations, rest, domain, names: Arc::new(names), proofs: Arc::default() }, faults)
+        let (names, proofs) = (Arc::new(names), Arc::default());
+        (Self { equations, rest, domain, names, proofs, quantities }, faults)
     }
 
     /// What the names of the file mean.
@@ -177,7 +197,16 @@ impl Equations {
         let rest = Rest { assumptions, functions, ..Rest::default() };
         let (names, _) = definitions::names(&rest, &equations, &self.domain);
         let (domain, proofs) = (self.domain.clone(), self.proofs.clone());
-        Self { equations, rest, domain, names: Arc::new(names), proofs }
+        let quantities = self.quantities.clone();
+        Self { equations, rest, domain, names: Arc::new(names), proofs, quantities }
+    }
+
+    /// The equations alone, with the variables in the symbols of the procedures.
+    #[must_use]
+    pub fn in_symbols(&self) -> Self {
+        let equations = self.equations.iter().map(|equation| self.quantities.in_symbols(equation)).collect();
+        let quantities = Quantities::of_symbols();
+        Self { equations, proofs: self.proofs.clone(), quantities, ..Self::default() }
     }
 
     /// The unit of a variable as stated.
@@ -238,14 +267,38 @@ impl Equations {
         &self.rest.systems
     }
 
-    /// The right side of the equation of this number.
-    pub(super) fn right(&self, number: &str) -> Expression {
-        self.equation(number).right.clone()
+    /// The equation with this role. One that is not there has no value: no step of a proof with it succeeds.
+    #[must_use]
+    pub fn with_role(&self, role: Role) -> &Equation {
+        self.iter().find(|equation| equation.role == Some(role)).unwrap_or_else(|| &MISSING)
     }
 
-    /// left − right of the equation of this number.
-    pub(super) fn residual(&self, number: &str) -> Expression {
-        self.equation(number).residual()
+    /// What is missing for a procedure that needs equations with these roles: a sentence for each.
+    #[must_use]
+    pub fn missing(&self, roles: &[Role]) -> Vec<String> {
+        let with_role = |role: &Role| self.iter().filter(|one| one.role == Some(*role)).collect::<Vec<_>>();
+        let missing = roles.iter().flat_map(|role| match &with_role(role)[..] {
+            [] => vec![format!("no equation has the role `{}`", role.as_str())],
+            some => {
+                roles::faults(some, &self.quantities).into_iter().map(|fault| fault.to_string()).collect()
+            }
+        });
+        missing.collect()
+    }
+
+    /// The right side of the equation with this role.
+    pub(super) fn right(&self, role: Role) -> Expression {
+        self.with_role(role).right.clone()
+    }
+
+    /// left − right of the equation with this role.
+    pub(super) fn residual(&self, role: Role) -> Expression {
+        self.with_role(role).residual()
+    }
+
+    /// The numbers of the equations with these roles.
+    pub(super) fn numbers<const COUNT: usize>(&self, roles: [Role; COUNT]) -> [&str; COUNT] {
+        roles.map(|role| self.with_role(role).number.as_str())
     }
 
     /// The same equations with one of them replaced: what a sabotaged claim is tested with.
@@ -259,7 +312,8 @@ impl Equations {
         let mut altered = self.clone();
         let known = altered.equations.iter_mut().find(|equation| equation.number == number);
         let known = known.ok_or_else(|| fault("there is no such equation".to_owned()))?;
-        let assumed = Assumed { domain: &self.domain, functions: &self.names.functions };
+        let (functions, effects) = (&self.names.functions, self.quantities.effects());
+        let assumed = Assumed { domain: &self.domain, functions, effects };
         *known = reading::read_again(known, text, &assumed).map_err(fault)?;
         let (names, faults) = definitions::names(&self.rest, &altered.equations, &self.domain);
         if !faults.is_empty() {
@@ -298,12 +352,28 @@ pub(super) mod tests {
         let library = crate::theory::stated_proofs::tests::library();
         let refused = library.prove("stability-transition", &equations).expect_err("eq 8 is missing");
         assert!(refused.remainder.ends_with("there is no equation for the name `residual_8`"), "{refused}");
-        let missing = equations.demand_paper().expect_err("nothing of the paper is there").to_string();
-        for part in
-            ["equation 8: is missing", "'theta' must be positive", "'L' is not a variable of the paper"]
-        {
-            assert!(missing.contains(part), "{part} is not in:\n{missing}");
-        }
+        let missing = library.missing("stability-transition", &equations);
+        assert!(
+            missing.contains(&"there is no equation for the name `residual_8`".to_owned()),
+            "{missing:?}"
+        );
+    }
+
+    #[test]
+    fn procedures_find_the_equations_by_their_roles_under_any_names() {
+        let swapped = FILE.replace("direct_effect = \"a\"", "direct_effect = \"b\"");
+        let swapped = swapped.replace("evolution_effect = \"b\"", "evolution_effect = \"a\"");
+        let equations = read(&swapped).expect("the same equations with other meanings");
+        let friction = equations.in_symbols().right(Role::Friction).to_string();
+        assert_eq!(friction, "mu_0 + b*ln(V/V_0) + a*ln(V_0*theta/D_c)");
+        assert_eq!(equations.missing(&Role::ALL), [""; 0]);
+        assert_eq!(
+            equations.only(&["1"]).missing(&[Role::Friction, Role::Motion]),
+            ["no equation has the role `motion`"]
+        );
+        // `a` is no quantity here, but the name of one.
+        let other = "[assumptions]\npositive = [\"A\", \"a\"]\n[quantities]\ndirect_effect = \"A\"\n[[equation]]\nnumber = \"1\"\nequation = \"f = A/a\"\n";
+        assert_eq!(read(other).expect("another paper").in_symbols().equation("1").to_string(), "f = a/own_a");
     }
 
     #[test]
@@ -311,21 +381,35 @@ pub(super) mod tests {
         let text = FILE
             .replace("number = \"3\"", "number = \"2\"")
             .replace("a/V_0*s^2 + (K/", "a/V_0*s^2 + (Q/")
-            .replace("number = \"16\"", "number = \"61\"")
+            .replace(
+                "number = \"20\"\nrole = \"inertial-lower\"",
+                "number = \"61\"\nrole = \"inertial-lower\"",
+            )
+            .replace("role = \"quasi-static-lower\"", "role = \"inertial-lower\"")
+            .replace("role = \"inertial-upper\"", "role = \"inertial-uper\"")
             .replace("sigma_c = K*D_c", "sigma = K*D_c")
             .replace("omega_n = sqrt(K/M)", "omega_n = sqrt(K/M");
-        let (equations, mut faults) = Equations::read_partly(toml::from_str(&text).expect("TOML"));
-        faults.extend(equations.demand_paper().expect_err("faults of the paper").faults);
+        let (_, faults) = Equations::read_partly(toml::from_str(&text).expect("TOML"));
         let error = EquationsError { faults }.to_string();
         for part in [
             "equation 2: occurs twice",
-            "equation 3: is missing",
-            "equation 14: left side: 'Q' is not a variable of the paper",
-            "equation 61: is not an equation of the paper",
-            "equation 12: the left side must be sigma_c, not sigma",
+            "equation 14: 'Q' is none of the `quantities`",
+            "equation 12: the left side of the equation with the role `critical-normal-stress` must be sigma_c, not sigma",
+            "equation 61: another equation has the role `inertial-lower`, too",
+            "equation 18: 'inertial-uper' is no role; did you mean `inertial-upper`?",
             "equation natural-frequency: right side 'sqrt(K/M', column 9: expected ')'",
         ] {
             assert!(error.contains(part), "{part} is not in:\n{error}");
         }
+        let text = FILE.replace("stiffness = \"K\"\nmass_per_area", "stiffness = \"k\"\nmas_per_area");
+        let error = read(&text).expect_err("two faults").to_string();
+        let found: Vec<&str> = error.lines().map(|line| line.split(" (").next().unwrap()).collect();
+        assert_eq!(
+            found,
+            [
+                "quantities.mas_per_area: no quantity of a procedure; did you mean `mass_per_area`?",
+                "quantities.stiffness: 'k' must be positive: procedures take it so",
+            ]
+        );
     }
 }

@@ -9,9 +9,9 @@ use std::collections::BTreeMap;
 
 use rug::Rational;
 
-use super::Equations;
 use super::boundary::solve_for_groups;
 use super::notation::{coefficients, cubic, formula, rational};
+use super::{Equations, Role};
 use crate::number::{Ball, Field};
 use slipmode_algebra::{
     Expression, IsolatingInterval, Polynomial, Proof, RationalFunction, Refutation, Symbol,
@@ -186,7 +186,8 @@ fn groups_of_pair(
     proof: &Proof,
     beta: &Rational,
 ) -> Result<[RationalFunction; 2], Refutation> {
-    let [c0, c1, c2, c3]: [Expression; 4] = coefficients(proof, &["8"], &cubic(equations), "p")?;
+    let cited = equations.numbers([Role::Characteristic]);
+    let [c0, c1, c2, c3]: [Expression; 4] = coefficients(proof, &cited, &cubic(equations), "p")?;
     let (two, three) = (Expression::integer(2), Expression::integer(3));
     let (x, w) = (formula("x"), formula("(u - (1 + x)^2)"));
     let square = || x.clone().power(2);
@@ -196,15 +197,15 @@ fn groups_of_pair(
         + c3.clone() * (x.clone().power(3) - three.clone() * x.clone() * w.clone());
     let imaginary = c1 + two * c2 * x.clone() + c3 * (three * square() - w);
     let beta = Expression::Number(beta.clone());
-    solve_for_groups(proof, [&real.with("beta", &beta), &imaginary.with("beta", &beta)])
+    solve_for_groups(proof, &cited, [&real.with("beta", &beta), &imaginary.with("beta", &beta)])
 }
 
 fn in_place(proof: &Proof, text: &str) -> Result<RationalFunction, Refutation> {
-    rational(proof, &["8"], &formula(text), &slipmode_algebra::Domain::default())
+    rational(proof, &[], &formula(text), &slipmode_algebra::Domain::default())
 }
 
 fn undecided(proof: &Proof, found: &str) -> Refutation {
-    proof.refute("the turning points of the frequency are counted", &["8"], found)
+    proof.refute("the turning points of the frequency are counted", &[], found)
 }
 
 /// A polynomial without the factors that do not contain the variable.

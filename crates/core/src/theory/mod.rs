@@ -5,12 +5,12 @@
 //! sign is refuted by name, with the exact remainder.
 //!
 //! ```
-//! use slipmode_core::theory::{AssumptionsText, EquationsText, Equations};
+//! use slipmode_core::theory::{AssumptionsText, EquationsText, Equations, Role};
 //!
-//! // The equations are input. A list without eq 1 is one of another paper: the procedures here cannot start from it.
+//! // The equations are input. A procedure finds those that it needs by their roles; here there are none.
 //! let text = EquationsText { assumptions: AssumptionsText { positive: vec!["K".into()], ..Default::default() }, ..Default::default() };
-//! let error = Equations::read(text).unwrap().demand_paper().unwrap_err();
-//! assert!(error.faults.iter().any(|fault| fault.key == "equation 1"), "{error}");
+//! let equations = Equations::read(text).unwrap();
+//! assert_eq!(equations.missing(&[Role::Friction]), ["no equation has the role `friction`"]);
 //! ```
 
 #[doc(hidden)]
@@ -30,14 +30,12 @@ pub mod frequency_turns;
 pub mod hopf;
 mod names;
 mod notation;
-mod paper;
-#[doc(hidden)]
-pub mod period;
 pub mod planar;
 mod reached;
 mod reading;
 #[doc(hidden)]
 pub mod regularised;
+mod roles;
 pub mod root_location;
 pub mod stated_proofs;
 #[doc(hidden)]
@@ -52,6 +50,7 @@ pub use equations::{Equation, EquationFault, Equations, EquationsError};
 pub use names::{Meaning, Names};
 pub use reached::{Start, without_layout};
 pub use reading::{AssumptionsText, DefinitionText, EquationText, EquationsText, FunctionText, SystemText};
+pub use roles::{QUANTITIES, Role};
 pub use units::Dimension;
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! Formulas and assumptions that the proofs share.
 
-use super::Equations;
 use super::root_location::polynomial_coefficients;
+use super::{Equations, Role};
 use slipmode_algebra::{
     Domain, Expression, Polynomial, Proof, RationalFunction, Refutation, Relation, Symbol, discriminant,
 };
@@ -69,7 +69,7 @@ pub(super) fn in_groups(expression: &Expression) -> Expression {
 
 /// Eq 8 in groups: F(p) = η p³ + (1 + η) p² + (κ + 1 − β) p + κ when eq 8 is right.
 pub(super) fn cubic(equations: &Equations) -> Expression {
-    in_groups(&equations.residual("8"))
+    in_groups(&equations.residual(Role::Characteristic))
 }
 
 /// The coefficients of a polynomial equation by ascending power of one variable.
@@ -100,18 +100,19 @@ const MAX_COEFFICIENT_TERMS: usize = 8;
 /// When it is no cubic, or too large.
 pub(super) fn discriminant_of_cubic(
     proof: &Proof,
+    cited: &[&str],
     expression: &Expression,
     variable: &'static str,
     domain: &Domain,
 ) -> Result<Polynomial, Refutation> {
-    let function = rational(proof, &["8"], expression, domain)?;
+    let function = rational(proof, cited, expression, domain)?;
     let name = Symbol::from(variable);
     let cubic = function.numerator();
     let terms = cubic.coefficients(&name).iter().map(Polynomial::term_count).max().unwrap_or(0);
     if cubic.degree(&name) != 3 || function.hides(&name).is_some() || terms > MAX_COEFFICIENT_TERMS {
         let says =
             format!("a cubic in {variable} whose coefficients have at most {MAX_COEFFICIENT_TERMS} terms");
-        return Err(proof.refute(&says, &["8"], expression.to_string()));
+        return Err(proof.refute(&says, cited, expression.to_string()));
     }
     Ok(discriminant(cubic, &name))
 }

@@ -316,7 +316,7 @@ mod tests {
         let equations = Equations::read(toml::from_str(FILE).expect("TOML")).expect("sound equations");
         let only = equations.only(&["2"]);
         assert_eq!(only.iter().map(|one| one.number.as_str()).collect::<Vec<_>>(), ["2"]);
-        assert_eq!(only.right("1"), Equations::default().right("1"));
+        assert_eq!(only.equation("1"), Equations::default().equation("1"));
         assert!(only.names().meaning(&Symbol::from("P")).is_none());
         assert_eq!(only.conditions(), equations.conditions());
     }

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::derivation::{NOT_A_NAME, is_name, read_condition};
-use super::{Equation, EquationFault, definedness};
+use super::{Equation, EquationFault, Role, definedness};
 use slipmode_algebra::{Condition, Domain, Expression, Symbol};
 
 /// The most equations of a file: each costs a proof that it has a value.
@@ -34,6 +34,9 @@ pub struct EquationsText {
     /// Names that stand for an expression or a derivation.
     #[cfg_attr(feature = "serde", serde(default))]
     pub definition: Vec<DefinitionText>,
+    /// What the variables are, by the words of [`super::roles::QUANTITIES`]: procedures find them so.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub quantities: BTreeMap<String, String>,
 }
 
 /// What the equations assume of their variables.
@@ -115,6 +118,8 @@ pub struct EquationText {
     /// What it is stated for, besides the assumptions of the file.
     #[cfg_attr(feature = "serde", serde(default))]
     pub given: Vec<String>,
+    /// What it is, as a word of [`Role`]: procedures find it so.
+    pub role: Option<String>,
 }
 
 /// What a file assumes while its equations are read.
@@ -124,6 +129,9 @@ pub(super) struct Assumed<'a> {
     pub domain: &'a Domain,
     /// The functions of which nothing is known.
     pub functions: &'a BTreeSet<Symbol>,
+    /// The direct and the evolution effect, where the file says which variables they are: an equation may speak of one order of
+    /// the two only.
+    pub effects: Option<[&'a str; 2]>,
 }
 
 /// The equations of a file that can be read, in its order, and all faults.
@@ -178,7 +186,8 @@ fn read_entry(entry: EquationText, assumed: &Assumed<'_>) -> Result<Equation, St
     let (left, right) = read_sides(&entry.equation, &given, assumed)?;
     let printed = entry.printed.as_deref().map(|text| read_sides(text, &given, assumed)).transpose();
     let printed = printed.map_err(|error| format!("printed: {error}"))?;
-    Ok(Equation { number: entry.number, left, right, printed, note: entry.note, given })
+    let role = entry.role.as_deref().map(Role::read).transpose()?;
+    Ok(Equation { number: entry.number, left, right, printed, note: entry.note, given, role })
 }
 
 fn read_sides(

@@ -3,8 +3,8 @@
 //! At given V0 the groups are κ and η = λκ with λ = (V0/(ω_n D_c))². A pair x ± iy of eq 8 has ω²/ω_n² = λy². For a given value
 //! of this ratio both equations for x and y are linear in κ, which leaves one polynomial in x and λ.
 
-use super::Equations;
 use super::notation::{coefficients, cubic, formula, in_groups, rational};
+use super::{Equations, Role};
 use crate::number::{Ball, Rational};
 use rug::Float;
 use slipmode_algebra::{
@@ -78,6 +78,8 @@ impl Level {
     /// From eq 8 at p = x + iy with λy² = ratio, and from the discriminant of eq 14.
     fn of(equations: &Equations, effect_ratio: &Rational, square_ratio: &Rational) -> Option<Self> {
         let proof = Proof::new("strip-frequency", "");
+        let [cited, without_inertia] =
+            equations.numbers([Role::Characteristic, Role::QuasiStaticCharacteristic]);
         let beta = Expression::Number(effect_ratio.clone());
         let p = Symbol::from("p");
         let value = cubic(equations).with("beta", &beta).with("eta", &formula("lambda*kappa"));
@@ -88,15 +90,15 @@ impl Level {
         let imaginary = formula("lambda") * slope - ratio() * curvature.derivative(&p) / formula("6");
         let linear = |part: Expression| {
             let function =
-                rational(&proof, &["8"], &part.with("p", &formula("x")), &Domain::default()).ok()?;
+                rational(&proof, &[cited], &part.with("p", &formula("x")), &Domain::default()).ok()?;
             let parts = function.numerator().coefficients(&Symbol::from("kappa"));
             <[Polynomial; 2]>::try_from(parts).ok().filter(|_| function.denominator().as_constant().is_some())
         };
         let ([rest, slope], [other_rest, other_slope]) = (linear(imaginary)?, linear(real)?);
-        let [c0, c1, c2]: [Expression; 3] =
-            coefficients(&proof, &["14"], &in_groups(&equations.residual("14")), "p").ok()?;
+        let quadratic = in_groups(&equations.residual(Role::QuasiStaticCharacteristic));
+        let [c0, c1, c2]: [Expression; 3] = coefficients(&proof, &[without_inertia], &quadratic, "p").ok()?;
         let discriminant = (c1.power(2) - formula("4") * c2 * c0).with("beta", &beta);
-        let strip = rational(&proof, &["14"], &discriminant, &Domain::default()).ok()?;
+        let strip = rational(&proof, &[without_inertia], &discriminant, &Domain::default()).ok()?;
         let [e0, e1, e2] =
             <[Polynomial; 3]>::try_from(strip.numerator().coefficients(&Symbol::from("kappa"))).ok()?;
         let strip = &(&(&e2 * &rest.pow(2)) - &(&e1 * &(&rest * &slope))) + &(&e0 * &slope.pow(2));

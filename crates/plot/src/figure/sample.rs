@@ -59,7 +59,7 @@ fn theory_lines() -> Vec<Line> {
         let stress = d_c / (b - a) * (k - (b - a) / a * m * velocity * velocity / (d_c * d_c));
         (stress > 0.0).then_some((velocity, stress))
     });
-    let asymptotes = "asymptotes, eqs 15, 16, 18, 20";
+    let asymptotes = "asymptotes, eqs 15, 16, 18 and 20";
     let [upper, lower] = arcs();
     vec![
         line("exact boundary max Im(*s*) = 0", LineRole::Boundary, upper),

@@ -34,6 +34,9 @@ pub struct Table {
     pub columns: Vec<Column>,
     /// Rows from top to bottom; every row has as many cells as there are columns.
     pub rows: Vec<Vec<Cell>>,
+    /// How many of the first columns name a row: what they hold is given, not computed.
+    #[serde(skip)]
+    pub names: usize,
 }
 
 /// A column: its name for programs and its header for people.
@@ -78,7 +81,7 @@ impl Table {
     /// An empty table with its columns.
     #[must_use]
     pub fn new(id: &str, title: &str, columns: Vec<Column>) -> Self {
-        Self { id: id.into(), title: title.into(), note: String::new(), columns, rows: Vec::new() }
+        Self { id: id.into(), title: title.into(), note: String::new(), columns, rows: Vec::new(), names: 0 }
     }
 
     /// The same table with a Markdown note below it.

@@ -36,6 +36,13 @@ impl<R: Copy> TableRows<R> {
         self
     }
 
+    /// The same table, whose columns up to here name a row.
+    #[must_use]
+    pub fn named(mut self) -> Self {
+        self.table.names = self.table.columns.len();
+        self
+    }
+
     /// The same with one more column of words.
     #[must_use]
     pub fn text<C: Into<Cell>>(self, name: &str, header: &str, cell: impl Fn(R) -> C) -> Self {

@@ -110,18 +110,18 @@ pub(super) fn sign_statement(law: EvolutionLaw) -> &'static str {
 ///
 /// # Errors
 /// When the closed form has another sign.
-pub(super) fn sign(proof: Proof, law: EvolutionLaw) -> Result<Proof, Refutation> {
+pub(super) fn sign(proof: Proof, cited: &str, law: EvolutionLaw) -> Result<Proof, Refutation> {
     match law {
         EvolutionLaw::Slip => {
-            proof.positive("−Re c_1 for every η and ω", &[law.equation()], &-real(law), &on_transition())
+            proof.positive("−Re c_1 for every η and ω", &[cited], &-real(law), &on_transition())
         }
-        EvolutionLaw::Aging => aging_sign(proof),
+        EvolutionLaw::Aging => aging_sign(proof, cited),
     }
 }
 
 /// η²(4β + 3) + 6η − 1 changes sign once, at η_0 = 1/(3 + 2r) with r = √(β + 3) > 2.
-fn aging_sign(proof: Proof) -> Result<Proof, Refutation> {
-    let used = [EvolutionLaw::Aging.equation()];
+fn aging_sign(proof: Proof, cited: &str) -> Result<Proof, Refutation> {
+    let used = [cited];
     let factor = formula("eta^2*(4*beta + 3) + 6*eta - 1");
     let scale = formula("eta*omega^2/(2*((1 + eta)^2 + eta^2*omega^2)*((1 + eta)^2 + 4*eta^2*omega^2))");
     let split = formula("((2*r + 3)*eta - 1)*((2*r - 3)*eta + 1)");
@@ -165,14 +165,14 @@ fn aging_sign(proof: Proof) -> Result<Proof, Refutation> {
 ///
 /// # Errors
 /// When the limits are others.
-pub(super) fn quasi_static(proof: Proof, law: EvolutionLaw) -> Result<Proof, Refutation> {
+pub(super) fn quasi_static(proof: Proof, cited: &str, law: EvolutionLaw) -> Result<Proof, Refutation> {
     let first = real(law) / formula("omega");
     let per_eta = match law {
         EvolutionLaw::Slip => formula("-omega*(1 + omega^2)/2"),
         EvolutionLaw::Aging => formula("omega/2"),
     };
     let ends = ("eta", Toward::Zero);
-    let used = [law.equation()];
+    let used = [cited];
     proof.limit("l_1 = Re c_1/ω as η → 0", &used, &first, ends, &formula("0"), &on_transition())?.limit(
         "l_1/η as η → 0",
         &used,

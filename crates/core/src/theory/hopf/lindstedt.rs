@@ -3,14 +3,17 @@
 //! It shares only eqs 1-4 with the projection: other variables, no eigenvectors, no normal form, real arithmetic.
 
 use super::expansion::{Conditions, solve, taylor_part};
-use super::slider::{by_groups, on_transition};
+use super::slider::{by_groups, cited, on_transition};
 use crate::friction::EvolutionLaw;
-use crate::theory::Equations;
 use crate::theory::notation::{formula, simplified};
+use crate::theory::{Equations, Role};
 use slipmode_algebra::{Domain, Expression, Proof, Refutation, Symbol};
 
 /// u = V/V_0 − 1 with its first two rates, w = V_0 θ/D_c − 1 with its rate, in the time D_c/V_0.
 const MOTION: [&str; 5] = ["u", "u'", "u''", "w", "w'"];
+
+/// The numbers of the equations that a step uses, and what the pair is called.
+type Cited<'c> = (&'c [&'c str], &'c [String; 2]);
 
 /// The values of [`MOTION`].
 type Motion = [Expression; 5];
@@ -19,7 +22,10 @@ type Motion = [Expression; 5];
 type Pair = [Expression; 2];
 
 /// What the two are called in a proof.
-const NAMES: [&str; 2] = ["eq 4 differentiated in time", "the law"];
+fn names(equations: &Equations) -> [String; 2] {
+    let [motion] = equations.numbers([Role::Motion]);
+    [format!("eq {motion} differentiated in time"), "the law".to_owned()]
+}
 
 /// What the expansion finds for u = ε cos τ + O(ε²), τ = Ω t, in which cos τ and sin τ do not occur again.
 pub(super) struct Cycle {
@@ -38,18 +44,19 @@ pub(super) fn cycle(
     equations: &Equations,
     law: EvolutionLaw,
 ) -> Result<(Proof, Cycle), Refutation> {
-    let used = ["1", law.equation(), "4", "steady-state"];
-    let (proof, [linear, quadratic, cubic]) = taylor_parts(proof, &used, equations, law)?;
+    let used = cited(equations, law);
+    let names = names(equations);
+    let (proof, [linear, quadratic, cubic]) = taylor_parts(proof, (&used, &names), equations, law)?;
 
     let first = moving("C", "w_c*C + w_s*S");
     let rest = at(&linear, &first);
-    let (proof, domain) = order(proof, &used, "ε", &rest, &["w_c", "w_s"], on_circle())?;
+    let (proof, domain) = order(proof, (&used, &names), "ε", &rest, &["w_c", "w_s"], on_circle())?;
 
     let harmonics = |f: &str| format!("{f}_0 + {f}_c*(2*C^2 - 1) + {f}_s*2*S*C");
     let second = moving(&harmonics("f"), &harmonics("g"));
     let rest = plus(&at(&linear, &second), &at(&quadratic, &first));
     let unknowns = ["f_0", "f_c", "f_s", "g_0", "g_c", "g_s"];
-    let (proof, domain) = order(proof, &used, "ε²", &rest, &unknowns, domain)?;
+    let (proof, domain) = order(proof, (&used, &names), "ε²", &rest, &unknowns, domain)?;
 
     let harmonics = |f: &str| format!("{f}_c*(4*C^3 - 3*C) + {f}_s*S*(4*C^2 - 1)");
     let third = moving(&harmonics("h"), &format!("{} + l_c*C + l_s*S", harmonics("k")));
@@ -58,7 +65,7 @@ pub(super) fn cycle(
     let rest = plus(&at(&linear, &third), &at(&softened, &first));
     let rest = plus(&rest, &plus(&mixed(&quadratic, &first, &second), &at(&cubic, &first)));
     let unknowns = ["h_c", "h_s", "k_c", "k_s", "l_c", "l_s", "Omega_2", "kappa_2"];
-    let (proof, domain) = order(proof, &used, "ε³", &rest, &unknowns, domain)?;
+    let (proof, domain) = order(proof, (&used, &names), "ε³", &rest, &unknowns, domain)?;
     let value = |name: &str| domain.substituted(&formula(name));
     Ok((proof, Cycle { stiffness: value("kappa_2"), frequency: value("Omega_2") }))
 }
@@ -66,7 +73,7 @@ pub(super) fn cycle(
 /// Finds the unknowns for which both equations vanish at this order, and certifies it. The domain gains their values.
 fn order(
     mut proof: Proof,
-    used: &[&str],
+    (used, names): Cited<'_>,
     power: &str,
     vanishing: &Pair,
     unknowns: &[&'static str],
@@ -74,7 +81,7 @@ fn order(
 ) -> Result<(Proof, Domain), Refutation> {
     let conditions = Conditions { vanishing, identically_in: &["C", "S"], unknowns };
     let domain = solve(&proof, used, &conditions, domain)?;
-    for (part, name) in vanishing.iter().zip(NAMES) {
+    for (part, name) in vanishing.iter().zip(names) {
         let says = format!("{name} at order {power}, C = cos τ, S = sin τ");
         proof = proof.identity(&says, used, part, &formula("0"), &domain)?;
     }
@@ -95,13 +102,14 @@ fn on_circle() -> Domain {
 
 /// Both equations in X = V/V_0, Y = V_0 θ/D_c and rates per D_c/V_0, as eqs 1, 4 and the law give them.
 fn physical(equations: &Equations, law: EvolutionLaw) -> Pair {
-    let balance = motion(equations, &equations.right("1")).time_derivative(&["t", "delta", "theta"]);
+    let balance =
+        motion(equations, &equations.right(Role::Friction)).time_derivative(&["t", "delta", "theta"]);
     let values = [
         ("t'", formula("1")),
         ("delta'", formula("V_0*X")),
         ("delta''", formula("V_0^2/D_c*u'")),
         ("delta'''", formula("V_0^3/D_c^2*u''")),
-        ("theta", equations.right("steady-state").with("V", &formula("V_0")) * formula("Y")),
+        ("theta", equations.right(Role::SteadyState).with("V", &formula("V_0")) * formula("Y")),
         ("theta'", formula("w'")),
     ];
     let values = values.map(|(name, value)| (Symbol::from(name), value)).into();
@@ -112,12 +120,12 @@ fn physical(equations: &Equations, law: EvolutionLaw) -> Pair {
 /// The Taylor parts of degrees 1, 2 and 3 in the variables of [`MOTION`], each with its certificate.
 fn taylor_parts(
     mut proof: Proof,
-    used: &[&str],
+    (used, names): Cited<'_>,
     equations: &Equations,
     law: EvolutionLaw,
 ) -> Result<(Proof, [Pair; 3]), Refutation> {
     let mut parts = [0; 3].map(|_| [formula("0"), formula("0")]);
-    for (side, (equation, name)) in physical(equations, law).iter().zip(NAMES).enumerate() {
+    for (side, (equation, name)) in physical(equations, law).iter().zip(names).enumerate() {
         let reduced = simplified(&proof, used, equation, &by_groups())?;
         let says = format!("{name} in X = V/V_0 = 1 + u, Y = V_0 θ/D_c = 1 + w and the groups");
         proof = proof.identity(&says, used, equation, &reduced, &by_groups())?;
@@ -176,10 +184,10 @@ fn sum(left: &Motion, right: &Motion) -> Motion {
 /// Eq 4 with a friction law put in, as left − right in δ and θ.
 fn motion(equations: &Equations, friction: &Expression) -> Expression {
     let velocity = formula("delta'");
-    equations.residual("4").with("mu", &friction.with("V", &velocity))
+    equations.residual(Role::Motion).with("mu", &friction.with("V", &velocity))
 }
 
 /// Eq 2 or 3 as left − right in δ and θ.
 fn evolution(equations: &Equations, law: EvolutionLaw) -> Expression {
-    equations.residual(law.equation()).with("V", &formula("delta'"))
+    equations.residual(Role::of_law(law)).with("V", &formula("delta'"))
 }

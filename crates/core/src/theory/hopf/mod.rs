@@ -8,22 +8,21 @@
 mod closed_form;
 mod evaluate;
 pub(super) mod expansion;
-mod first_integral;
 mod lindstedt;
 pub(super) mod projection;
 mod slider;
 
 pub use closed_form::Criticality;
 pub use evaluate::{degenerate_inertial_parameter, square_amplitude};
-pub use first_integral::prove as quasi_static_centre;
 
-use super::Equations;
 use super::notation::{formula, given_nonzero, simplified};
+use super::{Equations, Role};
 use crate::friction::EvolutionLaw;
 use slipmode_algebra::{Domain, Expression, Proof, Refutation};
 
-/// The numbers of the equations from which the coefficient is derived.
-pub const EQUATIONS: [&str; 6] = ["1", "2", "3", "4", "8", "steady-state"];
+/// The equations from which the coefficient is derived.
+pub const EQUATIONS: [Role; 6] =
+    [Role::Friction, Role::AgingLaw, Role::SlipLaw, Role::Motion, Role::Characteristic, Role::SteadyState];
 
 /// The cubic coefficient on K = K_c and what follows from it, as functions of `eta` and `omega` = √(β − 1).
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -51,7 +50,8 @@ pub struct HopfCoefficient {
 /// When a step of the derivation fails or the coefficient is not the one stated; the refutation names the equations and
 /// gives the exact difference.
 pub fn coefficient(equations: &Equations, law: EvolutionLaw) -> Result<HopfCoefficient, Refutation> {
-    let used = ["1", law.equation(), "4", "steady-state"];
+    let used = slider::cited(equations, law);
+    let [of_law] = equations.numbers([Role::of_law(law)]);
     let id = format!("hopf-coefficient-{}-law", law.as_str());
     let statement = format!(
         "The first Lyapunov coefficient on K = K_c with the {} law: {}.",
@@ -66,7 +66,7 @@ pub fn coefficient(equations: &Equations, law: EvolutionLaw) -> Result<HopfCoeff
     let proof = slider::crossing_speed(proof, equations)?;
     let (proof, cycle) = lindstedt::cycle(proof, equations, law)?;
     let proof = compare(proof, &used, law, &cycle)?;
-    let proof = closed_form::quasi_static(closed_form::sign(proof, law)?, law)?;
+    let proof = closed_form::quasi_static(closed_form::sign(proof, of_law, law)?, of_law, law)?;
     Ok(HopfCoefficient {
         law,
         expression: simplified(&proof, &used, &(real.clone() / formula("omega")), &slider::on_transition())?,

@@ -3,8 +3,8 @@
 use super::expansion::in_basis;
 use super::projection::Critical;
 use crate::friction::EvolutionLaw;
-use crate::theory::Equations;
 use crate::theory::notation::{any, cubic, formula, in_parameters, simplified};
+use crate::theory::{Equations, Role};
 use slipmode_algebra::{Domain, Expression, Proof, Refutation, Symbol};
 
 /// x = ln(V/V_0), y = ln(V_0 θ/D_c) and ζ = (spring stress/σ − μ_0)/a.
@@ -51,6 +51,11 @@ impl Slider {
     }
 }
 
+/// The numbers of the equations that the nonlinear slider with a law is derived from.
+pub(super) fn cited(equations: &Equations, law: EvolutionLaw) -> [&str; 4] {
+    equations.numbers([Role::Friction, Role::of_law(law), Role::Motion, Role::SteadyState])
+}
+
 /// Derives the slider and shows that it rests at the origin.
 ///
 /// # Errors
@@ -61,7 +66,8 @@ pub(super) fn derive(
     law: EvolutionLaw,
 ) -> Result<(Proof, Slider), Refutation> {
     let derived = physical_rates(equations, law);
-    let used = ["1", law.equation(), "4", "steady-state"];
+    let used = cited(equations, law);
+    let [motion] = equations.numbers([Role::Motion]);
     let mut rates = Vec::new();
     for rate in &derived {
         rates.push(simplified(&proof, &used, rate, &by_groups())?);
@@ -73,8 +79,8 @@ pub(super) fn derive(
     );
     let proof = proof
         .identity(
-            "the spring of eq 4 at this δ carries μ_0 + a ζ",
-            &["4"],
+            &format!("the spring of eq {motion} at this δ carries μ_0 + a ζ"),
+            &[motion],
             &spring(equations).with("delta", &displacement()),
             &formula("mu_0 + a*zeta"),
             &by_groups(),
@@ -88,7 +94,7 @@ pub(super) fn derive(
 
 /// The part of eq 4's right side that neither mass nor friction has: the spring stress per normal stress.
 fn spring(equations: &Equations) -> Expression {
-    -equations.residual("4").with("delta''", &formula("0")).with("mu", &formula("0"))
+    -equations.residual(Role::Motion).with("delta''", &formula("0")).with("mu", &formula("0"))
 }
 
 /// The slip at which the spring carries μ_0 + a ζ.
@@ -99,15 +105,15 @@ fn displacement() -> Expression {
 /// The rates in X = V/V_0, Y = V_0 θ/D_c and ζ from eqs 1, 4 and the law.
 fn physical_rates(equations: &Equations, law: EvolutionLaw) -> [Expression; 3] {
     let state = |expression: &Expression| {
-        let theta = equations.right("steady-state").with("V", &formula("V_0")) * formula("Y");
+        let theta = equations.right(Role::SteadyState).with("V", &formula("V_0")) * formula("Y");
         expression.with("theta", &theta).with("V", &formula("V_0*X"))
     };
-    let motion = equations.residual("4").with("mu", &state(&equations.right("1")));
+    let motion = equations.residual(Role::Motion).with("mu", &state(&equations.right(Role::Friction)));
     let mass = motion.derivative(&Symbol::from("delta''"));
     let force = -motion.with("delta''", &formula("0")).with("delta", &displacement());
     // δ'' = V_0 X x'·V_0/D_c with x' per D_c/V_0.
     let velocity = force / (mass * formula("V_0^2/D_c*X"));
-    let evolution = state(&(equations.right(law.equation()) / formula("theta"))) * formula("D_c/V_0");
+    let evolution = state(&(equations.right(Role::of_law(law)) / formula("theta"))) * formula("D_c/V_0");
     let loading = spring(equations).time_derivative(&["t", "delta"]);
     let loading =
         loading.with("t'", &formula("1")).with("delta'", &formula("V_0*X")) * formula("D_c/(V_0*a)");
@@ -125,19 +131,20 @@ fn in_logarithms(rate: &Expression) -> Expression {
 /// When eq 8 depends otherwise on κ.
 pub(super) fn crossing_speed(proof: Proof, equations: &Equations) -> Result<Proof, Refutation> {
     let cubic = cubic(equations);
+    let [number] = equations.numbers([Role::Characteristic]);
     let slope = |name: &'static str| cubic.derivative(&Symbol::from(name)).with("p", &formula("i*omega"));
     let speed = -slope("kappa") / slope("p");
     proof
         .identity(
-            "p = iω solves eq 8 on K = K_c",
-            &["8"],
+            &format!("p = iω solves eq {number} on K = K_c"),
+            &[number],
             &cubic.with("p", &formula("i*omega")),
             &formula("0"),
             &on_transition(),
         )?
         .identity(
             "and crosses the axis with dp/dκ",
-            &["8"],
+            &[number],
             &speed,
             &(crossing_real() + formula("i") * crossing_imaginary()),
             &on_transition(),

@@ -170,6 +170,19 @@ impl StatedProofs {
         equations.iter().filter(is_reached).map(|equation| equation.number.as_str()).collect()
     }
 
+    /// What a proof names and the file does not have: a sentence for each.
+    #[must_use]
+    pub fn missing(&self, id: &str, equations: &Equations) -> Vec<String> {
+        let mut sides = BTreeSet::new();
+        self.proofs.get(id).into_iter().for_each(|proof| self.sides_of(proof, 0, &mut sides));
+        for equation in equations.iter() {
+            for (side, _) in equation.sides() {
+                sides.remove(&format!("{side}_{}", equation.word()));
+            }
+        }
+        sides.into_iter().map(|side| format!("there is no equation for the name `{side}`")).collect()
+    }
+
     /// The sides of equations that a proof names, by its steps, their domains, and what both refer to.
     fn sides_of(&self, proof: &StatedProof, depth: usize, sides: &mut BTreeSet<String>) {
         let steps = proof.steps.iter();
