@@ -209,13 +209,14 @@ def tends_from(point, said, way):
 
 
 def goes_beyond(found):
-    """Whether values grow beyond all bounds: a logarithm doubles from one distance to the next."""
+    """Whether values grow beyond all bounds: what a logarithm gains doubles from one distance to the next, beside a constant of any size."""
     if not all(arithmetic.is_real(one) for one in found):
         return None
-    grows = lambda way: way * found[-3] > 0 and all(way * (later - 1.5 * one) > 0 for one, later in zip(found[-3:], found[-2:]))
+    gains = [later - one for one, later in zip(found, found[1:])]
+    grows = lambda way: way * gains[0] > 0 and all(way * (later - 1.5 * one) > 0 for one, later in zip(gains, gains[1:]))
     if grows(1):
         return True
-    stays = abs(found[-1]) <= abs(found[-2]) * (1 + mpf(10) ** -4) <= abs(found[-3]) * (1 + mpf(10) ** -3)
+    stays = all(abs(later) <= abs(one) * mpf(0.75) for one, later in zip(gains, gains[1:]))
     return False if stays or grows(-1) else None
 
 

@@ -21,6 +21,10 @@ pub fn compared(arguments: &[&str]) -> Option<Ended> {
 const EQUATIONS: &str = "[assumptions]\npositive = [\"a\", \"b\"]\nfree = [\"x\"]\n\
     [[equation]]\nnumber = \"1\"\nequation = \"c = a + b\"\n";
 
+/// A fixed name: points are drawn from the name of the folder, and the name of a workplace differs from run to run.
+const FOLDER: &str = "report";
+const CLAIMS: &str = "report/claims.toml";
+
 /// Formulas with their conditions and true verdicts.
 const ROWS: [(&str, &str, &str); 16] = [
     ("c > a", "", "holds"),
@@ -52,8 +56,8 @@ fn place(flipped: Option<usize>) -> Workplace {
         format!("{claim}\n{scope}\n")
     });
     let place = Workplace::new();
-    place.write("claims.toml", claims.collect::<String>());
-    place.write("equations.toml", EQUATIONS);
+    place.write(CLAIMS, claims.collect::<String>());
+    place.write(&format!("{FOLDER}/equations.toml"), EQUATIONS);
     place
 }
 
@@ -71,7 +75,7 @@ fn no_verdict_of_the_five_reports_is_contradicted() {
 #[test]
 fn a_verdict_that_holds_wrongly_is_contradicted_with_a_point() {
     let run = |place: &Workplace| {
-        let folder = place.path("");
+        let folder = place.path(FOLDER);
         compared(&["--points", "40", folder.to_str().unwrap()])
     };
     let Some(ended) = run(&place(None)) else { return };
@@ -88,7 +92,7 @@ fn a_printed_point_that_refutes_nothing_is_contradicted() {
     let ledger = |point: &str| {
         let place = place(None);
         place.write(
-            "ledger.json",
+            &format!("{FOLDER}/ledger.json"),
             format!("{{\"claims\": [{{\"id\": \"C2\", \"verdict\": \"fails\", \"counter_example\": \"{point}\"}}]}}"),
         );
         place
@@ -98,7 +102,7 @@ fn a_printed_point_that_refutes_nothing_is_contradicted() {
         ("at a = 2, b = 1: left minus right is -1", "does not meet the conditions"),
     ] {
         let folder = ledger(point);
-        let Some(ended) = compared(&["--points", "3", folder.path("").to_str().unwrap()]) else { return };
+        let Some(ended) = compared(&["--points", "3", folder.path(FOLDER).to_str().unwrap()]) else { return };
         assert_eq!(ended.code, 1, "{}", ended.stdout);
         assert!(ended.stdout.contains(words), "{}", ended.stdout);
     }
@@ -107,9 +111,9 @@ fn a_printed_point_that_refutes_nothing_is_contradicted() {
 #[test]
 fn what_cannot_be_read_is_refused_with_its_file() {
     let place = place(None);
-    place.write("claims.toml", "[[claim]]\nid = \"C1\"\nexpected = \"holds\"\nformula = \"c > (a\"\n");
-    let Some(ended) = compared(&[place.path("").to_str().unwrap()]) else { return };
+    place.write(CLAIMS, "[[claim]]\nid = \"C1\"\nexpected = \"holds\"\nformula = \"c > (a\"\n");
+    let Some(ended) = compared(&[place.path(FOLDER).to_str().unwrap()]) else { return };
     ended.expect_refusal(&["claims.toml: claim C1: '(a': expected ')'"]);
-    place.write("claims.toml", "[[claim]\n");
-    compared(&[place.path("").to_str().unwrap()]).unwrap().expect_refusal(&["claims.toml: "]);
+    place.write(CLAIMS, "[[claim]\n");
+    compared(&[place.path(FOLDER).to_str().unwrap()]).unwrap().expect_refusal(&["claims.toml: "]);
 }
