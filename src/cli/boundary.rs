@@ -7,10 +7,10 @@ use std::path::PathBuf;
 use clap::Args;
 use slipmode::experiments::boundary::{END_ERROR, boundary_columns, boundary_row, vanishes};
 use slipmode::experiments::pictures::boundary_picture;
-use slipmode::experiments::shared::bands::Band;
 use slipmode::scene::{Limits, Problem, Quantity};
 use slipmode_core::friction::Slider;
 use slipmode_core::number::{Ball, Rational};
+use slipmode_core::stability::ParameterBox;
 use slipmode_core::stability::boundary::{BoundaryCurve, BoundaryPoint};
 use slipmode_plot::table::Table;
 
@@ -188,7 +188,7 @@ impl Request {
         let mut table = Table::new("boundary", "Boundary", boundary_columns());
         points.iter().for_each(|point| table.push(boundary_row(point, self.digits as usize)));
         let answer = Answer::to(slider_json(&self.slider)).list("points", points.iter().map(part));
-        Found { answer, table, picture: Box::new(move || picture(&self.slider, &points, &[])) }
+        Found { answer, table, picture: Box::new(move || picture(&self.slider, &points, None)) }
     }
 
     /// The points, computed with more digits than requested where inputs hundreds of decades apart take them.
@@ -223,9 +223,13 @@ impl Request {
 }
 
 /// Draws the boundary over the axes that `new` would choose.
-fn picture(slider: &Slider<Rational>, points: &[BoundaryPoint], bands: &[Band]) -> Result<String, Failure> {
+fn picture(
+    slider: &Slider<Rational>,
+    points: &[BoundaryPoint],
+    error_bars: Option<&ParameterBox>,
+) -> Result<String, Failure> {
     let ranges = Ranges::around(slider).map_err(Failure::Refused)?;
-    Ok(boundary_picture(slider, points, bands, ranges.velocity.ends(), ranges.stress.ends()))
+    Ok(boundary_picture(slider, points, error_bars, ranges.velocity.ends(), ranges.stress.ends()))
 }
 
 /// Lists the numbers of a point, under the names of their columns.

@@ -3,15 +3,15 @@
 use crate::experiments::map::figures::zero_areas;
 use crate::experiments::shared::Grid;
 use crate::experiments::shared::axes::{asymptote_lines, axes, boundary_lines, cusp_mark, transition_line};
-use crate::experiments::shared::bands::{Band, band_lines};
+use crate::experiments::shared::bands::{FINE, band_lines};
 use crate::experiments::trajectories::curves::{extent, linear_axis, stress_unit};
 use crate::experiments::trajectories::thinning::kept;
 use crate::experiments::trajectories::{DRAWING_TOLERANCE, Moment};
 use crate::experiments::zones::figures::present_zones;
 use slipmode_core::friction::Slider;
 use slipmode_core::number::Rational;
-use slipmode_core::stability::SlipMode;
 use slipmode_core::stability::boundary::BoundaryPoint;
+use slipmode_core::stability::{ParameterBox, SlipMode};
 use slipmode_plot::figure::{Axis, Caption, Line, Panel, Panels, Reference, Series, Zone, ZoneMap};
 
 /// Height of one chart of a trajectory, in canvas units.
@@ -28,7 +28,7 @@ const SLOWEST: f64 = 1e-30;
 pub fn boundary_picture(
     slider: &Slider<Rational>,
     points: &[BoundaryPoint],
-    bands: &[Band],
+    error_bars: Option<&ParameterBox>,
     velocity: (f64, f64),
     stress: (f64, f64),
 ) -> String {
@@ -40,7 +40,8 @@ pub fn boundary_picture(
         outlines: zero_areas(points, &x, &y),
         style: QUIET_STYLE,
     };
-    let lines = band_lines(bands, &y).into_iter().chain(theory_lines(slider, points, &x, &y)).collect();
+    let bands = error_bars.map_or_else(Vec::new, |region| band_lines(region, &x, &y, FINE));
+    let lines = bands.into_iter().chain(theory_lines(slider, points, &x, &y)).collect();
     let map = ZoneMap {
         caption: Caption::new("boundary", "Exact boundary of oscillation", description),
         zones: vec![quiet],

@@ -4,7 +4,7 @@ use crate::scene::cited;
 use serde::Serialize;
 
 use crate::experiments::shared::axes::{asymptote_lines, boundary_lines, transition_line};
-use crate::experiments::shared::bands::{Band, band_lines, bands, velocities};
+use crate::experiments::shared::bands::band_lines;
 use crate::explorer::formulas::{self, FORMULAS, formula_values};
 use crate::explorer::tables::one_at_a_time;
 use crate::explorer::{Factors, Families, NamedPoint, PointState};
@@ -106,8 +106,8 @@ pub(crate) const DIGITS: usize = 4;
 /// Decades by which curves move at most: σ by two with K, V by one with K and one with M.
 const MARGIN: i32 = 2;
 
-/// Loading velocities at which the bands of each b are computed: fewer than on a map of one slider.
-const BAND_POINTS: u32 = 40;
+/// Columns and rows of the cells in which the bands of each b are decided: larger cells than on a map of one slider.
+const CELLS: [usize; 2] = [256, 256];
 
 const TITLE: &str = "Boundary, transition and asymptotes of the chosen slider";
 const DESCRIPTION: &str = "Map over loading velocity and normal stress: the exact boundary max Im(s) = 0 with its upper and its lower arc, the asymptotes of {quasi-static-upper, quasi-static-lower, inertial-upper, inertial-lower} within their ranges, the transition K = K_c where b is greater than a, and the scene's points.";
@@ -209,12 +209,9 @@ fn map(families: &Families, window: Window) -> FamilyMap {
     let (wide_x, wide_y) = (wide(&x), wide(&y));
     let effects = families.effects();
     let regions = families.uncertain_effects();
-    let found: Vec<Vec<Band>> = regions
-        .iter()
-        .map(|region| bands(region, &velocities((wide_x.min, wide_x.max), BAND_POINTS)))
-        .collect();
     let members = effects.iter().zip(&families.boundaries).enumerate().map(|(index, (slider, points))| {
-        let mut lines = found.get(index).map_or_else(Vec::new, |found| band_lines(found, &wide_y));
+        let mut lines =
+            regions.get(index).map_or_else(Vec::new, |region| band_lines(region, &wide_x, &wide_y, CELLS));
         lines.extend(extended_boundary(points, &wide_x));
         lines.extend(asymptote_lines(slider, &wide_x, &wide_y));
         lines.extend(transition_line(slider, &wide_x, &wide_y));

@@ -1,11 +1,13 @@
 //! `slipmode boundary` with error bars: the ranges within which the boundary and the transition lie, as CSV, JSON and a picture.
 
+use rayon::prelude::*;
+
 use slipmode::experiments::boundary::END_ERROR;
-use slipmode::experiments::shared::bands::{Band, BandOf, bands, velocities};
+use slipmode::experiments::shared::bands::BandOf;
 use slipmode::scene::Quantity;
 use slipmode_core::friction::Slider;
-use slipmode_core::number::format::exact_text;
-use slipmode_core::number::{Rational, Wide, nearest_f64};
+use slipmode_core::number::format::{exact_text, round_digits};
+use slipmode_core::number::{Rational, Wide, nearest_f64, parse_decimal};
 use slipmode_core::stability::ParameterBox;
 use slipmode_core::stability::boundary::BoundaryCurve;
 use slipmode_core::stability::inverse::{SolutionRange, Unknown};
@@ -46,6 +48,8 @@ struct Row {
 const ARC_POINTS: usize = 200;
 /// Digits of these points.
 const DIGITS: u32 = 20;
+/// Significant digits of even velocities.
+const VELOCITY_DIGITS: usize = 6;
 
 impl Request {
     /// Reads the options.
@@ -67,32 +71,30 @@ impl Request {
     /// # Errors
     /// When the boundary lies beyond what axes can show.
     pub fn compute(&self) -> Result<Found<'_>, Failure> {
-        let (bands, rows) = match &self.at {
+        let rows = match &self.at {
             Places::Even(points) => {
                 let axes = Ranges::around(&self.middle()).map_err(Failure::Refused)?;
-                let bands = bands(&self.region, &velocities(axes.velocity.ends(), *points));
-                let columns =
-                    bands.iter().flat_map(|band| band.columns.iter().map(|column| (band.of, column)));
-                let rows = columns.flat_map(|(of, (velocity, ranges))| {
-                    rows_of(of, Unknown::NormalStress, velocity, ranges)
-                });
-                let rows = rows.collect();
-                (bands, rows)
+                self.rows(Unknown::NormalStress, &even_velocities(axes.velocity.ends(), *points))
             }
-            Places::Single(places) => (Vec::new(), self.single(places)),
+            Places::Single([velocity, stress]) => {
+                let known = [(Unknown::NormalStress, velocity), (Unknown::LoadingVelocity, stress)];
+                known.into_iter().flat_map(|(unknown, known)| self.rows(unknown, known.as_slice())).collect()
+            }
         };
         let inputs = ranges_json(&self.region, &[Quantity::NormalStress, Quantity::LoadingVelocity]);
         let answer = Answer::to(inputs).list("ranges", rows.iter().map(Row::part));
-        Ok(Found { answer, table: table(&rows), picture: Box::new(move || self.picture(&bands)) })
+        Ok(Found { answer, table: table(&rows), picture: Box::new(|| self.picture()) })
     }
 
-    fn single(&self, [velocity, stress]: &[Option<Rational>; 2]) -> Vec<Row> {
-        let known = [(Unknown::NormalStress, velocity), (Unknown::LoadingVelocity, stress)];
-        let known = known.into_iter().filter_map(|(unknown, value)| Some((unknown, value.as_ref()?)));
-        let of_line = |of: BandOf, (unknown, known): (Unknown, &Rational)| {
-            rows_of(of, unknown, known, &of.ranges(&self.region, unknown, known))
+    /// The ranges of both lines at these values of the coordinate that is not sought.
+    fn rows(&self, unknown: Unknown, values: &[Rational]) -> Vec<Row> {
+        let at = |(of, known): (BandOf, &Rational)| {
+            let ranges = of.ranges(&self.region, unknown, known);
+            ranges.into_iter().map(|range| Row { of, unknown, known: known.clone(), range }).collect()
         };
-        known.flat_map(|at| BandOf::ALL.into_iter().flat_map(move |of| of_line(of, at))).collect()
+        let places = BandOf::ALL.into_iter().flat_map(|of| values.iter().map(move |known| (of, known)));
+        let rows: Vec<Vec<Row>> = places.collect::<Vec<_>>().into_par_iter().map(at).collect();
+        rows.into_iter().flatten().collect()
     }
 
     /// The slider in the middle of the error bars.
@@ -100,9 +102,13 @@ impl Request {
         self.region.middle().slider
     }
 
-    fn picture(&self, bands: &[Band]) -> Result<String, Failure> {
+    fn picture(&self) -> Result<String, Failure> {
         let slider = self.middle();
-        picture(&slider, &BoundaryCurve::new(&slider, DIGITS).sample(ARC_POINTS, END_ERROR), bands)
+        picture(
+            &slider,
+            &BoundaryCurve::new(&slider, DIGITS).sample(ARC_POINTS, END_ERROR),
+            Some(&self.region),
+        )
     }
 }
 
@@ -123,8 +129,12 @@ impl Row {
     }
 }
 
-fn rows_of(of: BandOf, unknown: Unknown, known: &Rational, ranges: &[SolutionRange]) -> Vec<Row> {
-    ranges.iter().map(|range| Row { of, unknown, known: known.clone(), range: *range }).collect()
+/// Velocities from one end of an axis to the other, even on it to rounding to short decimals.
+fn even_velocities((from, to): (f64, f64), points: u32) -> Vec<Rational> {
+    let (low, high) = (libm::log10(from), libm::log10(to));
+    let at = |index: u32| low + (high - low) * f64::from(index) / f64::from(points.max(2) - 1);
+    let decimal = |index: u32| parse_decimal(&round_digits(libm::exp10(at(index)), VELOCITY_DIGITS)).ok();
+    (0..points).filter_map(decimal).collect()
 }
 
 /// A row for each range; an empty cell has no bound, or no value that is known to occur.

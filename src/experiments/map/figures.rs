@@ -5,7 +5,7 @@ use crate::experiments::map::MapPoint;
 use crate::experiments::operating_point::operating_point_mark;
 use crate::experiments::shared::Grid;
 use crate::experiments::shared::axes::{asymptote_lines, axes, boundary_lines, cusp_mark, transition_line};
-use crate::experiments::shared::bands::{VELOCITIES, band_lines, bands, velocities};
+use crate::experiments::shared::bands::{FINE, band_lines};
 use crate::experiments::shared::map_readout::readout;
 use crate::experiments::{Figure, FigureMaker, Need, SceneOutcome};
 use crate::scene::cited;
@@ -65,8 +65,7 @@ pub(crate) fn theory_lines(
 /// Where the boundary and the transition lie for the values within the scene's error bars.
 fn error_bands(scene: &SceneOutcome, x: &Axis, y: &Axis) -> Vec<Line> {
     let region = scene.scene.parameters.as_ref().and_then(|parameters| parameters.error_bars.as_ref());
-    let found = region.map(|region| bands(region, &velocities((x.min, x.max), VELOCITIES)));
-    found.map_or_else(Vec::new, |found| band_lines(&found, y))
+    region.map_or_else(Vec::new, |region| band_lines(region, x, y, FINE))
 }
 
 fn frequency_map(scene: &SceneOutcome, words: &Words) -> Option<Figure> {

@@ -103,7 +103,7 @@ pub(super) fn slip_mode_given(
     class: SpectralClass,
     inertial: impl Fn() -> bool,
 ) -> SlipMode {
-    let upper_area = || Some(groups.effect_ratio < 1 && !is_lower_area(groups));
+    let upper_area = || Some(is_upper_area(groups));
     // Both answers are always given, so that no mode is left open.
     slip_mode_by(class, upper_area, || Some(inertial())).unwrap_or(SlipMode::StickSlip)
 }
@@ -130,6 +130,11 @@ pub(super) fn slip_mode_by(
             either(inertial()?, SlipMode::HarmonicVibration, SlipMode::StickSlip)
         }
     })
+}
+
+/// Whether a point with stable real roots lies in the upper area of a > b.
+pub(super) fn is_upper_area(groups: &Groups<Rational>) -> bool {
+    groups.effect_ratio < 1 && !is_lower_area(groups)
 }
 
 /// Whether a point with real roots lies in the lower area, where all of them are below −1.

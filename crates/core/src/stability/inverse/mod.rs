@@ -24,7 +24,7 @@ use crate::roots::discriminant;
 use crate::stability::Arc;
 use family::{Family, hurwitz, shifted};
 use frequency::FrequencyCondition;
-pub use over_box::{SolutionRange, solve_over_box};
+pub use over_box::{SolutionRange, is_nowhere, solve_over_box};
 use root::Root;
 use slipmode_algebra::UnivariatePolynomial;
 

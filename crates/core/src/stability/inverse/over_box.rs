@@ -61,6 +61,22 @@ pub fn solve_over_box(region: &ParameterBox, unknown: Unknown, target: &Target) 
     runs.into_iter().map(|run| axis.refined(run, window, is_bounded)).collect()
 }
 
+/// Whether it is certain that no point of a box does what is stated. The transition and the boundary are decided exactly.
+#[must_use]
+pub fn is_nowhere(region: &ParameterBox, target: &Target) -> bool {
+    sought_over(region, target) == Sought::Nowhere
+}
+
+/// Whether some point of a box is a solution.
+fn sought_over(region: &ParameterBox, target: &Target) -> Sought {
+    match target {
+        Target::GrowthRate(rate) if rate.is_zero() => transition_sought(region),
+        Target::GrowthRate(rate) => sought_in(region, Quantity::Real, Interval::enclosing(rate)),
+        Target::Boundary => boundary_sought(region),
+        target => sought_in(region, Quantity::Imaginary, angular_frequency(target)),
+    }
+}
+
 /// The axis of the unknown.
 struct Axis<'a> {
     region: &'a ParameterBox,
@@ -80,13 +96,7 @@ impl Axis<'_> {
         let region = Rational::from_f64(low)
             .zip(Rational::from_f64(high))
             .and_then(|(low, high)| self.region.with_ends(self.unknown.parameter(), low, high));
-        let Some(region) = region else { return Sought::Unknown };
-        match self.target {
-            Target::GrowthRate(rate) if rate.is_zero() => transition_sought(&region),
-            Target::GrowthRate(rate) => sought_in(&region, Quantity::Real, Interval::enclosing(rate)),
-            Target::Boundary => boundary_sought(&region),
-            target => sought_in(&region, Quantity::Imaginary, angular_frequency(target)),
-        }
+        region.map_or(Sought::Unknown, |region| sought_over(&region, self.target))
     }
 
     /// The parts that may have solutions, ascending.

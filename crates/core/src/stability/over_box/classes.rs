@@ -40,6 +40,11 @@ pub(super) struct Classes {
 }
 
 impl Classes {
+    /// The least and the greatest sign of K − K_c.
+    pub(super) fn transition_signs(filtered: &Filtered<'_>) -> [i8; 2] {
+        [LEAST_STABLE, LEAST_STABLE.opposite()].map(|corner| filtered.at_corner(corner).transition)
+    }
+
     /// Decides all of them.
     pub(super) fn of(filtered: &Filtered<'_>) -> Self {
         let corner = |corner: Corner| filtered.region.corner(corner);
@@ -47,7 +52,7 @@ impl Classes {
             if is_inside(filtered.at_corner(at)) { Met::at(corner(at)) } else { Met::Nowhere }
         };
         let [least, most] = [LEAST_STABLE, LEAST_STABLE.opposite()];
-        let transition = [least, most].map(|corner| filtered.at_corner(corner).transition);
+        let transition = Self::transition_signs(filtered);
         let unstable_real = if_at(UNSTABLE_REAL, State::is_unstable_real);
         let upper = if_at(UPPER, State::is_upper);
         let lower = lower_area::meets(filtered);
@@ -103,7 +108,7 @@ fn outside(filtered: &Filtered<'_>, start: Corner, ways_out: &[WayOut], class: S
             continue;
         }
         let ends = [from, filtered.region.corner(*corner)];
-        let found = filtered.between(ends, is_inside, |state| state.class == class);
+        let found = filtered.between(ends, is_inside, |_, state| state.class == class);
         return found.map_or(Met::WithoutWitness, Met::at);
     }
     Met::Nowhere

@@ -5,9 +5,11 @@ use std::cell::{Cell, OnceCell, RefCell};
 use super::polynomials::Units;
 use crate::friction::{Groups, ParameterBox, Parameters, SlipMode};
 use crate::number::{Dd, Rational};
+use crate::stability::certain_signs::{BoundedGroups, Signs};
+use crate::stability::quick::clearly_in_upper_area;
+use crate::stability::slip_mode::{is_upper_area, slip_mode_by};
 use crate::stability::{
-    Classification, InertialThreshold, SpectralClass, boundary_sign, classify_quickly, slip_mode,
-    transition_sign,
+    InertialThreshold, SpectralClass, boundary_sign, classify_quickly, slip_mode, transition_sign,
 };
 
 /// The place of each parameter in an array: the order of [`Parameters::from`].
@@ -92,13 +94,14 @@ impl Corner {
     }
 }
 
-/// What the point test says of a point.
+/// What the point test says of a point: all but its frequency.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct State {
     pub(super) transition: i8,
     pub(super) boundary: i8,
     pub(super) class: SpectralClass,
-    pub(super) mode: SlipMode,
+    /// The slip mode where all roots are real; that of a pair needs its frequency ([`Filtered::mode`]).
+    pub(super) real_mode: Option<SlipMode>,
 }
 
 impl State {
@@ -109,12 +112,12 @@ impl State {
 
     /// All roots real, in the area of a > b with roots between −1 and 0.
     pub(super) fn is_upper(self) -> bool {
-        self.mode == SlipMode::OverdampedOscillation
+        self.real_mode == Some(SlipMode::OverdampedOscillation)
     }
 
     /// All roots real and below −1.
     pub(super) fn is_lower(self) -> bool {
-        self.mode == SlipMode::OverdampedStableSliding
+        self.real_mode == Some(SlipMode::OverdampedStableSliding)
     }
 }
 
@@ -162,23 +165,24 @@ impl<'a> Filtered<'a> {
         if let Some((_, state)) = states.iter().find(|(known, _)| *known == corner) {
             return *state;
         }
-        let state = quickly(self.rounded(corner), self.threshold)
-            .unwrap_or_else(|| self.exactly(&self.region.corner(corner)));
+        let state = quickly(self.rounded(corner)).unwrap_or_else(|| exactly(&self.region.corner(corner)));
         states.push((corner, state));
         state
     }
 
     /// The state of any point, by the filters if they are certain.
     pub(super) fn at(&self, point: &Point) -> State {
-        quickly(point.each_ref().map(Dd::from_rational), self.threshold)
-            .unwrap_or_else(|| self.exactly(point))
+        quickly(point.each_ref().map(Dd::from_rational)).unwrap_or_else(|| exactly(point))
     }
 
-    fn exactly(&self, point: &Point) -> State {
-        let groups: Groups<Rational> = Parameters::from(point.clone()).groups();
-        let (transition, boundary) = (transition_sign(&groups), boundary_sign(&groups));
-        let class = SpectralClass::from_signs(transition, boundary);
-        State { transition, boundary, class, mode: slip_mode(&groups, class, self.threshold) }
+    /// The slip mode of any point, by the filters if they are certain.
+    pub(super) fn mode(&self, point: &Point) -> SlipMode {
+        let rounded = Parameters::from(point.each_ref().map(Dd::from_rational));
+        let exactly = || {
+            let groups: Groups<Rational> = Parameters::from(point.clone()).groups();
+            slip_mode(&groups, exactly(point).class, self.threshold)
+        };
+        classify_quickly(&rounded, self.threshold).map_or_else(exactly, |found| found.slip_mode)
     }
 
     /// The first point with `wanted` found by halving the segment from a point `inside` a set to one outside of it.
@@ -188,11 +192,11 @@ impl<'a> Filtered<'a> {
         &self,
         [mut inside, mut outside]: [Point; 2],
         is_inside: impl Fn(State) -> bool,
-        wanted: impl Fn(State) -> bool,
+        wanted: impl Fn(&Point, State) -> bool,
     ) -> Option<Point> {
         const HALVINGS: usize = 400;
         for end in [&inside, &outside] {
-            if wanted(self.at(end)) {
+            if wanted(end, self.at(end)) {
                 return Some(end.clone());
             }
         }
@@ -200,7 +204,7 @@ impl<'a> Filtered<'a> {
             let middle = middle(&inside, &outside);
             let state = self.at(&middle);
             match state {
-                _ if wanted(state) => return Some(middle),
+                _ if wanted(&middle, state) => return Some(middle),
                 _ if is_inside(state) => inside = middle,
                 _ => outside = middle,
             }
@@ -216,8 +220,24 @@ pub(super) fn middle(one: &Point, other: &Point) -> Point {
     })
 }
 
-fn quickly(point: [Dd; 7], threshold: &InertialThreshold) -> Option<State> {
-    let found = classify_quickly(&Parameters::from(point), threshold)?;
-    let Classification { transition_sign: transition, boundary_sign: boundary, .. } = found;
-    Some(State { transition, boundary, class: found.spectral_class, mode: found.slip_mode })
+fn exactly(point: &Point) -> State {
+    let groups: Groups<Rational> = Parameters::from(point.clone()).groups();
+    let (transition, boundary) = (transition_sign(&groups), boundary_sign(&groups));
+    let class = SpectralClass::from_signs(transition, boundary);
+    let real_mode = real_mode(class, || Some(is_upper_area(&groups)));
+    State { transition, boundary, class, real_mode }
+}
+
+fn quickly(point: [Dd; 7]) -> Option<State> {
+    let bounded = BoundedGroups::of_parameters(&Parameters::from(point))?;
+    let Signs { transition, boundary, .. } = bounded.signs_below_exact()?;
+    let class = SpectralClass::from_signs(transition, boundary);
+    let real_mode = real_mode(class, || clearly_in_upper_area(&bounded.groups().map(Dd::hi)));
+    let is_decided = class != SpectralClass::StableReal || real_mode.is_some();
+    is_decided.then_some(State { transition, boundary, class, real_mode })
+}
+
+/// The slip mode of real roots; none for a pair.
+fn real_mode(class: SpectralClass, is_upper_area: impl Fn() -> Option<bool>) -> Option<SlipMode> {
+    slip_mode_by(class, is_upper_area, || None)
 }

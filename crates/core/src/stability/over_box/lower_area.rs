@@ -37,8 +37,26 @@ pub(super) fn meets(filtered: &Filtered<'_>) -> Met {
     if let Some(inside) = corners.iter().find(|corner| filtered.at_corner(**corner).is_lower()) {
         return Met::at(filtered.region.corner(*inside));
     }
+    if is_clearly_nowhere(filtered) {
+        return Met::Nowhere;
+    }
     let edges = corners.windows(2).map(|ends| [ends[0], ends[1]]);
     edges.filter_map(|ends| Edge::new(filtered, ends)).find_map(|edge| edge.search()).unwrap_or(Met::Nowhere)
+}
+
+/// Whether one of the two sides of [`Lines::lower_area`] is not positive anywhere in the box, by the ends of its terms. Far from
+/// the area this saves the edges.
+fn is_clearly_nowhere(filtered: &Filtered<'_>) -> bool {
+    let end = |corner: Corner| filtered.rounded(corner).map(|value| value.hi());
+    let [low, high] = [end(Corner::high(&[])), end(Corner::high(&[]).opposite())];
+    let inertia = |at: &[f64; 7]| at[M] * at[V] * at[V];
+    let least_stress = |effects: f64| effects * low[S] * low[D];
+    // Neither overflow nor underflow, and at most five roundings a term.
+    let is_usual = low.iter().chain(&high).all(|value| (1e-60..1e60).contains(value));
+    let exceeds = |left: f64, right: f64| left > right * (1.0 + 1e-14);
+    is_usual
+        && (exceeds(2.0 * inertia(&low), high[A] * high[S] * high[D])
+            || exceeds(least_stress(low[A] + low[B]), inertia(&high) + high[K] * high[D] * high[D]))
 }
 
 /// The polynomials along an edge between two corners; none if the signs of their Bernstein coefficients show that it misses

@@ -39,7 +39,7 @@ use super::{InertialThreshold, SlipMode, SpectralClass};
 use crate::friction::Parameters;
 use crate::number::Rational;
 use classes::Classes;
-use corners::{A, B, Corner, D, Filtered, K, M, Point, S, V};
+use corners::{A, B, Corner, D, Filtered, M, Point, S, State, V};
 use threshold::{Found, Search};
 
 /// Something that points of a box have, with such a point.
@@ -131,10 +131,13 @@ pub fn over_box(region: &ParameterBox, threshold: &InertialThreshold) -> Option<
     })
 }
 
-/// Whether a point of the box is on K = K_c: K and K_c change independently.
+/// Whether a point of the box is on K = K_c.
 pub(super) fn transition_sought(region: &ParameterBox) -> Sought {
-    let [least, greatest] = extremes_of_critical_stiffness(region).map(|at| at.critical_stiffness());
-    if region.lower[K] > greatest || region.upper[K] < least { Sought::Nowhere } else { Sought::Somewhere }
+    let threshold = InertialThreshold::default();
+    match Classes::transition_signs(&Filtered::new(region, &threshold)) {
+        [-1, -1] | [1, 1] => Sought::Nowhere,
+        _ => Sought::Somewhere,
+    }
 }
 
 /// Whether a point of the box has a double root.
@@ -200,8 +203,7 @@ fn modes(
     search: &mut Search<'_>,
 ) -> (Vec<Possible<SlipMode>>, Vec<(SlipMode, Rational)>) {
     let complex = [&classes.unstable_complex, &classes.stable_complex, &classes.neutral];
-    let known =
-        complex[..2].iter().filter_map(|met| met.point()).map(|point| (filtered.at(point).mode, point));
+    let known = complex[..2].iter().filter_map(|met| met.point()).map(|point| (filtered.mode(point), point));
     let known: Vec<(SlipMode, &Point)> = known.collect();
     let is_below = threshold::is_clearly_below(filtered);
     let mut met = |mode: SlipMode| match mode {
@@ -241,8 +243,9 @@ fn beside_real_roots(filtered: &Filtered<'_>, classes: &Classes, mode: SlipMode)
     let wanted = SlipMode::NonInertialUnderdampedOscillation;
     let real = classes.lower.point().or(classes.upper.point()).filter(|_| mode == wanted)?;
     let ends = [real.clone(), classes.stable_complex.point()?.clone()];
-    let area = filtered.at(real).mode;
-    filtered.between(ends, |state| state.mode == area, |state| state.mode == wanted)
+    let area = filtered.at(real).real_mode;
+    let is_wanted = |point: &Point, state: State| state.real_mode.is_none() && filtered.mode(point) == wanted;
+    filtered.between(ends, |state| state.real_mode == area, is_wanted)
 }
 
 /// The corners of a box at which K_c is least and greatest: K_c = (b − a)(σ/D_c + M V0²/(a D_c²)) is up in b and down in a;

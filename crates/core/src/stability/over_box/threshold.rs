@@ -16,7 +16,7 @@ use rug::{Complete, Integer};
 
 use super::Effort;
 use super::coefficient::{Coefficient, Rough};
-use super::corners::{A, B, Corner, D, Filtered, K, M, Point, S, State, V};
+use super::corners::{A, B, Corner, D, Filtered, K, M, Point, S, V};
 use super::polynomials::Lines;
 use super::tensor::{AXES, Tensor};
 use crate::friction::SlipMode;
@@ -263,14 +263,12 @@ impl<T: Coefficient> Part<T> {
                 }
                 point
             };
-            let has_mode = |state: State| state.mode == mode;
+            let has_mode = |point: &Point| filtered.mode(point) == mode;
             let found = match way.at {
-                Place::Corner(corner) => {
-                    Some(with_effects(corner)).filter(|point| has_mode(filtered.at(point)))
-                }
+                Place::Corner(corner) => Some(with_effects(corner)).filter(has_mode),
                 Place::Transition { unstable, stable } => {
                     let ends = [with_effects(unstable), with_effects(stable)];
-                    filtered.between(ends, |state| state.transition < 0, has_mode)
+                    filtered.between(ends, |state| state.transition < 0, |point, _| has_mode(point))
                 }
             };
             if found.is_some() {
