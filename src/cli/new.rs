@@ -18,7 +18,7 @@ use crate::cli::answer::Answer;
 use crate::cli::failure::Failure;
 use crate::cli::folder::{Source, read_report_from};
 use crate::cli::inputs::given_json;
-use crate::cli::options::{Arguments, MATERIAL, SliderOptions};
+use crate::cli::options::{Arguments, QUANTITIES, SliderOptions};
 use crate::cli::output::OutputFolder;
 use crate::cli::progress::Progress;
 use crate::cli::tree::{Files, listing};
@@ -36,7 +36,7 @@ pub struct Options {
     #[command(flatten)]
     slider: SliderOptions,
     /// A folder for the claims of another paper instead: its equations and its claims, with one example of each
-    #[arg(long, conflicts_with = MATERIAL)]
+    #[arg(long, conflicts_with = QUANTITIES)]
     paper: bool,
     /// The folder to write; it must not exist [default: NAME]
     #[arg(short, long, value_name = "DIR")]

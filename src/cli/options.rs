@@ -26,8 +26,8 @@ pub type MaterialOptions = QuantityOptions<5>;
 /// All seven arguments.
 pub type SliderOptions = QuantityOptions<7>;
 
-/// The group of the arguments that are the material and the machine.
-pub const MATERIAL: &str = "material";
+/// The group of all of these arguments.
+pub const QUANTITIES: &str = "quantities";
 
 const HEADING: &str =
     "Slider (SI, or with a unit: 8um, 2MPa/mm, 12kg/50cm2; decimals are exact: 0.004 is 1/250)";
@@ -65,11 +65,11 @@ impl<const N: usize> Args for QuantityOptions<N> {
                 .help(cited(meaning))
                 .allow_hyphen_values(true)
         };
-        let [material @ .., _, _] = ARGUMENTS.map(|(_, long, ..)| long);
+        let given = ARGUMENTS.into_iter().take(N);
         command
             .next_help_heading(HEADING)
-            .args(ARGUMENTS.into_iter().take(N).map(argument))
-            .group(ArgGroup::new(MATERIAL).multiple(true).args(material))
+            .args(given.clone().map(argument))
+            .group(ArgGroup::new(QUANTITIES).multiple(true).args(given.map(|(_, long, ..)| long)))
     }
 
     fn augment_args_for_update(command: Command) -> Command {

@@ -181,6 +181,7 @@ fn a_report_on_another_paper_is_decided_as_it_is_written() {
     place.run(["new", "--paper", "other"]).expect_refusal(&["other: already exists; choose another folder"]);
     place.run(["new", "--paper", "a b"]).expect_refusal(&["NAME = "]);
     place.run(["new", "--paper", "slider", "-a", "0.01"]).expect_refusal(&["--paper", "--direct-effect"]);
+    place.run(["new", "--paper", "slider", "-s", "1e6"]).expect_refusal(&["--paper", "--normal-stress-pa"]);
 }
 
 #[test]

@@ -18,6 +18,7 @@ mod coefficient;
 mod corners;
 #[cfg(test)]
 mod fixtures;
+mod growth;
 mod lower_area;
 mod pair;
 mod polynomials;

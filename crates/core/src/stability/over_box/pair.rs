@@ -55,7 +55,7 @@ fn slopes(values: &Values, h: Interval, w: Interval) -> [Interval; 7] {
 }
 
 /// The derivatives of the four coefficients by each parameter.
-fn coefficient_slopes(values: &Values) -> [[Interval; 4]; 7] {
+pub(super) fn coefficient_slopes(values: &Values) -> [[Interval; 4]; 7] {
     let [a, b, d, k, m, s, v] = *values;
     let [zero, one] = [0.0, 1.0].map(Interval::point);
     let mut slopes = [[zero; 4]; 7];

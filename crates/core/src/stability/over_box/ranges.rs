@@ -1,13 +1,14 @@
 //! The ranges of the largest real and imaginary part of the roots over a box: enclosed, with values that points of the box have.
 //!
 //! The greatest and the least value are searched apart, by halving the part of the box with the greatest bound. Where the derivative by a
-//! parameter has one sign over a part, the greatest value over the part is at the parameter's end. All arithmetic is that of
-//! 64-bit intervals.
+//! parameter has one sign over a part, the greatest value over the part is at the parameter's end. Discs about the roots give derivatives
+//! and bounds where roots are apart, conditions on coefficients ([`growth`]) where they meet. All arithmetic is that of 64-bit intervals.
 
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 use super::corners::{A, B, D, K, M, Point, S, V};
+use super::growth;
 use super::pair::Pair;
 use super::root_discs::{Quantity, RootDiscs, Values};
 use super::{OverBox, ParameterBox};
@@ -15,10 +16,14 @@ use crate::number::{Interval, Rational};
 
 /// A search ends when the enclosure's end is as near to a value that is attained, relative to it.
 const TOLERANCE: f64 = 1e-9;
-/// The most parts that a search examines.
-const MOST_PARTS: usize = 1 << 9;
-/// The most parts that a comparison examines.
-const MOST_COMPARED: usize = 1 << 8;
+/// The most parts that a search halves.
+const MOST_PARTS: usize = 1 << 7;
+
+/// A bound is lowered to the attained value with such a share of it, or of its distance from the bound, if that is certain; one
+/// within the first share of it is left to smaller parts.
+const LOWERINGS: [f64; 3] = [0.3, 0.05, 0.002];
+/// Shares of the real root at a point, below which the real root is looked for at all points of a part.
+const REAL_ROOTS: [f64; 5] = [0.9, 0.6, 0.3, 0.1, 0.01];
 
 /// The values of a quantity at the points of a box.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -233,12 +238,11 @@ impl Search {
     }
 
     fn run(mut self, whole: Part) -> Option<Extreme> {
-        let first = self.examine(whole)?;
+        let first = self.examine(whole, f64::INFINITY)?;
         self.visit_corners(&first.part);
         let mut open = BinaryHeap::from([first]);
         let mut bound = f64::NEG_INFINITY;
-        let most_parts = if self.goal.is_some() { MOST_COMPARED } else { MOST_PARTS };
-        for _ in 0..most_parts {
+        for _ in 0..MOST_PARTS {
             let Some(most) = open.peek() else { break };
             if self.goal.is_some_and(|goal| most.bound.max(bound) < goal.low || self.attained >= goal.high) {
                 break;
@@ -253,9 +257,9 @@ impl Search {
                 continue;
             };
             for half in halves {
-                let examined = self.examine(half)?;
+                let examined = self.examine(half, of_part)?;
                 if examined.bound > self.attained {
-                    open.push(Examined { bound: examined.bound.min(of_part), ..examined });
+                    open.push(examined);
                 }
             }
         }
@@ -278,11 +282,54 @@ impl Search {
         }
     }
 
-    /// Bounds the values over a part, after the parameters in which it is monotone are at their ends.
-    fn examine(&mut self, mut part: Part) -> Option<Examined> {
+    /// The derivatives of the largest real part, negated in a search for the least, as far as they are known without roots: they count
+    /// where the value lies between the greatest that is attained and the bound, since others cannot be the greatest.
+    fn slopes_of_growth(&self, hull: &Values, bound: f64) -> [Interval; 7] {
+        let slopes =
+            growth::slopes(hull, self.value(Interval { low: self.attained.min(bound), high: bound }));
+        self.turned(slopes)
+    }
+
+    fn turned(&self, slopes: [Interval; 7]) -> [Interval; 7] {
+        if self.side == Side::Least { slopes.map(|slope| -slope) } else { slopes }
+    }
+
+    /// A bound over a part, lowered towards the greatest value that is attained as far as is certain.
+    fn lowered(&self, bound: f64, hull: &Values, discs: &RootDiscs) -> f64 {
+        let highest = self.attained + TOLERANCE * self.attained.abs();
+        if bound <= highest {
+            return bound;
+        }
+        if self.quantity == Quantity::Imaginary {
+            return if self.side == Side::Greatest { bound.min(bound_of_pair(hull, discs)) } else { bound };
+        }
+        let is_above_all = |value: f64| match self.side {
+            Side::Greatest => growth::are_left(hull, value),
+            Side::Least => growth::are_not_left(hull, -value),
+        };
+        if is_above_all(highest) {
+            return highest;
+        }
+        let distant = self.attained + LOWERINGS[0] * self.attained.abs();
+        let of_attained = LOWERINGS.map(|share| self.attained + share * self.attained.abs());
+        let of_bound = LOWERINGS.map(|share| self.attained + share * (bound - self.attained));
+        let steps = of_attained.into_iter().chain(of_bound).filter(|step| *step < bound && bound > distant);
+        steps.filter(|step| is_above_all(*step)).fold(bound, f64::min)
+    }
+
+    /// Bounds the values over a part, none of which is above a bound, after the parameters in which it is monotone are at their ends.
+    fn examine(&mut self, mut part: Part, mut bound: f64) -> Option<Examined> {
         loop {
-            let (hull, middle) = (part.hull(), part.middle());
-            let (discs, at_middle) = (RootDiscs::of(&hull)?, RootDiscs::of(&middle)?);
+            let hull = part.hull();
+            let discs = RootDiscs::of(&hull)?;
+            bound = bound.min(self.value(discs.largest(self.quantity, &[None; 3])).high);
+            bound = self.lowered(bound, &hull, &discs);
+            if self.quantity == Quantity::Real && part.go_to_ends(&self.slopes_of_growth(&hull, bound)) {
+                continue;
+            }
+            let middle = part.middle();
+            let at_middle = RootDiscs::of(&middle)?;
+            self.attained = self.attained.max(self.value(at_middle.largest(self.quantity, &[None; 3])).low);
             let tracked = discs.tracked(&hull, &at_middle, &middle);
             let pair = (self.quantity == Quantity::Imaginary).then(|| {
                 let at_point = at_middle.others(&middle, &[None; 3])?[1];
@@ -290,19 +337,13 @@ impl Search {
             });
             let pair = pair.flatten();
             let top = discs.top(self.quantity, &tracked).map(|top| top.slopes(self.quantity));
-            let slopes = top.or_else(|| pair.as_ref().map(Pair::slopes));
-            let slopes = if self.side == Side::Least {
-                slopes.map(|slopes| slopes.map(|slope| -slope))
-            } else {
-                slopes
-            };
+            let slopes = top.or_else(|| pair.as_ref().map(Pair::slopes)).map(|slopes| self.turned(slopes));
             if slopes.is_some_and(|slopes| part.go_to_ends(&slopes)) {
                 continue;
             }
             let of_discs = discs.largest(self.quantity, &tracked);
             let values = pair.map_or(of_discs, |pair| of_discs.intersection(pair.height()));
-            let bound = self.value(values).high;
-            self.attained = self.attained.max(self.value(at_middle.largest(self.quantity, &[None; 3])).low);
+            let bound = bound.min(self.value(values).high);
             let effects: [f64; 7] = std::array::from_fn(|i| match slopes {
                 Some(slopes) => (slopes[i] * (hull[i] - middle[i])).width(),
                 None => hull[i].width() / hull[i].high,
@@ -312,6 +353,16 @@ impl Search {
             return Some(Examined { part, bound, axis });
         }
     }
+}
+
+/// A bound of a pair's imaginary part: the pair is slower than the slider on its spring alone, and c3 times the square of its size times the
+/// size of the real root is c0.
+fn bound_of_pair(hull: &Values, discs: &RootDiscs) -> f64 {
+    let natural = (hull[K] / hull[M]).square_root().high;
+    let real = REAL_ROOTS.map(|share| share * discs.real_root());
+    let below = real.into_iter().find(|number| *number < 0.0 && growth::is_lone_root_below(hull, *number));
+    let size = below.map(|below| hull[K] * hull[V] / (hull[M] * hull[D] * Interval::point(-below)));
+    size.map_or(natural, |square| square.square_root().high.min(natural))
 }
 
 impl Part {

@@ -68,6 +68,11 @@ impl RootDiscs {
         radii.iter().all(|radius| radius.is_finite()).then_some(Self { centres, radii, touch, others })
     }
 
+    /// The centre of the first disc: about the real root beside a pair.
+    pub(super) fn real_root(&self) -> f64 {
+        self.centres[0].re
+    }
+
     fn is_joined(&self, i: usize, j: usize) -> bool {
         i == j || self.touch[i + j - 1]
     }
