@@ -32,15 +32,16 @@ pub struct Options {
     grid: GridOptions,
     /// One JSON object instead of text
     ///
-    /// A value with an error bar is 0.009±0.001, 0.009+-0.001 or [0.008, 0.010]. Then the object has the slip modes that are
-    /// possible, each with an exact point within the error bars.
+    /// A value with an error bar is 0.009±0.001, 0.009+-0.001, 0.009(1), 0.009±5% or [0.008, 0.010]. Then the object has the slip
+    /// modes that are possible, each with an exact point within the error bars.
     #[arg(long, conflicts_with = "points")]
     json: bool,
     /// Classify every row of a CSV file; `-` reads standard input
     ///
     /// The header names the seven inputs with their SI units (direct_effect, evolution_effect, critical_slip_distance_m,
     /// stiffness_pa_per_m, mass_per_area_kg_per_m2, normal_stress_pa, loading_velocity_m_per_s), or by symbol (a, b, d_c, k, m,
-    /// sigma, v0) or in another unit (d_c_um, normal_stress_mpa), in any order; other columns are kept. Text that a spreadsheet
+    /// sigma, v0) or in another unit (d_c_um, normal_stress_mpa), in any order. Columns of errors have a word for it in their names
+    /// (d_c_error_um, sigma_std_mpa); a cell may have an error bar or a unit of its own. Other columns are kept. Text that a spreadsheet
     /// would run as a formula gets a `'` in front. Limits: 1 000 columns, 64 KiB per cell, 1 MiB per row, any number of rows. Without --keep-going, nothing is written unless every row is valid.
     #[arg(long, value_name = "FILE.csv")]
     points: Option<PathBuf>,

@@ -15,8 +15,10 @@ use clap::Args;
 use slipmode::scene::{AllowedRange, first_lines};
 use slipmode_core::number::nearest_f64;
 
+use crate::cli::dialect::DialectOptions;
 use crate::cli::environment::Environment;
 use crate::cli::failure::Failure;
+use crate::cli::input::open_csv;
 use crate::cli::options::Arguments;
 use crate::cli::output::{Output, OutputFolder, is_stream};
 use crate::cli::points::{Started, print_warnings};
@@ -51,6 +53,8 @@ pub struct Options {
     /// The rows written with --output get a column `error`.
     #[arg(long)]
     keep_going: bool,
+    #[command(flatten)]
+    dialect: DialectOptions,
     /// One JSON object instead of text
     #[arg(long)]
     json: bool,
@@ -70,7 +74,8 @@ pub fn run(options: &Options, progress: Progress) -> Result<(), Failure> {
     let environment = Environment::start();
     let command = options.command()?;
     let folder = options.report.as_deref().map(OutputFolder::create).transpose()?;
-    let started = Started::new(&options.runs, command, options.keep_going, progress)?;
+    let rows = open_csv(&options.runs, options.dialect.dialect())?;
+    let started = Started::new(rows, command, options.keep_going, progress)?;
     let output = options.output.as_deref().map(Output::create).transpose()?;
     let (done, output) = match output {
         Some(mut output) => (started.work(&mut output)?, Some(output)),
@@ -108,6 +113,7 @@ impl Options {
             folder: folder.unwrap_or(Path::new(".")).to_path_buf(),
             law,
             tolerance: nearest_f64(&tolerance),
+            dialect: self.dialect.dialect(),
             keeps_recordings: self.report.is_some(),
         })
     }

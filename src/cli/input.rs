@@ -5,7 +5,7 @@ use std::io::{self, Read};
 use std::os::fd::AsFd;
 use std::path::{Path, PathBuf};
 
-use slipmode::csv::{Input, RowReader};
+use slipmode::csv::{Dialect, Input, RowReader};
 use slipmode::scene::{Fault, MAX_FILE_BYTES, Problem};
 
 use crate::cli::output::note_input;
@@ -14,9 +14,9 @@ use crate::cli::output::note_input;
 ///
 /// # Errors
 /// When the file is missing, a folder, not readable, or an output of the command.
-pub fn open_csv(path: &Path) -> Result<RowReader, Fault> {
+pub fn open_csv(path: &Path, dialect: Dialect) -> Result<RowReader, Fault> {
     if path.as_os_str() != "-" {
-        return rows_of(path, File::open(path));
+        return rows_of(path, File::open(path), dialect);
     }
     let name = "standard input";
     // A stream that is closed has no file, and gives no bytes.
@@ -24,18 +24,19 @@ pub fn open_csv(path: &Path) -> Result<RowReader, Fault> {
         let noted = note_input(None, &File::from(stdin));
         noted.map_err(|why| unreadable(Path::new(name), &io::Error::other(why)))?;
     }
-    Ok(RowReader::new(Input { name: name.into(), reader: Box::new(io::stdin()), size: None }))
+    let input = Input { name: name.into(), reader: Box::new(io::stdin()), size: None };
+    Ok(RowReader::new(input, dialect))
 }
 
 /// Opens a CSV file that another file names: a regular one.
 ///
 /// # Errors
 /// When the file is missing, no regular file, not readable, or an output of the command.
-pub fn open_named_csv(path: &Path) -> Result<RowReader, Fault> {
-    rows_of(path, open_regular(path))
+pub fn open_named_csv(path: &Path, dialect: Dialect) -> Result<RowReader, Fault> {
+    rows_of(path, open_regular(path), dialect)
 }
 
-fn rows_of(path: &Path, file: io::Result<File>) -> Result<RowReader, Fault> {
+fn rows_of(path: &Path, file: io::Result<File>, dialect: Dialect) -> Result<RowReader, Fault> {
     let open = || {
         let file = file?;
         let metadata = file.metadata()?;
@@ -46,7 +47,8 @@ fn rows_of(path: &Path, file: io::Result<File>) -> Result<RowReader, Fault> {
         let size = metadata.is_file().then_some(metadata.len());
         Ok(Input { name: path.display().to_string(), reader: Box::new(file), size })
     };
-    open().map(RowReader::new).map_err(|error| unreadable(path, &error))
+    let input = open().map_err(|error| unreadable(path, &error))?;
+    Ok(RowReader::new(input, dialect))
 }
 
 /// The bytes of a scene, report, claims or prose file.

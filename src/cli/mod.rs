@@ -11,6 +11,7 @@ mod certificates;
 mod claim;
 mod classify;
 mod compare;
+mod dialect;
 mod diff;
 mod environment;
 mod explore;
@@ -47,7 +48,7 @@ use clap::{CommandFactory, Parser, Subcommand};
 use failure::Failure;
 use options::Arguments;
 use progress::Progress;
-use slipmode::scene::{LONGEST_MESSAGE, with_short_quotations};
+use slipmode::scene::{LONGEST_MESSAGE, Quantity, Uncertain, with_short_quotations};
 
 pub use capture::{Captured, capture};
 pub use options::inertial_threshold;
@@ -129,11 +130,12 @@ pub fn main() -> ExitCode {
 ///
 /// It starts threads and catches signals: a process calls it once.
 pub fn main_with(arguments: impl IntoIterator<Item = OsString>) -> u8 {
-    let cli = match Cli::try_parse_from(arguments) {
+    let arguments: Vec<OsString> = arguments.into_iter().collect();
+    let cli = match Cli::try_parse_from(&arguments) {
         Ok(cli) => cli,
         Err(error) => {
             let error = without_usage_of_conflict(error);
-            match shortened_usage(&error) {
+            match unit_apart(&arguments).or_else(|| shortened_usage(&error)) {
                 Some(text) => terminal::message(&text),
                 // Help and version are no errors. Where they cannot be written, the exit code is the same.
                 None => _ = error.print(),
@@ -156,6 +158,25 @@ fn without_usage_of_conflict(mut error: clap::Error) -> clap::Error {
         error.remove(clap::error::ContextKind::Usage);
     }
     error
+}
+
+/// A message about a unit that is an argument of its own, as in `-d 8 um`; none without one.
+fn unit_apart(arguments: &[OsString]) -> Option<String> {
+    let words: Vec<&str> = arguments.iter().map(|argument| argument.to_str().unwrap_or_default()).collect();
+    words.windows(3).find_map(|three| {
+        let [option, number, unit] = *three else { return None };
+        let value = format!("{number}{unit}");
+        let is_number = |quantity: Quantity, text: &str| Uncertain::parse(text, |text| quantity.parse(text)).is_ok();
+        let is_apart = option.starts_with('-')
+            && unit.starts_with(char::is_alphabetic)
+            && is_number(Quantity::DirectEffect, number)
+            && Quantity::ALL.into_iter().any(|quantity| is_number(quantity, &value));
+        is_apart.then(|| {
+            format!(
+                "error: {option} {number} {unit}: a unit belongs to its value: write {option} {value}, or {option} \"{number} {unit}\""
+            )
+        })
+    })
 }
 
 /// A message about wrong arguments that repeats long ones, shortened; none for other messages.

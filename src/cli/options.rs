@@ -211,7 +211,7 @@ fn required_as<T>(
     let option = option_of(quantity);
     match text {
         Some(text) => arguments.number(&option, text, parse),
-        None => arguments.fault(&option, None, Problem::Missing { allowed: AllowedRange::PHYSICAL.text() }),
+        None => arguments.fault(&option, None, Problem::Missing { allowed: AllowedRange::PHYSICAL.wanted() }),
     }
 }
 

@@ -10,14 +10,19 @@ use clap::Args;
 use indicatif::ProgressBar;
 use rayon::prelude::*;
 use slipmode::csv::{Block, Counts, Header, RowReader, RowWork, Work, Worked};
-use slipmode::scene::{Fault, Faults};
+use slipmode::scene::{Fault, Faults, shortened, visible};
 
+use crate::cli::dialect::DialectOptions;
 use crate::cli::failure::Failure;
 use crate::cli::input::open_csv;
 use crate::cli::options::Arguments;
 use crate::cli::output::{Output, machine_write};
 use crate::cli::progress::Progress;
 use crate::cli::terminal;
+
+/// Columns that are not read and are named, and the longest of their names.
+const MOST_NAMES: usize = 20;
+const LONGEST_NAME: usize = 40;
 
 /// The faults after which the run stops looking for more.
 const MOST_FAULTS: usize = 20;
@@ -31,6 +36,8 @@ pub struct RowsOptions {
     /// Give invalid rows a cell in a column `error` instead of stopping
     #[arg(long)]
     keep_going: bool,
+    #[command(flatten)]
+    dialect: DialectOptions,
 }
 
 impl RowsOptions {
@@ -44,6 +51,7 @@ impl RowsOptions {
         let needs = "--points: without rows nothing is written to a file, and none can be at fault";
         arguments.refuse("--output", self.output.is_some() && !has_grid, needs);
         arguments.refuse("--keep-going", self.keep_going, needs);
+        self.dialect.refuse(arguments, "--points: no other file is read");
     }
 }
 
@@ -70,7 +78,8 @@ pub fn run<W: RowWork>(
     progress: Progress,
 ) -> Result<(), Failure> {
     // An output that cannot be written is reported before the work, not after it; a faulty header before the output.
-    let started = Started::new(input, command, options.keep_going, progress)?;
+    let rows = open_csv(input, options.dialect.dialect())?;
+    let started = Started::new(rows, command, options.keep_going, progress)?;
     let mut output = Output::create(options.output.as_deref().unwrap_or(Path::new("-")))?;
     let done = started.work(&mut output)?;
     output.commit()?;
@@ -86,17 +95,21 @@ pub struct Started<W> {
 }
 
 impl<W: RowWork> Started<W> {
-    /// Opens a file and reads its header.
+    /// Reads the header of a file, and prints how its columns are read.
     ///
     /// # Errors
-    /// When it cannot be opened or read, or its header is at fault.
-    pub fn new(input: &Path, command: W, keep_going: bool, progress: Progress) -> Result<Self, Failure> {
-        let mut reader = open_csv(input)?;
+    /// When it cannot be read, or its header is at fault.
+    pub fn new(
+        mut reader: RowReader,
+        command: W,
+        keep_going: bool,
+        progress: Progress,
+    ) -> Result<Self, Failure> {
         let bar = progress.bytes(reader.size());
         let file = reader.name().to_string();
         let first = reader.block(1)?;
         let header = Header::read(&file, first.rows().next(), keep_going, &command)?;
-        header.remarks().iter().for_each(|remark| terminal::message(&format!("in SI: {remark}")));
+        print_columns(&header);
         Ok(Self { work: Work { file, header, command, keep_going }, reader, bar })
     }
 
@@ -148,6 +161,20 @@ fn read_batch<W: RowWork>(reader: &mut RowReader) -> Result<Vec<Block>, Fault> {
 
 fn work_batch<W: RowWork>(work: &Work<W>, batch: &[Block], only_read: bool) -> Vec<Worked<W::Kept>> {
     batch.par_iter().with_max_len(1).map(|block| work.block(block, only_read)).collect()
+}
+
+/// Prints how the columns are read, and which are not.
+pub fn print_columns(header: &Header) {
+    header.remarks().iter().for_each(|remark| terminal::message(&format!("in SI: {remark}")));
+    let mut unread: Vec<String> =
+        header.unread().map(|name| visible(&shortened(name, LONGEST_NAME))).collect();
+    if unread.is_empty() {
+        return;
+    }
+    let more = unread.len().saturating_sub(MOST_NAMES);
+    unread.truncate(MOST_NAMES);
+    let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+    terminal::message(&format!("warning: columns that are not read: {}{more}", unread.join(", ")));
 }
 
 /// Prints what is to be said of the rows after the output.

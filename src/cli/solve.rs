@@ -66,7 +66,7 @@ struct TargetOptions {
     angular_frequency: Option<String>,
     /// With error bars: stability at all values within them; for --for stiffness
     ///
-    /// A value with an error bar is 0.009±0.001, 0.009+-0.001 or [0.008, 0.010]. The answer is the largest K_c, exactly.
+    /// A value with an error bar is 0.009±0.001, 0.009+-0.001, 0.009(1), 0.009±5% or [0.008, 0.010]. The answer is the largest K_c, exactly.
     #[arg(long)]
     stable_for_box: bool,
     /// A growth rate max Re(s), 1/s; negative where disturbances decay, and 0 is the transition

@@ -3,14 +3,27 @@
 use slipmode_core::number::Rational;
 use slipmode_core::number::format::exact_text;
 
-use crate::scene::{AllowedRange, CsvProblem, Fault, Faults, Problem, Quantity, forbidden_character};
+use crate::scene::{
+    AllowedRange, CsvProblem, Fault, Faults, Problem, Quantity, UNITS_DIFFER, forbidden_character, with_unit,
+};
 
+use crate::csv::name::Unit;
 use crate::csv::row_work::RowWork;
 use crate::csv::rows::Row;
-use crate::csv::wanted::Wanted;
+use crate::csv::wanted::{Assigned, ErrorPlace, Place, Wanted, assign};
 
 /// The column that `--keep-going` appends last.
 pub const ERROR_COLUMN: &str = "error";
+
+/// Columns that commands append and that have errors of what they append. A file that a command wrote can be read again.
+const APPENDED_ERRORS: [&str; 6] = [
+    ERROR_COLUMN,
+    "peak_relative_error",
+    "period_relative_error",
+    "simulated_peak_relative_error",
+    "simulated_period_relative_error",
+    "asymptote_relative_error",
+];
 
 /// A valid header.
 #[derive(Debug, Clone)]
@@ -21,13 +34,30 @@ pub struct Header<P = [usize; 7]> {
     pub positions: P,
     /// The size in SI of the unit of each of these columns; none for those in SI.
     units: Vec<Option<Rational>>,
+    /// The columns of errors of each.
+    errors: Vec<Option<ErrorPlace>>,
+    /// The columns that nothing reads.
+    unread: Vec<usize>,
+    /// How the columns of quantities are read, for messages.
+    remarks: Vec<String>,
+}
+
+/// What a command makes of columns beyond those that it wants.
+pub struct Beyond<'c> {
+    /// The columns that it appends.
+    pub appended: &'c [&'c str],
+    /// What it needs for columns of errors; none if it reads them.
+    pub needs_for_errors: Option<&'c str>,
+    /// Whether it reads a further column of this name.
+    pub reads: &'c dyn Fn(&str) -> bool,
 }
 
 impl Header {
     /// Reads the header of the points file `file`; `None` stands for a file without any row.
     ///
     /// # Errors
-    /// Every column that is missing, doubled, in a unit of another dimension, or named like one that is appended.
+    /// Every column that is missing, doubled, in a unit of another dimension, named like one that is appended, or of errors that
+    /// are not understood or not used.
     pub fn read<W: RowWork>(
         file: &str,
         row: Option<Row<'_>>,
@@ -38,42 +68,113 @@ impl Header {
             W::APPENDED.iter().copied().chain(keep_going.then_some(ERROR_COLUMN)).collect();
         let unknown = command.unknown();
         let wanted = Quantity::ALL.map(|quantity| Wanted::quantity(quantity, Some(quantity) == unknown));
+        let beyond = Beyond {
+            appended: &appended,
+            needs_for_errors: command.needs_for_errors(),
+            reads: &|name| command.reads(name),
+        };
         let others = |names: &[String]| command.header_faults(names);
-        let Header { names, positions, units } = Header::of_columns(file, row, wanted, &appended, others)?;
+        let mut header = Header::of_columns(file, row, wanted, &beyond, others)?;
+        if let Some(unused) = unknown.and_then(|unknown| header.errors[unknown as usize].take()) {
+            header.unread.push(unused.0);
+        }
+        let read = Quantity::ALL.into_iter().filter(|quantity| Some(*quantity) != unknown);
+        let remarks = read.flat_map(|quantity| header.remarks_on(quantity)).collect();
+        let Header { names, positions, units, errors, unread, .. } = header;
         // A header without faults has all that are read.
-        Ok(Self { names, positions: positions.map(Option::unwrap_or_default), units })
+        Ok(Self {
+            names,
+            positions: positions.map(Option::unwrap_or_default),
+            units,
+            errors,
+            unread,
+            remarks,
+        })
     }
 
-    /// Whether a column of the seven quantities is in another unit than that of SI.
-    pub fn has_units(&self) -> bool {
-        self.units.iter().any(Option::is_some)
+    /// Whether the seven quantities are in SI, without columns of errors.
+    pub fn is_plain(&self) -> bool {
+        self.units.iter().all(Option::is_none) && self.errors.iter().all(Option::is_none)
     }
 
-    /// The value in SI of a cell of a quantity's column.
+    /// Where the errors of a quantity stand.
+    pub fn error_position(&self, quantity: Quantity) -> Option<usize> {
+        self.errors[quantity as usize].as_ref().map(|(position, _)| *position)
+    }
+
+    /// The value in SI of a cell of a quantity's column, in the unit that the cell or the column states.
     ///
     /// # Errors
-    /// When it is no number, or not in the allowed range.
+    /// When it is no number, not in the allowed range, or in a unit of another dimension.
     pub fn value(&self, quantity: Quantity, cell: &str) -> Result<Rational, Problem> {
-        let (range, unit) = (AllowedRange::PHYSICAL, &self.units[quantity as usize]);
-        let value = range.parse(cell)?;
-        unit.as_ref().map_or_else(|| Ok(value.clone()), |size| range.check(Rational::from(&value * size)))
+        in_unit(quantity, cell, self.units[quantity as usize].as_ref())
     }
 
-    /// How the columns of the seven quantities are read that have another name than that of SI, a line each.
-    pub fn remarks(&self) -> Vec<String> {
-        let remark = |(quantity, (position, unit)): (Quantity, (&usize, &Option<Rational>))| {
-            let name = self.names.get(*position).filter(|name| name.trim() != quantity.key())?;
-            let of_unit = unit.as_ref().map_or(String::new(), |size| format!(" times {}", exact_text(size)));
-            is_reading_of(quantity, name).then(|| format!("column {name}: {}{of_unit}", quantity.key()))
-        };
-        Quantity::ALL.into_iter().zip(self.positions.iter().zip(&self.units)).filter_map(remark).collect()
+    /// The error in SI of this value, of a cell of the column of errors.
+    ///
+    /// # Errors
+    /// As [`Self::value`], and when the error has no unit and the value has one of its own.
+    pub fn error(
+        &self,
+        quantity: Quantity,
+        value: (&str, &Rational),
+        cell: &str,
+    ) -> Result<Rational, Problem> {
+        let (text, value) = value;
+        match self.errors[quantity as usize].as_ref().map(|(_, unit)| unit) {
+            Some(Unit::Share(whole)) => {
+                Ok(AllowedRange::PHYSICAL.parse(cell)? * Rational::from(value / whole))
+            }
+            Some(Unit::Size(size)) => in_unit(quantity, cell, Some(size)),
+            _ if with_unit(text).is_some() && with_unit(cell).is_none() => {
+                Err(Problem::ErrorBar(UNITS_DIFFER))
+            }
+            _ => self.value(quantity, cell),
+        }
+    }
+
+    /// How the columns of the seven quantities and of their errors are read, a line each; values under their name in SI are left out.
+    pub fn remarks(&self) -> &[String] {
+        &self.remarks
+    }
+
+    /// The names of the columns that nothing reads.
+    pub fn unread(&self) -> impl Iterator<Item = &str> {
+        self.unread.iter().filter_map(|position| self.names.get(*position)).map(String::as_str)
     }
 }
 
-/// Whether a column gives a quantity; the column of an unknown that is missing gives none.
-fn is_reading_of(quantity: Quantity, name: &str) -> bool {
-    let wanted = Wanted::quantity(quantity, false);
-    is_named(name, wanted.key) || wanted.reading(name).is_some_and(|read| read.is_ok())
+/// A factor of a unit, in words.
+fn times(size: Option<&Rational>) -> String {
+    size.map_or(String::new(), |size| format!(" times {}", exact_text(size)))
+}
+
+/// The value in SI of a cell, in its own unit, or in this one.
+fn in_unit(quantity: Quantity, cell: &str, unit: Option<&Rational>) -> Result<Rational, Problem> {
+    let range = AllowedRange::PHYSICAL;
+    match unit.filter(|_| with_unit(cell).is_none()) {
+        Some(size) => range.check(range.parse(cell)? * size),
+        None => range.parse_measured(cell, quantity.unit()),
+    }
+}
+
+impl Header<[Option<usize>; 7]> {
+    /// How the columns of a quantity and of its errors are read.
+    fn remarks_on(&self, quantity: Quantity) -> Vec<String> {
+        let (key, size) = (quantity.key(), self.unit(quantity as usize));
+        let name = self.positions[quantity as usize].map(|position| self.names[position].trim());
+        let name = name.filter(|name| *name != key);
+        let values = name.map(|name| format!("column {name}: {key}{}", times(size)));
+        let errors = self.errors[quantity as usize].as_ref().map(|(position, unit)| {
+            let of_unit = match unit {
+                Unit::Share(whole) => format!("{} of the value", times(Some(&Rational::from((1, *whole))))),
+                Unit::Size(size) => times(Some(size).filter(|size| **size != 1)),
+                _ => times(size),
+            };
+            format!("column {}: error of {key}{of_unit}", self.names[*position].trim())
+        });
+        values.into_iter().chain(errors).collect()
+    }
 }
 
 impl<P> Header<P> {
@@ -97,12 +198,12 @@ impl<const N: usize> Header<[Option<usize>; N]> {
     /// Reads a header with these columns among others; `others` finds further faults, each with its column.
     ///
     /// # Errors
-    /// Every column that is missing, doubled, in a unit of another dimension, or named like one of `appended`.
+    /// As [`Header::read`].
     pub fn of_columns(
         file: &str,
         row: Option<Row<'_>>,
         wanted: [Wanted; N],
-        appended: &[&str],
+        beyond: &Beyond<'_>,
         others: impl FnOnce(&[String]) -> Vec<(String, Problem)>,
     ) -> Result<Self, Faults> {
         let fault = |key: String, problem: Problem| Fault {
@@ -117,24 +218,32 @@ impl<const N: usize> Header<[Option<usize>; N]> {
             return Err(vec![fault(String::new(), problem.into())]);
         };
         let names = names(row).map_err(|problem| vec![fault("header".into(), problem)])?;
-        let mut faults = column_faults(&names, appended);
+        let mut faults = column_faults(&names, beyond.appended);
         faults.extend(others(&names));
-        let places = wanted.map(|wanted| match wanted.place(&names) {
-            Ok(place) => Some(place),
-            // Where nothing is missing, a column in an unknown unit is still not to be passed over.
-            Err((_, CsvProblem::MissingColumn { .. })) if wanted.is_optional => None,
-            Err((name, problem)) => {
-                faults.push((name, problem.into()));
-                None
-            }
-        });
+        let is_known = |name: &str| {
+            (beyond.reads)(name) || APPENDED_ERRORS.iter().any(|appended| is_named(name, appended))
+        };
+        let (assigned, found) = assign(&names, &wanted, is_known);
+        faults.extend(found.into_iter().map(|(name, problem)| (name, problem.into())));
+        if let Some(needs) = beyond.needs_for_errors {
+            let refused = assigned.errors.iter().flatten().map(|(position, _)| names[*position].clone());
+            faults.extend(refused.map(|name| (name, Problem::Needs(needs.into()))));
+        }
         if faults.is_empty() {
-            let positions = places.each_ref().map(|place| place.as_ref().map(|(position, _)| *position));
-            let units = places.map(|place| place.and_then(|(_, unit)| unit)).into();
-            return Ok(Self { names, positions, units });
+            return Ok(Self::new(names, assigned, beyond));
         }
         let named = |(name, problem)| fault(format!("header, column {name}"), problem);
         Err(faults.into_iter().map(named).collect())
+    }
+
+    fn new(names: Vec<String>, assigned: Assigned, beyond: &Beyond<'_>) -> Self {
+        let Assigned { values, errors, others } = assigned;
+        let position = |index: usize| values.get(index)?.as_ref().map(|(position, _)| *position);
+        let positions = std::array::from_fn(position);
+        let unit = |place: Option<Place>| place.and_then(|(_, unit)| unit);
+        let unread = others.into_iter().filter(|index| !(beyond.reads)(&names[*index])).collect();
+        let units = values.into_iter().map(unit).collect();
+        Self { names, positions, units, errors, unread, remarks: Vec::new() }
     }
 }
 
@@ -150,10 +259,10 @@ fn in_words(wanted: &[Wanted]) -> String {
 /// The names of a header row.
 ///
 /// # Errors
-/// A name that is not text; columns that are not separated by commas.
+/// A name that is not text; columns with another separator.
 fn names(row: Row<'_>) -> Result<Vec<String>, Problem> {
-    if let Some(found) = other_separator(row) {
-        return Err(CsvProblem::OtherSeparator { found }.into());
+    if let Some(problem) = other_separator(row) {
+        return Err(problem.into());
     }
     let text = |index| {
         let text = std::str::from_utf8(row.cell(index))
@@ -163,10 +272,17 @@ fn names(row: Row<'_>) -> Result<Vec<String>, Problem> {
     (0..row.cell_count()).map(text).collect()
 }
 
-/// What a spreadsheet has put in place of the commas: no name of ours has one of these.
-fn other_separator(row: Row<'_>) -> Option<&'static str> {
+/// The separator of a header that is one cell, where it has one: no name of ours contains it.
+fn other_separator(row: Row<'_>) -> Option<CsvProblem> {
+    let separators = [
+        (b';', "semicolons", "add --delimiter ';'"),
+        (b'\t', "tabs", "add --delimiter tab"),
+        (b'|', "vertical bars", "add --delimiter '|'"),
+        (b',', "commas", "leave out --delimiter"),
+    ];
     let has = |separator: u8| row.cell_count() == 1 && row.cell(0).contains(&separator);
-    [(b';', "semicolons"), (b'\t', "tabs")].into_iter().find_map(|(byte, name)| has(byte).then_some(name))
+    let found = separators.into_iter().find(|(separator, ..)| has(*separator));
+    found.map(|(_, found, option)| CsvProblem::OtherSeparator { found, option })
 }
 
 /// Doubled columns, and columns that the output will have as well.

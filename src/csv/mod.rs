@@ -3,7 +3,9 @@
 //! The readers take a stream of bytes and open no file.
 
 mod cells;
+mod dialect;
 mod header;
+mod name;
 mod recording;
 mod row_work;
 mod rows;
@@ -11,6 +13,7 @@ mod wanted;
 mod work;
 
 pub use cells::{Column, Datum, joined, names, push_cell, push_cells};
+pub use dialect::Dialect;
 pub use header::{Header, is_named};
 pub use recording::read_recording;
 pub use row_work::{Cells, Remark, RowWork};

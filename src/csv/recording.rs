@@ -3,10 +3,10 @@
 mod backward;
 
 use crate::comparison::recording::{LEAST_SAMPLES, Recording};
-use crate::scene::{AllowedRange, CsvProblem, Fault, Faults, Problem};
+use crate::scene::{AllowedRange, CsvProblem, Fault, Faults, Problem, not_a_number};
 use slipmode_core::number::{Dd, Rational, nearest_f64, parse_decimal, parse_decimal_to_dd};
 
-use crate::csv::header::Header;
+use crate::csv::header::{Beyond, Header};
 use crate::csv::row_work::Cells;
 use crate::csv::rows::RowReader;
 use crate::csv::wanted::Wanted;
@@ -19,6 +19,9 @@ const COLUMNS: [Wanted; 3] = [
     Wanted { key: "velocity_m_per_s", symbols: &[], is_optional: false },
     Wanted { key: "shear_stress_pa", symbols: &[], is_optional: true },
 ];
+/// What a column of errors would need.
+const NEEDS_FOR_ERRORS: &str =
+    "no errors: remove it; the column tolerance of the runs states the error of a run";
 /// Most samples of a trajectory: 240 MB of numbers.
 const MOST_SAMPLES: usize = 10_000_000;
 /// Rows read at a time.
@@ -43,7 +46,8 @@ struct Read {
 pub fn read_recording(mut reader: RowReader, log_level: f64) -> Result<Recording, Faults> {
     let file = reader.name().to_string();
     let first = reader.block(1).map_err(|fault| vec![fault])?;
-    let header = Header::of_columns(&file, first.rows().next(), COLUMNS, &[], |_| Vec::new())?;
+    let beyond = Beyond { appended: &[], needs_for_errors: Some(NEEDS_FOR_ERRORS), reads: &|_| false };
+    let header = Header::of_columns(&file, first.rows().next(), COLUMNS, &beyond, |_| Vec::new())?;
     let mut read = Read::default();
     let mut faults = Faults::new();
     loop {
@@ -134,8 +138,7 @@ fn number(cell: &[u8], is_velocity: bool, unit: Option<&Rational>) -> Result<f64
     {
         return Ok(value.hi());
     }
-    let value =
-        parse_decimal(text).map_err(|reason| Problem::NotANumber { reason, allowed: SIGNED.into() })?;
+    let value = parse_decimal(text).map_err(|reason| not_a_number(text, reason, None))?;
     let value = unit.map_or_else(|| value.clone(), |size| Rational::from(&value * size));
     if is_velocity && value > 0 {
         return AllowedRange::PHYSICAL.check(value).map(|value| nearest_f64(&value));

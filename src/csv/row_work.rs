@@ -26,6 +26,16 @@ pub trait RowWork: Sync {
         Vec::new()
     }
 
+    /// Whether a further column of this name is read.
+    fn reads(&self, _name: &str) -> bool {
+        false
+    }
+
+    /// What columns of errors need; none if they are read.
+    fn needs_for_errors(&self) -> Option<&'static str> {
+        None
+    }
+
     /// The quantity whose column is not used and may be missing.
     fn unknown(&self) -> Option<Quantity> {
         None
@@ -81,7 +91,7 @@ impl<'r> Cells<'r> {
     /// The seven numbers to within a relative [`Dd::UNIT`], when all are positive and of ordinary size, as nearly all are.
     pub fn dd_parameters(self) -> Option<Parameters<Dd>> {
         // Products with the sizes of units are exact only in rationals.
-        if self.header.has_units() {
+        if !self.header.is_plain() {
             return None;
         }
         let mut values = [Dd::from(0.0); 7];
@@ -114,13 +124,7 @@ impl<'r> Cells<'r> {
 }
 
 impl Cells<'_> {
-    /// The columns of errors: `normal_stress_pa_error` beside `normal_stress_pa`, and so on.
-    pub fn error_columns(self) -> [Option<usize>; 7] {
-        let name = |position: usize| self.header.names.get(position).map(|name| format!("{name}_error"));
-        self.header.positions.map(|position| self.header.position(&name(position)?))
-    }
-
-    /// The seven values with the error bars of their cells or of [`Self::error_columns`]; an empty cell there is no error.
+    /// The seven values with the error bars of their cells or of the columns of errors; an empty cell there is no error.
     ///
     /// # Errors
     /// Every cell that is at fault.
@@ -133,7 +137,7 @@ impl Cells<'_> {
     /// # Errors
     /// Every cell that is at fault.
     pub fn uncertain_without(self, unknown: Option<Quantity>) -> Result<[Uncertain; 7], Faults> {
-        let (errors, mut faults) = (self.error_columns(), Faults::new());
+        let mut faults = Faults::new();
         let values = Quantity::ALL.map(|quantity| {
             if Some(quantity) == unknown {
                 return Some(Uncertain { lower: Rational::from(1), upper: Rational::from(1) });
@@ -141,7 +145,7 @@ impl Cells<'_> {
             let read = |text: &str| self.header.value(quantity, text);
             let position = self.header.positions[quantity as usize];
             let text = self.text(position);
-            let error = errors[quantity as usize].map(|column| (column, self.text(column)));
+            let error = self.header.error_position(quantity).map(|column| (column, self.text(column)));
             let (column, value) = match error.filter(|(_, error)| !error.trim().is_empty()) {
                 None => (position, Uncertain::parse(text, read)),
                 Some((column, _)) if Uncertain::is_meant(text) => {
@@ -149,7 +153,10 @@ impl Cells<'_> {
                     (column, Err(Problem::Needs(needs.to_string())))
                 }
                 Some((column, error)) => match read(text) {
-                    Ok(value) => (column, Uncertain::around(value, error, read)),
+                    Ok(value) => {
+                        let size = |error: &str| self.header.error(quantity, (text, &value), error);
+                        (column, Uncertain::around(&value, error, size))
+                    }
                     Err(problem) => (position, Err(problem)),
                 },
             };

@@ -2,8 +2,9 @@
 
 use std::io::Read;
 
-use crate::scene::{CsvProblem, Fault, Problem};
-use csv_core::{ReadRecordResult, Reader};
+use crate::csv::dialect::{Dialect, with_points};
+use crate::scene::{CsvProblem, Fault, Problem, is_utf16};
+use csv_core::{ReadRecordResult, Reader, ReaderBuilder};
 
 /// A stream of bytes to read, with its name for messages and its size when known.
 pub struct Input {
@@ -95,6 +96,7 @@ impl Block {
 /// A reader of rows; blank lines are skipped, a byte order mark at the start is dropped.
 pub struct RowReader {
     input: Input,
+    has_decimal_commas: bool,
     parser: Reader,
     buffer: Vec<u8>,
     unread: std::ops::Range<usize>,
@@ -108,10 +110,11 @@ pub struct RowReader {
 
 impl RowReader {
     /// A reader at the start of the stream.
-    pub fn new(input: Input) -> Self {
+    pub fn new(input: Input, dialect: Dialect) -> Self {
         Self {
             input,
-            parser: Reader::new(),
+            has_decimal_commas: dialect.has_decimal_commas,
+            parser: ReaderBuilder::new().delimiter(dialect.delimiter).build(),
             buffer: vec![0; BUFFER_BYTES],
             unread: 0..0,
             at_end: false,
@@ -176,8 +179,7 @@ impl RowReader {
                 }
                 ReadRecordResult::Record => {
                     let line = self.lines + usize::from(!ends_in_line_feed);
-                    self.keep(block, bytes, ends, line);
-                    return Ok(true);
+                    return self.keep(block, bytes, ends, line).map(|()| true);
                 }
                 ReadRecordResult::End => return Ok(false),
             }
@@ -193,6 +195,9 @@ impl RowReader {
                 Ok(read) => break read,
             }
         };
+        if self.consumed == 0 && is_utf16(&self.buffer[..read]) {
+            return Err(self.place(Problem::Utf16));
+        }
         self.at_end = read == 0;
         if self.at_end {
             self.buffer[0] = b'\n';
@@ -201,12 +206,34 @@ impl RowReader {
         Ok(())
     }
 
-    fn keep(&mut self, block: &mut Block, bytes: usize, ends: usize, line: usize) {
+    fn keep(&mut self, block: &mut Block, bytes: usize, ends: usize, line: usize) -> Result<(), Fault> {
         let (first_byte, first_end) = (block.bytes.len(), block.ends.len());
         block.rows.push(RowPlace { first_byte, first_end, line, number: self.number });
-        block.bytes.extend_from_slice(&self.row_bytes[..bytes]);
-        block.ends.extend_from_slice(&self.row_ends[..ends]);
+        if self.has_decimal_commas && self.number > 0 {
+            self.keep_with_points(block, ends)?;
+        } else {
+            block.bytes.extend_from_slice(&self.row_bytes[..bytes]);
+            block.ends.extend_from_slice(&self.row_ends[..ends]);
+        }
         self.number += 1;
+        Ok(())
+    }
+
+    /// Keeps a row whose numbers get decimal points.
+    fn keep_with_points(&self, block: &mut Block, ends: usize) -> Result<(), Fault> {
+        let (mut start, mut length) = (0, 0);
+        for end in &self.row_ends[..ends] {
+            let cell = &self.row_bytes[start..*end];
+            let text = std::str::from_utf8(cell).unwrap_or_default();
+            let replaced = with_points(text)
+                .map_err(|problem| Fault { value: Some(text.to_string()), ..self.fault(problem) })?;
+            let kept = replaced.as_deref().map_or(cell, str::as_bytes);
+            block.bytes.extend_from_slice(kept);
+            length += kept.len();
+            block.ends.push(length);
+            start = *end;
+        }
+        Ok(())
     }
 
     fn fault(&self, problem: CsvProblem) -> Fault {
@@ -229,7 +256,7 @@ mod tests {
     fn read(text: &[u8]) -> Result<Vec<(usize, u64, Vec<String>)>, Fault> {
         let input =
             Input { name: "f".into(), reader: Box::new(std::io::Cursor::new(text.to_vec())), size: None };
-        let block = RowReader::new(input).block(1_000_000)?;
+        let block = RowReader::new(input, Dialect::default()).block(1_000_000)?;
         let cells = |row: Row<'_>| -> Vec<String> {
             (0..row.cell_count()).map(|i| String::from_utf8_lossy(row.cell(i)).into_owned()).collect()
         };

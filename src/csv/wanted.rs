@@ -1,25 +1,56 @@
-//! The columns that a header has to have, under any of their names and in any unit.
+//! The columns that a header has to have, under any of their names and in any unit, with or without columns of their errors.
 
 use slipmode_core::number::Rational;
 
 use crate::csv::header::is_named;
-use crate::scene::{
-    CsvProblem, Quantity, nearest, read_unit, stem_of_key, unit_for, unit_of_column, unit_of_key,
-};
+use crate::csv::name::{MOST_WORDS, Reading, Unit, of_what, readings, words};
+use crate::scene::{CsvProblem, Quantity, nearest, stem_of_key, unit_of_key};
 
 /// A column that a header has to have.
 #[derive(Debug, Clone, Copy)]
 pub struct Wanted {
     /// Its name in SI.
     pub key: &'static str,
-    /// Short names, in SI unless a unit stands behind them; a longer one before one with which it begins.
+    /// Short names, in SI unless a unit stands behind them.
     pub symbols: &'static [&'static str],
     /// Whether it may be missing.
     pub is_optional: bool,
 }
 
-/// Where a column stands, and the size of its unit in SI, unless it is that of SI.
+/// Where a column of values stands, and the size of its unit in SI, unless it is that of SI.
 pub type Place = (usize, Option<Rational>);
+
+/// Where a column of errors stands, and its unit. Without a unit, the errors are in that of the values.
+pub type ErrorPlace = (usize, Unit);
+
+/// What the columns of a header give.
+#[derive(Debug, Clone)]
+pub struct Assigned {
+    /// The columns of values, in the order of what is wanted.
+    pub values: Vec<Option<Place>>,
+    /// The columns of errors.
+    pub errors: Vec<Option<ErrorPlace>>,
+    /// The columns that give none of these.
+    pub others: Vec<usize>,
+}
+
+/// A column and what is wrong with it.
+pub type ColumnFault = (String, CsvProblem);
+
+/// What one column gives.
+#[derive(Debug, Clone)]
+enum Meaning {
+    /// The values of what is wanted there, in SI and by its own name, or in another unit of this size.
+    Values(usize, Option<Rational>),
+    /// The errors of what is wanted there.
+    Errors(usize, Unit),
+    /// Values in a unit that cannot be used: the column is at fault if no other one has them.
+    Unusable(usize, String),
+    /// Something else.
+    Other,
+    /// What is at fault by itself.
+    Faulty,
+}
 
 impl Wanted {
     /// The column of a quantity.
@@ -27,96 +58,235 @@ impl Wanted {
         Self { key: quantity.key(), symbols: quantity.symbols(), is_optional }
     }
 
-    /// Where the column stands among these; its name in SI comes before any other.
-    ///
-    /// # Errors
-    /// The column that is missing, given twice, or in no unit or one of another dimension.
-    pub fn place(&self, names: &[String]) -> Result<Place, (String, CsvProblem)> {
-        let in_si = names.iter().enumerate().filter(|(_, name)| is_named(name, self.key));
-        let mut places: Vec<Place> = in_si.map(|(position, _)| (position, None)).collect();
-        let mut refused = None;
-        if places.is_empty() {
-            for (position, name) in names.iter().enumerate() {
-                match self.reading(name) {
-                    Some(Ok(size)) => places.push((position, (size != 1).then_some(size))),
-                    Some(Err(reason)) => refused = refused.or(Some((name, reason))),
-                    None => {}
-                }
-            }
-        }
-        // A column with the very same name is reported as doubled.
-        if let [(first, _), (second, _), ..] = places[..]
-            && names[first] != names[second]
-        {
-            let first = names[first].clone();
-            return Err((names[second].clone(), CsvProblem::SecondColumn { first, wanted: self.key }));
-        }
-        match (places.into_iter().next(), refused) {
-            (Some(place), _) => Ok(place),
-            (None, Some((name, reason))) => {
-                Err((name.clone(), CsvProblem::Unit { reason, allowed: self.allowed() }))
-            }
-            (None, None) => {
-                let near = nearest(self.key, names.iter().map(String::as_str)).map(str::to_string);
-                Err((self.key.into(), CsvProblem::MissingColumn { nearest: near, allowed: self.allowed() }))
-            }
-        }
-    }
-
-    /// The size in SI of the unit in which a column gives this quantity, or why that is none; none for another column.
-    pub fn reading(&self, name: &str) -> Option<Result<Rational, String>> {
-        let in_si = unit_of_key(self.key);
-        if let Some(unit) = unit_behind(name, stem_of_key(self.key)) {
-            let is_lacking = unit.is_empty() && in_si != "1";
-            return Some(if is_lacking { Err("no unit".into()) } else { unit_for(&unit, in_si) });
-        }
-        let unit = self.symbols.iter().find_map(|symbol| unit_behind(name, symbol))?;
-        if unit.is_empty() {
-            return Some(Ok(Rational::from(1)));
-        }
-        // A column that only begins with a symbol, such as `a_error`, is another one.
-        read_unit(&unit).is_ok().then(|| unit_for(&unit, in_si))
-    }
-
     /// The names that the column may have.
     fn allowed(&self) -> String {
         let names: Vec<&str> = [self.key].into_iter().chain(self.symbols.iter().copied()).collect();
-        let stem = self.symbols.last().copied().unwrap_or(stem_of_key(self.key));
-        let other = match unit_of_key(self.key) {
+        match self.other_unit() {
+            "" => names.join(", "),
+            other => {
+                format!("{}; with another unit behind the name, {}_{other}", names.join(", "), self.short())
+            }
+        }
+    }
+
+    /// A name that the column of its errors may have.
+    fn error_name(&self) -> String {
+        let unit = self.other_unit();
+        format!("{}_error{}{unit}", self.short(), if unit.is_empty() { "" } else { "_" })
+    }
+
+    /// Its shortest name.
+    fn short(&self) -> &'static str {
+        self.symbols.last().copied().unwrap_or(stem_of_key(self.key))
+    }
+
+    /// A unit beside that of SI.
+    fn other_unit(&self) -> &'static str {
+        match unit_of_key(self.key) {
             "m" => "um",
             "m/s" => "um_per_s",
             "Pa" => "mpa",
             "Pa/m" => "mpa_per_mm",
             "kg/m^2" => "kg_per_cm2",
             "s" => "ms",
-            _ => return names.join(", "),
-        };
-        format!("{}; with another unit behind the name, {stem}_{other}", names.join(", "))
+            _ => "",
+        }
     }
 }
 
-/// The unit behind a name: `um` in `d_c_um`, `MPa` in `sigma [MPa]`; empty when there is none, absent when the column has another name.
-fn unit_behind(column: &str, name: &str) -> Option<String> {
-    let column = column.trim();
-    let beginning = column.get(..name.len())?;
-    let rest = &column[name.len()..];
-    if !beginning.eq_ignore_ascii_case(name) {
-        return None;
+/// Finds the columns that are wanted. `is_known` names further columns that are read, and columns that slipmode itself appends.
+///
+/// A fault is every column that is missing, given twice, or in no unit or one of another dimension, and every one whose name says
+/// "error" and is not understood.
+pub fn assign(
+    names: &[String],
+    wanted: &[Wanted],
+    is_known: impl Fn(&str) -> bool,
+) -> (Assigned, Vec<ColumnFault>) {
+    let mut faults = Vec::new();
+    let mut meanings = Vec::new();
+    for name in names {
+        let found = if is_known(name) { Ok(Meaning::Other) } else { meaning(name, wanted) };
+        meanings.push(found.unwrap_or_else(|problem| {
+            faults.push((name.clone(), problem));
+            Meaning::Faulty
+        }));
     }
-    match rest.chars().next() {
-        None => Some(String::new()),
-        Some('_') => Some(unit_of_column(&rest[1..])),
-        Some(' ' | '[' | '(') => {
-            let unit = rest.trim_matches([' ', '[', ']', '(', ')']);
-            Some(if unit == "-" { "1".into() } else { unit.to_string() })
+    let (mut values, mut errors) = (Vec::new(), Vec::new());
+    for (index, of) in wanted.iter().enumerate() {
+        values.push(place(names, &meanings, index, of).unwrap_or_else(|fault| {
+            faults.push(fault);
+            None
+        }));
+        errors.push(error_place(names, &meanings, index, of).unwrap_or_else(|fault| {
+            faults.push(fault);
+            None
+        }));
+    }
+    let is_read = |index: usize| {
+        values.iter().flatten().any(|(position, _)| *position == index)
+            || errors.iter().flatten().any(|(position, _)| *position == index)
+    };
+    let others: Vec<usize> = (0..names.len()).filter(|index| !is_read(*index)).collect();
+    let is_other = |index: &&usize| matches!(meanings[**index], Meaning::Other) && !is_known(&names[**index]);
+    let unread = others.iter().filter(is_other).map(|index| &names[*index]);
+    faults.extend(unknown_errors(unread, wanted));
+    (Assigned { values, errors, others }, faults)
+}
+
+/// What a column gives by its name.
+///
+/// # Errors
+/// When its errors have a unit that cannot be used, or the name can be understood in two ways.
+fn meaning(name: &str, wanted: &[Wanted]) -> Result<Meaning, CsvProblem> {
+    if let Some(index) = wanted.iter().position(|wanted| is_named(name, wanted.key)) {
+        return Ok(Meaning::Values(index, None));
+    }
+    let words = words(name);
+    let of = |(index, of): (usize, &Wanted)| {
+        readings(&words, of).into_iter().map(move |reading| (index, reading)).collect::<Vec<_>>()
+    };
+    let mut all: Vec<(usize, Reading)> = wanted.iter().enumerate().flat_map(of).collect();
+    // What is not understood as one quantity may be understood as another, as `sigma_Dc_err`.
+    if all.iter().any(|(_, reading)| reading.unit != Unit::Unclear) {
+        all.retain(|(_, reading)| reading.unit != Unit::Unclear);
+    }
+    // A unit that fits tells the error of M in kg/m2 from a stress in m kg/m2.
+    let has_unit = |unit: &Unit| matches!(unit, Unit::Size(_) | Unit::Share(_));
+    if all.iter().filter(|(_, reading)| has_unit(&reading.unit)).count() == 1 {
+        all.retain(|(_, reading)| has_unit(&reading.unit));
+    }
+    let [(index, Reading { is_error, unit })] = &all[..] else {
+        return if all.is_empty() { Ok(Meaning::Other) } else { Err(ambiguous(&all, wanted)) };
+    };
+    match (is_error, unit) {
+        (_, Unit::Unclear) => Err(CsvProblem::UnknownError { allowed: wanted[*index].error_name() }),
+        (true, Unit::Refused(reason)) => {
+            Err(CsvProblem::Unit { reason: reason.clone(), allowed: wanted[*index].error_name() })
         }
-        Some(_) => None,
+        (true, unit) => Ok(Meaning::Errors(*index, unit.clone())),
+        (false, Unit::Refused(reason)) => Ok(Meaning::Unusable(*index, reason.clone())),
+        (false, Unit::Size(size)) => Ok(Meaning::Values(*index, (*size != 1).then(|| size.clone()))),
+        (false, Unit::Absent | Unit::Share(_)) => Ok(Meaning::Values(*index, None)),
     }
+}
+
+/// The fault of a name that can be understood in two ways.
+fn ambiguous(readings: &[(usize, Reading)], wanted: &[Wanted]) -> CsvProblem {
+    let said = |(index, reading): &(usize, Reading)| match reading.is_error {
+        true => format!("the error of {}", wanted[*index].key),
+        false => wanted[*index].key.to_string(),
+    };
+    let allowed = |(index, reading): &(usize, Reading)| match reading.is_error {
+        true => wanted[*index].error_name(),
+        false => wanted[*index].key.to_string(),
+    };
+    CsvProblem::Ambiguous {
+        readings: readings.iter().map(said).collect::<Vec<_>>().join(" or "),
+        allowed: readings.iter().map(allowed).collect::<Vec<_>>().join(", "),
+    }
+}
+
+/// Where the values of what is wanted stand; its name in SI comes before any other.
+fn place(
+    names: &[String],
+    meanings: &[Meaning],
+    index: usize,
+    wanted: &Wanted,
+) -> Result<Option<Place>, ColumnFault> {
+    let is_in_si = |place: &Place| is_named(&names[place.0], wanted.key);
+    let mut places = of_meaning(meanings, |meaning| match meaning {
+        Meaning::Values(of, unit) if *of == index => Some(unit.clone()),
+        _ => None,
+    });
+    if places.iter().any(is_in_si) {
+        places.retain(is_in_si);
+    }
+    let place = only(places, names, wanted.key.into())?;
+    if place.is_some() {
+        return Ok(place);
+    }
+    // Where nothing has to be there, a column in an unknown unit is still not to be passed over.
+    let unusable = of_meaning(meanings, |meaning| match meaning {
+        Meaning::Unusable(of, reason) if *of == index => Some(reason.clone()),
+        _ => None,
+    });
+    if let Some((position, reason)) = unusable.into_iter().next() {
+        return Err((names[position].clone(), CsvProblem::Unit { reason, allowed: wanted.allowed() }));
+    }
+    if wanted.is_optional {
+        return Ok(None);
+    }
+    let others = names.iter().zip(meanings).filter(|(_, meaning)| matches!(meaning, Meaning::Other));
+    let nearest = nearest(wanted.key, others.map(|(name, _)| name.as_str())).map(str::to_string);
+    Err((wanted.key.into(), CsvProblem::MissingColumn { nearest, allowed: wanted.allowed() }))
+}
+
+/// Where the errors of what is wanted stand.
+fn error_place(
+    names: &[String],
+    meanings: &[Meaning],
+    index: usize,
+    wanted: &Wanted,
+) -> Result<Option<ErrorPlace>, ColumnFault> {
+    let places = of_meaning(meanings, |meaning| match meaning {
+        Meaning::Errors(of, unit) if *of == index => Some(unit.clone()),
+        _ => None,
+    });
+    only(places, names, format!("the error of {}", wanted.key))
+}
+
+/// The columns of a meaning.
+fn of_meaning<T>(meanings: &[Meaning], of: impl Fn(&Meaning) -> Option<T>) -> Vec<(usize, T)> {
+    meanings.iter().enumerate().filter_map(|(position, meaning)| Some((position, of(meaning)?))).collect()
+}
+
+/// The column of a content; two are a fault. A column with the very same name is reported as doubled.
+fn only<T>(
+    places: Vec<(usize, T)>,
+    names: &[String],
+    wanted: String,
+) -> Result<Option<(usize, T)>, ColumnFault> {
+    if let [(first, _), (second, _), ..] = places[..]
+        && names[first] != names[second]
+    {
+        let first = names[first].clone();
+        return Err((names[second].clone(), CsvProblem::SecondColumn { first, wanted }));
+    }
+    Ok(places.into_iter().next())
+}
+
+/// The columns that nothing reads and whose names say "error", unless they have the errors of other such columns.
+fn unknown_errors<'n>(
+    unread: impl Iterator<Item = &'n String>,
+    wanted: &[Wanted],
+) -> impl Iterator<Item = ColumnFault> {
+    let (mut errors, mut others) = (Vec::new(), Vec::new());
+    for name in unread {
+        let words = words(name);
+        match of_what(&words) {
+            Some(of) => errors.push((name.clone(), of)),
+            // Long names are not compared, so that a header of any bytes is read in time.
+            None if words.len() <= MOST_WORDS => {
+                others.push(words.iter().map(|word| word.to_lowercase()).collect::<Vec<_>>());
+            }
+            None => {}
+        }
+    }
+    let allowed = wanted.last().map(Wanted::error_name).unwrap_or_default();
+    let is_unknown = move |of: &[String]| {
+        let is_of = |other: &Vec<String>| of.iter().all(|word| other.contains(word));
+        of.is_empty() || of.len() > MOST_WORDS || !others.iter().any(is_of)
+    };
+    let unknown = errors.into_iter().filter(move |(_, of)| is_unknown(of));
+    unknown.map(move |(name, _)| (name, CsvProblem::UnknownError { allowed: allowed.clone() }))
 }
 
 /// A column that gives a value of SI in a unit of its own or in none.
 pub fn misnamed(key: &'static str, names: &[String]) -> Option<(String, CsvProblem)> {
-    let name = names.iter().find(|name| unit_behind(name, stem_of_key(key)).is_some())?;
+    let wanted = Wanted { key, symbols: &[], is_optional: false };
+    let is_meant = |name: &&String| readings(&words(name), &wanted).iter().any(|reading| !reading.is_error);
+    let name = names.iter().find(is_meant)?;
     Some((name.clone(), CsvProblem::UnknownUnit { wanted: key }))
 }
 
@@ -124,9 +294,14 @@ pub fn misnamed(key: &'static str, names: &[String]) -> Option<(String, CsvProbl
 mod tests {
     use super::*;
 
-    fn place(quantity: Quantity, names: &[&str]) -> Result<Place, (String, CsvProblem)> {
+    fn found(quantity: Quantity, names: &[&str]) -> Result<Assigned, ColumnFault> {
         let names: Vec<String> = names.iter().map(|name| (*name).to_string()).collect();
-        Wanted::quantity(quantity, false).place(&names)
+        let (found, mut faults) = assign(&names, &[Wanted::quantity(quantity, false)], |_| false);
+        if faults.is_empty() { Ok(found) } else { Err(faults.swap_remove(0)) }
+    }
+
+    fn place(quantity: Quantity, names: &[&str]) -> Result<Place, ColumnFault> {
+        found(quantity, names).map(|found| found.values[0].clone().expect("a place"))
     }
 
     #[test]
@@ -147,7 +322,7 @@ mod tests {
         ] {
             assert_eq!(place(stress, &["id", name]), Ok((1, unit)), "{name}");
         }
-        assert_eq!(place(Quantity::DirectEffect, &["a [-]", "a_error"]), Ok((0, None)));
+        assert_eq!(place(Quantity::DirectEffect, &["a [-]", "a_sample", "a_2"]), Ok((0, None)));
         let smallest = Rational::from((1, 1_000_000));
         assert_eq!(place(Quantity::CriticalSlipDistance, &["d_c_um"]), Ok((0, Some(smallest))));
         let stiffest = Rational::from(1_000_000_000);

@@ -41,15 +41,38 @@ pub enum CsvProblem {
     SecondColumn {
         /// The column's name that stands first.
         first: String,
-        /// The quantity.
-        wanted: &'static str,
+        /// The quantity, or its error.
+        wanted: String,
     },
-    /// A header of one cell that holds other separators than commas.
-    #[error("columns are separated by {found} (wanted: commas between columns, and points in decimals)")]
+    /// A name that can be understood in two ways.
+    #[error("may be {readings} (allowed: {allowed})")]
+    Ambiguous {
+        /// What it may be.
+        readings: String,
+        /// Names that are not ambiguous.
+        allowed: String,
+    },
+    /// A name that says "error" and of which the rest is not understood.
+    #[error(
+        "looks like an error and is not understood (allowed: a name such as {allowed}); rename or remove it"
+    )]
+    UnknownError {
+        /// A name that is understood.
+        allowed: String,
+    },
+    /// A header of one cell that has another separator.
+    #[error(
+        "columns are separated by {found} (classify, simulate, solve and compare: {option}; decimal commas: add --decimal ,)"
+    )]
     OtherSeparator {
         /// The separators' name.
         found: &'static str,
+        /// What reads them.
+        option: &'static str,
     },
+    /// A point in a number of a file whose decimals have commas.
+    #[error("a decimal point, where --decimal says that decimals have commas")]
+    DecimalPoint,
     /// A column for the second time.
     #[error("doubled column (column {first} has the same name)")]
     DoubledColumn {
@@ -63,7 +86,7 @@ pub enum CsvProblem {
     #[error("{0}")]
     OffGrid(String),
     /// A row with fewer or more cells than the header.
-    #[error("{found} cells, where the header has {wanted}")]
+    #[error("{found} cells, where the header has {wanted}{}", if .found > .wanted { " (do decimals have commas? then put them between quotation marks, or separate columns by semicolons, and add --decimal ,)" } else { "" })]
     CellCount {
         /// The row's cells.
         found: usize,

@@ -42,6 +42,9 @@ pub enum Problem {
     /// The bytes are not UTF-8.
     #[error("not UTF-8 text (byte {0})")]
     NotUtf8(usize),
+    /// The bytes are UTF-16.
+    #[error("UTF-16 text (wanted: UTF-8, such as `CSV UTF-8` of a spreadsheet)")]
+    Utf16,
     /// A character that is invisible or changes the reading direction.
     #[error("character U+{0:04X} is not allowed (control, invisible or direction-changing)")]
     ForbiddenCharacter(u32),
@@ -71,21 +74,21 @@ pub enum Problem {
         found: &'static str,
     },
     /// A text that is not a number of the grammar.
-    #[error("{reason} (allowed: {allowed})")]
+    #[error("{reason}{}", .allowed.as_ref().map(|allowed| format!(" (allowed: {allowed})")).unwrap_or_default())]
     NotANumber {
         /// Why.
         reason: DecimalError,
-        /// The range that a number may have.
-        allowed: String,
+        /// What a number may be, where that is more than its size.
+        allowed: Option<String>,
     },
-    /// A number with a unit that is none, or one of another dimension.
-    #[error("{reason} (allowed: {allowed})")]
-    Unit {
-        /// Why.
-        reason: String,
-        /// The range that a number may have, in SI.
-        allowed: String,
-    },
+    /// A number with a decimal comma.
+    #[error(
+        "not a decimal number: a comma stands in place of the point (in a CSV file, --decimal , reads it)"
+    )]
+    DecimalComma,
+    /// A number with a unit that is none, or one of another dimension, and why.
+    #[error("{0}")]
+    Unit(String),
     /// A number outside the allowed range.
     #[error("out of range (allowed: {allowed})")]
     OutOfRange {
@@ -98,14 +101,9 @@ pub enum Problem {
         /// The range.
         allowed: String,
     },
-    /// A value with an error bar that has no meaning.
-    #[error("{reason} (allowed: {allowed})")]
-    ErrorBar {
-        /// Why.
-        reason: &'static str,
-        /// The range of both ends.
-        allowed: String,
-    },
+    /// A value with an error bar that has no meaning, and why.
+    #[error("{0}")]
+    ErrorBar(&'static str),
     /// `from` and `to` are equal.
     #[error("empty range: from and to are equal (allowed: from < to)")]
     EmptyRange,

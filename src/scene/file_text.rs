@@ -17,6 +17,9 @@ pub fn file_text<'b>(file: &str, bytes: &'b [u8]) -> Result<&'b str, Fault> {
     if size > MAX_FILE_BYTES {
         return Err(fault(None, Problem::TooLarge { bytes: size, limit: MAX_FILE_BYTES }));
     }
+    if is_utf16(bytes) {
+        return Err(fault(Some(1), Problem::Utf16));
+    }
     let text = std::str::from_utf8(bytes).map_err(|error| {
         let at = error.valid_up_to();
         fault(Some(line_at(bytes, at)), Problem::NotUtf8(at + 1))
@@ -28,6 +31,16 @@ pub fn file_text<'b>(file: &str, bytes: &'b [u8]) -> Result<&'b str, Fault> {
             Err(fault(Some(line), Problem::ForbiddenCharacter(u32::from(character))))
         }
         None => Ok(text),
+    }
+}
+
+/// Whether bytes are the beginning of a text in UTF-16: its byte order mark, or a letter in two bytes.
+#[must_use]
+pub fn is_utf16(bytes: &[u8]) -> bool {
+    match bytes {
+        [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => true,
+        [letter, 0, second, 0, ..] | [0, letter, 0, second, ..] => *letter > 0 && *second > 0,
+        _ => false,
     }
 }
 
@@ -75,8 +88,10 @@ mod tests {
 
     #[test]
     fn other_encodings_and_large_files_are_refused() {
-        let utf16 = file_text("f", b"\xff\xfea\0").unwrap_err();
-        assert_eq!(utf16.problem, Problem::NotUtf8(1));
+        for utf16 in [&b"\xff\xfea\0"[..], b"\xfe\xff\0a", b"a\0b\0", b"\0a\0b"] {
+            assert_eq!(file_text("f", utf16).unwrap_err().problem, Problem::Utf16);
+        }
+        assert_eq!(file_text("f", b"a\xff").unwrap_err().problem, Problem::NotUtf8(2));
         let large = vec![b' '; MAX_FILE_BYTES as usize + 1];
         assert!(matches!(file_text("f", &large).unwrap_err().problem, Problem::TooLarge { .. }));
         assert!(file_text("f", &large[1..]).is_ok());

@@ -135,7 +135,7 @@ impl ParametersSection {
 pub(crate) fn read_parameters(section: &mut Section<'_>) -> Option<ParametersSection> {
     let range = AllowedRange::PHYSICAL;
     let [a, b, d, k, m] = Quantity::OF_THE_SLIDER
-        .map(|quantity| section.required(quantity.key(), &range.text())?.uncertain(range));
+        .map(|quantity| section.required(quantity.key(), &range.wanted())?.uncertain(range));
     let [stress, velocity] = [Quantity::NormalStress, Quantity::LoadingVelocity]
         .map(|quantity| section.optionally(quantity.key(), |entry| entry.uncertain(range)));
     let (material, stress, velocity) = ([a?, b?, d?, k?, m?], stress?, velocity?);

@@ -85,7 +85,7 @@ impl<'t> Section<'t> {
 
     /// A decimal that must be there.
     pub fn decimal(&mut self, key: &'static str, range: AllowedRange) -> Option<Rational> {
-        self.required(key, &range.text())?.decimal(range)
+        self.required(key, &range.wanted())?.decimal(range)
     }
 
     /// A list of decimals that must be there.

@@ -1,7 +1,8 @@
-//! Values with error bars: `0.009±0.001`, `0.009+-0.001` or `[0.008, 0.010]`.
+//! Values with error bars: `0.009±0.001`, `0.009±10%`, `0.009(1)` or `[0.008, 0.010]`; `+-` and `+/-` have the meaning of `±`.
 //!
-//! A unit stands behind each number, `8um±1um`, or once behind both, `8±1 um` and `[7, 9] um`.
+//! A unit stands behind each number, `8um±1um`, or once behind both, `8±1 um`, `8(1) um` and `[7, 9] um`.
 
+use crate::scene::units::split_unit;
 use crate::scene::{AllowedRange, Problem};
 use slipmode_core::number::Rational;
 
@@ -15,7 +16,7 @@ pub struct Uncertain {
 }
 
 /// What separates a value from its error.
-const SEPARATORS: [&str; 2] = ["±", "+-"];
+const SEPARATORS: [&str; 3] = ["±", "+/-", "+-"];
 
 /// The range of both ends.
 const RANGE: AllowedRange = AllowedRange::PHYSICAL;
@@ -24,7 +25,9 @@ impl Uncertain {
     /// Whether a text has the form of a value with an error bar.
     #[must_use]
     pub fn is_meant(text: &str) -> bool {
-        text.trim_start().starts_with('[') || SEPARATORS.iter().any(|separator| text.contains(separator))
+        text.trim_start().starts_with('[')
+            || text.contains('(')
+            || SEPARATORS.iter().any(|separator| text.contains(separator))
     }
 
     /// Whether both ends are the same.
@@ -45,49 +48,92 @@ impl Uncertain {
     /// When `read` refuses a number, an end lies outside of the range, or the lower end is above the upper one.
     pub fn parse(text: &str, read: impl Fn(&str) -> Result<Rational, Problem>) -> Result<Self, Problem> {
         if let Some(range) = text.trim_start().strip_prefix('[') {
-            let parts = range.split_once(']').and_then(|(ends, unit)| Some((ends.split_once(',')?, unit)));
-            let ((lower, upper), unit) = parts.ok_or_else(|| fault("a range has the form [lower, upper]"))?;
-            let upper = with_unit(upper, unit.trim());
-            let ends = Self { lower: read(&with_unit(lower, unit_of(&upper)))?, upper: read(&upper)? };
-            let reversed = "reversed range: the lower end is greater than the upper one";
-            return if ends.lower <= ends.upper { Ok(ends) } else { Err(fault(reversed)) };
+            return Self::between(range, read);
+        }
+        if let Some((value, digits)) = text.split_once('(') {
+            return Self::with_last_digits(value, digits, read);
         }
         let Some((value, error)) = SEPARATORS.iter().find_map(|separator| text.split_once(separator)) else {
             return read(text).map(|value| Self { lower: value.clone(), upper: value });
         };
-        if unit_of(error).is_empty() && !unit_of(value).is_empty() {
-            return Err(fault("the value has a unit and its error has none"));
+        if let Some((share, unit)) = error.split_once('%') {
+            let value = read(&with_unit(value, unit.trim()))?;
+            return Self::around(&value, &format!("{}%", share.trim()), read);
         }
-        Self::around(read(&with_unit(value, unit_of(error)))?, error, &read)
+        if unit_of(error).is_empty() && !unit_of(value).is_empty() {
+            return Err(Problem::ErrorBar(UNITS_DIFFER));
+        }
+        Self::around(&read(&with_unit(value, unit_of(error)))?, error, &read)
     }
 
-    /// The value with an error bar on both sides, which may be 0.
+    /// A range, from behind its first bracket on.
+    fn between(range: &str, read: impl Fn(&str) -> Result<Rational, Problem>) -> Result<Self, Problem> {
+        let parts = range.split_once(']').and_then(|(ends, unit)| Some((ends.split_once([';', ','])?, unit)));
+        let ((lower, upper), unit) = parts.ok_or(Problem::ErrorBar("a range has the form [lower, upper]"))?;
+        let upper = with_unit(upper, unit.trim());
+        let ends = Self { lower: read(&with_unit(lower, unit_of(&upper)))?, upper: read(&upper)? };
+        let reversed = "reversed range: the lower end is greater than the upper one";
+        if ends.lower <= ends.upper { Ok(ends) } else { Err(Problem::ErrorBar(reversed)) }
+    }
+
+    /// A value such as `0.0098(5)`: the digits between brackets are the error of its last digits.
+    fn with_last_digits(
+        value: &str,
+        digits: &str,
+        read: impl Fn(&str) -> Result<Rational, Problem>,
+    ) -> Result<Self, Problem> {
+        let of_digits = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+        let value = value.trim();
+        let decimals = value.split_once('.').map_or("", |(_, decimals)| decimals);
+        let parts = digits.split_once(')').filter(|(digits, _)| of_digits(digits));
+        let is_plain = value.bytes().all(|byte| byte.is_ascii_digit() || b".+-".contains(&byte));
+        let (digits, rest) = parts.filter(|_| is_plain).ok_or(Problem::ErrorBar(LAST_DIGITS))?;
+        // An exponent stands behind the brackets, and before the unit.
+        let behind = format!("1{}", rest.trim_end());
+        let (power, unit) = split_unit(&behind);
+        if power.get(1..2).is_some_and(|next| !next.eq_ignore_ascii_case("e")) {
+            return Err(Problem::ErrorBar(LAST_DIGITS));
+        }
+        let exponent: i64 = power.get(2..).unwrap_or_default().parse().unwrap_or(0);
+        let error_exponent = exponent.saturating_sub(i64::try_from(decimals.len()).unwrap_or(i64::MAX));
+        let number = read(&format!("{value}{}{unit}", &power[1..]))?;
+        Self::around(&number, &format!("{digits}e{error_exponent}{unit}"), read)
+    }
+
+    /// The value with an error bar on both sides, which may be 0 and may be a percentage of the value.
     ///
     /// # Errors
     /// When the error is not a number or is negative, or an end lies outside of the range.
     pub fn around(
-        value: Rational,
+        value: &Rational,
         error: &str,
         read: impl Fn(&str) -> Result<Rational, Problem>,
     ) -> Result<Self, Problem> {
         let error = error.trim();
-        let size = match read(error) {
+        let size = match error.strip_suffix('%') {
+            Some(share) => RANGE.parse(share.trim_end()).map(|share| share * value / 100u32),
+            None => read(error),
+        };
+        let size = match size {
             Err(Problem::NotPositive { .. }) if error.starts_with('-') => {
-                return Err(fault("the error is negative"));
+                return Err(Problem::ErrorBar("the error is negative"));
             }
             Err(Problem::NotPositive { .. }) => Rational::new(),
             size => size?,
         };
-        if size >= value {
-            return Err(fault("the error is not smaller than the value: the lower end must be > 0"));
+        if size >= *value {
+            let reason = "the error is not smaller than the value: the lower end must be > 0";
+            return Err(Problem::ErrorBar(reason));
         }
-        Ok(Self { lower: RANGE.check(Rational::from(&value - &size))?, upper: RANGE.check(value + size)? })
+        Ok(Self { lower: RANGE.check(Rational::from(value - &size))?, upper: RANGE.check(size + value)? })
     }
 }
 
-fn fault(reason: &'static str) -> Problem {
-    Problem::ErrorBar { reason, allowed: RANGE.text() }
-}
+/// Why an error without a unit has no meaning.
+pub(crate) const UNITS_DIFFER: &str = "the value has a unit and its error has none";
+
+/// Why brackets have no meaning.
+const LAST_DIGITS: &str = "brackets have the error of the last digits, as in 0.0098(5) um";
 
 /// What follows the number of a text; the denominator of a fraction is no unit.
 fn unit_of(text: &str) -> &str {
@@ -104,6 +150,8 @@ fn with_unit(text: &str, unit: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
+
     use super::*;
 
     /// Reads numbers, those of length in um too.
@@ -134,6 +182,45 @@ mod tests {
     }
 
     #[test]
+    fn brackets_and_percentages_are_errors_too() {
+        for (text, bar) in [
+            ("0.0098(5)", "0.0098±0.0005"),
+            ("0.0098(15)", "0.0098±0.0015"),
+            ("120(20)", "120±20"),
+            ("1.20(3)e-5", "1.20e-5±3e-7"),
+            ("8.0(2) um", "8.0±0.2um"),
+            ("2(0)", "2±0"),
+            ("0.0126±5%", "0.0126±0.00063"),
+            ("8um +/- 2.5 %", "8±0.2um"),
+            ("8±2.5% um", "8±0.2um"),
+            ("[7; 9] um", "8±1um"),
+        ] {
+            assert!(Uncertain::is_meant(text), "{text}");
+            assert_eq!(parse(text), parse(bar), "{text}");
+            assert!(parse(text).is_ok(), "{text}");
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn brackets_have_the_error_of_the_last_digits(
+            whole in 1_u32..1000, decimals in "[0-9]{1,6}", digits in 0_u32..1000, exponent in -20_i32..20,
+        ) {
+            let zeros = decimals.len();
+            let value = format!("{whole}.{decimals}");
+            let bar = format!("{value}e{exponent}±{digits}e{}", exponent - i32::try_from(zeros).unwrap());
+            prop_assert_eq!(parse(&format!("{value}({digits})e{exponent}")), parse(&bar));
+        }
+
+        #[test]
+        fn any_text_is_refused_or_has_positive_ends_in_order(text in "[0-9.eum±+/()\\[\\]%,; -]{0,24}") {
+            if let Ok((lower, upper)) = parse(&text) {
+                prop_assert!(lower > 0 && lower <= upper);
+            }
+        }
+    }
+
+    #[test]
     fn a_unit_behind_both_numbers_is_that_of_each() {
         let ends = (Rational::from((7, 1_000_000)), Rational::from((9, 1_000_000)));
         for text in ["8um±1um", "8±1um", "8 ± 1 um", "[7, 9] um", "[7um, 9um]", "[7, 9um]"] {
@@ -159,6 +246,13 @@ mod tests {
             ("1±0.1±0.1", "not a decimal number"),
             ("[1±0.1, 2]", "not a decimal number"),
             ("[1, 2]±0.1", "not a decimal number"),
+            ("0.0098(5)3", "as in 0.0098(5)"),
+            ("12.3(1.2)", "as in 0.0098(5)"),
+            ("8um(1)", "as in 0.0098(5)"),
+            ("1(2)", "not smaller than the value"),
+            ("1±100%", "not smaller than the value"),
+            ("1±-5%", "negative"),
+            ("1(1)e-9223372036854775808", "exponent beyond"),
             ("9e299±8e299", "out of range"),
         ] {
             let problem = parse(text).expect_err(text).to_string();

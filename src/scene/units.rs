@@ -45,12 +45,13 @@ const UNITS: [Unit; 31] = [
 ];
 
 /// Units of SI, and what has them.
-const NAMES: [(&str, &str); 13] = [
+const NAMES: [(&str, &str); 14] = [
     ("1", "a number without unit"),
     ("kg", "a mass"),
     ("m", "a length"),
     ("s", "a time"),
     ("m^2", "an area"),
+    ("1/m", "a number per length"),
     ("N", "a force"),
     ("Pa", "a stress"),
     ("1/s", "a frequency"),
@@ -204,8 +205,12 @@ pub fn unit_for(text: &str, in_si: &str) -> Result<Rational, String> {
         _ if in_si == "1" => "this number has no unit".to_string(),
         _ => format!("the unit is {in_si}"),
     };
-    let is_whole = Dimension::read("m^2").is_ok_and(|area| found.over(&area) == wanted);
-    let hint = if is_whole { ": divide by the area of contact, as in kg/50cm2" } else { "" };
+    let lacks = |unit: &str| Dimension::read(unit).is_ok_and(|lacking| found.times(&lacking) == wanted);
+    let hint = match () {
+        () if lacks("1/m^2") => ": divide by the area of contact, as in kg/50cm2",
+        () if lacks("Pa") => ": multiply by the normal stress (σ)",
+        () => "",
+    };
     Err(format!("{text} is {found_name}; {wanted_words}{hint}"))
 }
 
@@ -221,19 +226,24 @@ pub fn with_unit(text: &str) -> Option<(&str, &str)> {
     has_unit.then(|| (number, unit.trim_end()))
 }
 
-/// The unit of a column's name: `um`, `mpa_per_mm`, `MPa_per_mm`; one wholly in lower or in upper case is found whatever its case in the
-/// table.
+/// A unit of a column's name, such as `mpa/mm`: a symbol wholly in lower or in upper case is found whatever its case in the table.
 #[must_use]
-pub fn unit_of_column(text: &str) -> String {
-    let part = |part: &str| {
-        let (symbol, power) = part.split_at(part.find(|c: char| !c.is_alphabetic()).unwrap_or(part.len()));
+pub fn unit_in_any_case(text: &str) -> String {
+    let known = |symbol: &str| {
         let is_of_one_case = symbol.chars().all(char::is_lowercase)
             || (symbol.len() > 1 && symbol.chars().all(char::is_uppercase));
         let same = |known: &&str| *known == symbol || (is_of_one_case && known.eq_ignore_ascii_case(symbol));
-        let known = UNITS.iter().map(|(known, ..)| *known).find(same);
-        format!("{}{power}", known.unwrap_or(symbol))
+        UNITS.iter().map(|(known, ..)| *known).find(same).unwrap_or(symbol).to_string()
     };
-    text.split("_per_").map(part).collect::<Vec<_>>().join("/")
+    let (mut unit, mut rest) = (String::new(), text);
+    while !rest.is_empty() {
+        let symbol = rest.len() - rest.trim_start_matches(char::is_alphabetic).len();
+        let other = rest[symbol..].find(char::is_alphabetic).map_or(rest.len(), |other| symbol + other);
+        unit.push_str(&known(&rest[..symbol]));
+        unit.push_str(&rest[symbol..other]);
+        rest = &rest[other..];
+    }
+    unit
 }
 
 #[cfg(test)]
@@ -348,13 +358,13 @@ mod tests {
     }
 
     #[test]
-    fn a_column_may_write_its_unit_in_lower_case() {
-        assert_eq!(unit_of_column("um"), "um");
-        assert_eq!(unit_of_column("mpa_per_mm"), "MPa/mm");
-        assert_eq!(unit_of_column("kg_per_cm2"), "kg/cm2");
+    fn a_column_may_write_its_unit_in_lower_or_upper_case() {
+        assert_eq!(unit_in_any_case("um"), "um");
+        assert_eq!(unit_in_any_case("mpa/mm"), "MPa/mm");
+        assert_eq!(unit_in_any_case("kg/50cm2"), "kg/50cm2");
         // Millipascal is written as such, and then refused.
-        assert_eq!(unit_of_column("mPa"), "mPa");
-        assert_eq!(unit_of_column("MPA_per_MM"), "MPa/mm");
+        assert_eq!(unit_in_any_case("mPa"), "mPa");
+        assert_eq!(unit_in_any_case("MPA/MM"), "MPa/mm");
     }
 
     #[test]

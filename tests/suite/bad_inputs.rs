@@ -196,7 +196,7 @@ fn only_plain_text_is_read() {
     place.write("s.toml", format!("\u{feff}{}", SCENE.replace('\n', "\r\n")));
     in_time(&place, ["run", "s.toml", "-o", "out"]).expect_success();
     let wide: Vec<u8> = "\u{feff}name".encode_utf16().flat_map(u16::to_le_bytes).collect();
-    refuse_scene(wide, &["s.toml:1: not UTF-8 text (byte 1)"]);
+    refuse_scene(wide, &["s.toml:1: UTF-16 text (wanted: UTF-8"]);
     refuse_scene(b"name = \"\xc3\x28\"", &["not UTF-8 text"]);
     for hidden in ['\0', '\u{202e}', '\u{200b}', '\u{2066}'] {
         let code = format!("s.toml:2: character U+{:04X} is not allowed", u32::from(hidden));

@@ -89,7 +89,8 @@ fn values_within_error_bars_are_certified_together() {
     let cells = |stress: &str, error: &str| format!("slip,0.004,0.006,1e-5,1e7,1000,{stress},1e-3,{error}\n");
     let rows = cells("3e4", "3e-5") + &cells("3e4±3e-5", "") + &cells("3e4", "") + &cells("3e4", "3e3");
     place.write("in.csv", format!("law,{HEADER},normal_stress_pa_error\n{rows}"));
-    place.run(["simulate", "--certify", "--points", "in.csv", "-o", "out.csv"]).expect_success();
+    let ended = place.run(["simulate", "--certify", "--points", "in.csv", "-o", "out.csv"]);
+    assert_eq!(ended.stderr, "in SI: column normal_stress_pa_error: error of normal_stress_pa\n");
     let written = place.read("out.csv");
     let lines: Vec<Vec<&str>> = written.lines().map(|line| line.split(',').collect()).collect();
     let column = |name: &str| lines[0].iter().position(|other| *other == name).unwrap();

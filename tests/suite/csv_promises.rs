@@ -3,7 +3,9 @@
 use std::io::Cursor;
 
 use slipmode::comparison::recording::{LEAST_SAMPLES, Recording};
-use slipmode::csv::{Cells, Header, Input, Remark, RowReader, RowWork, Work, push_cell, read_recording};
+use slipmode::csv::{
+    Cells, Dialect, Header, Input, Remark, RowReader, RowWork, Work, push_cell, read_recording,
+};
 use slipmode::scene::{Faults, Problem};
 use slipmode_core::friction::Parameters;
 use slipmode_core::number::Rational;
@@ -91,7 +93,7 @@ fn assert_orderly(found: &Recording) {
 
 fn reader(bytes: &[u8]) -> RowReader {
     let reader = Box::new(Cursor::new(bytes.to_vec()));
-    RowReader::new(Input { name: "f".into(), reader, size: None })
+    RowReader::new(Input { name: "f".into(), reader, size: None }, Dialect::default())
 }
 
 fn is_told(faults: &Faults) -> bool {

@@ -120,7 +120,9 @@ fn rows_take_error_bars_in_cells_and_in_columns_of_errors() {
     }
     let columns = format!("{HEADER},evolution_effect_error\n{point},0.0007\n{point},\n");
     place.write("columns.csv", columns);
-    let columns = place.run(["classify", "--points", "columns.csv"]).expect_success();
+    let ended = place.run(["classify", "--points", "columns.csv"]);
+    assert_eq!(ended.stderr, "in SI: column evolution_effect_error: error of evolution_effect\n");
+    let columns = ended.stdout;
     let [uncertain, certain] = [1, 2].map(|line| columns.lines().nth(line).unwrap().to_string());
     assert!(uncertain.ends_with(results), "{uncertain}");
     let values = alone.lines().nth(1).unwrap().strip_prefix(&point).unwrap();

@@ -251,9 +251,9 @@ fn messages_stay_short_whatever_they_repeat() {
 #[test]
 fn headers_values_and_equations_are_named_as_they_stand() {
     let place = small_report("Words.\n");
-    place.write("in.csv", format!("{}\n{ROW}\n", HEADER.replace("direct_effect", "direct effect")));
+    place.write("in.csv", format!("{}\n{ROW}\n", HEADER.replace("direct_effect", "direct efect")));
     place.run(["classify", "--points", "in.csv"]).expect_refusal(&[
-        "column direct_effect: missing column; did you mean it by `direct effect`? (allowed: direct_effect, a)",
+        "column direct_effect: missing column; did you mean it by `direct efect`? (allowed: direct_effect, a)",
     ]);
     place.run(["simulate", "--law", ""]).expect_refusal(&["--law = \"\": unknown"]);
     place.run(["simulate", "--law", "no law"]).expect_refusal(&["--law = \"no law\": unknown"]);

@@ -89,6 +89,8 @@ const COMMANDS: &[Command] = &[
             ("--points", &["--points", "in.csv"]),
             ("--output", &["-o", "out.csv"]),
             ("--keep-going", &["--keep-going"]),
+            ("--delimiter", &["--delimiter", ";"]),
+            ("--decimal", &["--decimal", ","]),
         ],
     },
     Command {
@@ -192,6 +194,8 @@ const COMMANDS: &[Command] = &[
             ("--points", &["--points", "in.csv"]),
             ("--output", &["-o", "out.csv"]),
             ("--keep-going", &["--keep-going"]),
+            ("--delimiter", &["--delimiter", ";"]),
+            ("--decimal", &["--decimal", ","]),
         ],
     },
     Command {
@@ -218,6 +222,8 @@ const COMMANDS: &[Command] = &[
             ("--points", &["--points", "in.csv"]),
             ("--output", &["-o", "out.csv"]),
             ("--keep-going", &["--keep-going"]),
+            ("--delimiter", &["--delimiter", ";"]),
+            ("--decimal", &["--decimal", ","]),
         ],
     },
     Command {
@@ -251,6 +257,8 @@ const COMMANDS: &[Command] = &[
             ("--law", &["--law", "aging"]),
             ("--tolerance", &["--tolerance", "0.3"]),
             ("--keep-going", &["--keep-going"]),
+            ("--delimiter", &["--delimiter", ";"]),
+            ("--decimal", &["--decimal", ","]),
             ("--json", &["--json"]),
             ("--output", &["-o", "out.csv"]),
             ("--report", &["--report", "out"]),

@@ -35,7 +35,9 @@ fn input_columns_are_kept_in_their_order_and_results_appended() {
          A,1e-3,0.0040,0.006,1e-5,1e7,1000,1e5,\"say \"\"hello\"\"\"\r\n\
          =cmd,1e-3,0.004,0.006,1e-5,1e7,1000,+1e5,-3.5\r\n",
     );
-    assert_eq!(place.run(["classify", "--points", "in.csv", "-o", "out.csv"]).expect_success(), "");
+    let ended = place.run(["classify", "--points", "in.csv", "-o", "out.csv"]);
+    assert_eq!(ended.stderr, "warning: columns that are not read: site, note, free\n");
+    assert_eq!((ended.code, ended.stdout.as_str()), (0, ""));
     let written = place.read("out.csv");
     let lines: Vec<_> = written.lines().collect();
     assert!(lines[0].starts_with("site,loading_velocity_m_per_s,") && lines[0].ends_with(APPENDED));

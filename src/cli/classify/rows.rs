@@ -121,9 +121,7 @@ impl<const DERIVED: bool> RowWork for ClassifyRows<DERIVED> {
 
     /// Rows in double-double, together; those that it does not decide by the exact values.
     fn read_rows(&self, cells: &[Cells<'_>]) -> Vec<Result<Classified, Faults>> {
-        let has_errors = cells.first().is_some_and(|cells| cells.error_columns().iter().any(Option::is_some));
-        let rounded = |cells: &Cells<'_>| if has_errors { None } else { cells.dd_parameters() };
-        let points: Vec<Option<Parameters<Dd>>> = cells.iter().map(rounded).collect();
+        let points: Vec<Option<Parameters<Dd>>> = cells.iter().map(|cells| cells.dd_parameters()).collect();
         let known: Vec<Parameters<Dd>> = points.iter().flatten().cloned().collect();
         let mut classified = classify_points(&known, &self.threshold).into_iter();
         let row = |(cells, point): (&Cells<'_>, Option<Parameters<Dd>>)| {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use slipmode::comparison::recording::Recording;
 use slipmode::comparison::{Agreement, Comparison, Observable, StatedMode, StatedRun, compare_run};
-use slipmode::csv::{Cells, Remark, RowWork, is_named, misnamed, names, push_cells, read_recording};
+use slipmode::csv::{Cells, Dialect, Remark, RowWork, is_named, misnamed, names, push_cells, read_recording};
 use slipmode::scene::{AllowedRange, CsvProblem, Faults, Problem, Quantity, check_name, nearest, of_word};
 use slipmode_core::dynamics::Start;
 use slipmode_core::friction::{EvolutionLaw, Parameters};
@@ -31,6 +31,8 @@ pub struct CompareRows {
     pub law: Option<EvolutionLaw>,
     /// The relative error of the values of rows that state none.
     pub tolerance: f64,
+    /// How the trajectories are written, as the runs are.
+    pub dialect: Dialect,
     /// Whether trajectories are wanted back, for figures.
     pub keeps_recordings: bool,
 }
@@ -97,6 +99,15 @@ impl RowWork for CompareRows {
         faults
     }
 
+    fn reads(&self, name: &str) -> bool {
+        let more = [LAW_COLUMN, START_COLUMN, TOLERANCE_COLUMN];
+        observable_columns().chain(more).any(|column| is_named(name, column))
+    }
+
+    fn needs_for_errors(&self) -> Option<&'static str> {
+        Some("no errors: remove it; the column tolerance states the error of a run")
+    }
+
     fn read(&self, cells: Cells<'_>) -> Result<ReadRow, Faults> {
         let mut reader = RowCells { cells, faults: Faults::new() };
         let parameters = cells.parameters().map_err(|faults| reader.faults.extend(faults)).ok();
@@ -106,7 +117,7 @@ impl RowWork for CompareRows {
         let mode = reader.optional(Observable::Mode.key(), mode_of_word);
         let values = Observable::STATED.map(|of| {
             reader
-                .optional(of.key(), |text| AllowedRange::PHYSICAL.parse(text))
+                .optional(of.key(), |text| AllowedRange::PHYSICAL.parse_measured(text, of.unit()))
                 .map(|value| nearest_f64(&value))
         });
         let recording = self.recording(&mut reader, parameters.as_ref());
@@ -160,7 +171,7 @@ impl CompareRows {
         let place = reader.optional(TRAJECTORY_COLUMN, |name| trajectory_place(&self.folder, name))?;
         // Without its velocity the row is refused anyway.
         let log_level = libm::log(nearest_f64(&parameters?.point.loading_velocity_m_per_s));
-        let rows = open_named_csv(&place).map_err(|fault| vec![fault]);
+        let rows = open_named_csv(&place, self.dialect).map_err(|fault| vec![fault]);
         let read = rows.and_then(|rows| read_recording(rows, log_level));
         read.map_err(|faults| reader.faults.extend(faults)).ok()
     }

@@ -90,6 +90,14 @@ impl<const CERTIFY: bool> RowWork for SimulateRows<CERTIFY> {
         vec![(LAW_COLUMN.into(), problem)]
     }
 
+    fn reads(&self, name: &str) -> bool {
+        is_named(name, LAW_COLUMN)
+    }
+
+    fn needs_for_errors(&self) -> Option<&'static str> {
+        (!CERTIFY).then_some("--certify of `simulate`: a simulation is of one point; or remove it")
+    }
+
     fn read(&self, cells: Cells<'_>) -> Result<Self::Input, Faults> {
         let needs =
             || vec![cells.fault(None, Problem::Needs("positive values within all error bars".into()))];

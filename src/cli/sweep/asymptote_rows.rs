@@ -17,6 +17,10 @@ impl RowWork for AsymptoteRows {
     const BLOCK_ROWS: usize = 1024;
     const BLOCKS_PER_THREAD: usize = 4;
 
+    fn needs_for_errors(&self) -> Option<&'static str> {
+        Some("no errors: a sweep computes exact points; remove it")
+    }
+
     fn read(&self, cells: Cells<'_>) -> Result<Self::Input, Faults> {
         Ok(NearestPlace::of(&cells.parameters()?))
     }

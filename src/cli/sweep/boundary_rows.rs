@@ -46,6 +46,10 @@ impl RowWork for BoundaryRows {
     const BLOCK_ROWS: usize = 64;
     const BLOCKS_PER_THREAD: usize = 1;
 
+    fn needs_for_errors(&self) -> Option<&'static str> {
+        Some("no errors: a sweep computes exact points; remove it")
+    }
+
     fn read(&self, cells: Cells<'_>) -> Result<Self::Input, Faults> {
         cells.parameters()
     }

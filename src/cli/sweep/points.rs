@@ -4,11 +4,12 @@ use std::path::{Path, PathBuf};
 
 use sha2::{Digest, Sha256};
 use slipmode::archive::finished_hex;
-use slipmode::csv::{Block, Header, RowReader, Work};
+use slipmode::csv::{Block, Dialect, Header, RowReader, Work};
 use slipmode::sweep::{Blocks, Shard};
 
 use crate::cli::failure::Failure;
 use crate::cli::input::open_named_csv;
+use crate::cli::points::print_columns;
 use crate::cli::sweep::block_file::MOST_BLOCKS;
 use crate::cli::sweep::work::{Lines, MadePoints, PointWork, listed_lines};
 
@@ -46,12 +47,13 @@ impl Listed {
     /// # Errors
     /// When it cannot be read, or its header or form is at fault.
     pub fn new<W: PointWork + 'static>(place: &Path, command: W, block_points: u64) -> Result<Self, Failure> {
-        let mut reader = open_named_csv(place)?;
+        let mut reader = open_named_csv(place, Dialect::default())?;
         let file = reader.name().to_string();
         let first = reader.block(1)?;
         // A faulty row gets a cell that says so: one of them must not cost the others their results.
         let keep_going = true;
         let header = Header::read(&file, first.rows().next(), keep_going, &command)?;
+        print_columns(&header);
         let (mut rows, mut digests) = (0, vec![rows_digest(&first)]);
         loop {
             let block = reader.block(usize::try_from(block_points).unwrap_or(usize::MAX))?;
@@ -69,7 +71,7 @@ impl Listed {
 
     /// A reader behind the header.
     fn reader(&self) -> Result<RowReader, Failure> {
-        let mut reader = open_named_csv(&self.place)?;
+        let mut reader = open_named_csv(&self.place, Dialect::default())?;
         let header = reader.block(1)?;
         self.check(0, &header)?;
         Ok(reader)

@@ -36,8 +36,8 @@ fn parse_ratio(text: &str) -> Result<Rational, Problem> {
         return range.parse(text);
     };
     let allowed = || format!("{}, as a decimal or a fraction n/d", range.text());
-    let part =
-        |text| parse_decimal(text).map_err(|reason| Problem::NotANumber { reason, allowed: allowed() });
+    let form = || Some("a decimal or a fraction n/d".to_string());
+    let part = |text| parse_decimal(text).map_err(|reason| Problem::NotANumber { reason, allowed: form() });
     let (numerator, denominator) = (part(numerator)?, part(denominator)?);
     if denominator <= 0 {
         return Err(Problem::NotPositive { allowed: allowed() });

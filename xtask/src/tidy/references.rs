@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::{Complaint, TextFile};
 
 /// Folders whose every file some test has to read.
-const TEST_DATA: [&str; 2] = ["tests/golden/", "tests/vectors/"];
+const TEST_DATA: [&str; 3] = ["tests/data/", "tests/golden/", "tests/vectors/"];
 
 /// Complains about files of test data that no Rust file mentions, by name or by the folder that a test walks.
 pub fn check_data_is_read(files: &[TextFile], paths: &[String], found: &mut Vec<Complaint>) {
