@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from slipmode import _slipmode
 from slipmode._table import Table, html_table
 
 if TYPE_CHECKING:
@@ -48,7 +51,7 @@ class Categories:
         return pandas.Categorical.from_codes(self.codes.ravel().tolist(), categories=list(self.categories))
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Classification:
     """A point: what small disturbances of steady sliding do."""
 
@@ -64,27 +67,21 @@ class Classification:
     growth_rate: float
     #: max Im(s), 1/s; 0 exactly when no root is complex.
     angular_frequency: float
-    #: The object that ``slipmode classify --json`` prints.
-    details: dict[str, Any] = field(repr=False)
+    #: max Im(s)/2π, Hz, correctly rounded; NaN beyond the range of 64-bit numbers.
+    frequency: float = field(repr=False)
+    _question: tuple[list[str], str | None] = field(repr=False)
 
-    @classmethod
-    def of(cls, found: dict[str, Any]) -> Classification:
-        """Return the classification of an object of the command line."""
-        return cls(
-            transition_sign=found["transition_sign"],
-            boundary_sign=found["boundary_sign"],
-            spectral_class=found["spectral_class"],
-            slip_mode=found["slip_mode"],
-            growth_rate=float(found["max_real_per_s"]),
-            angular_frequency=float(found["max_imaginary_per_s"]),
-            details=found,
-        )
+    @cached_property
+    def details(self) -> dict[str, Any]:
+        """The object that ``slipmode classify --json`` prints; it is computed when it is read."""
+        found: dict[str, Any] = json.loads(_slipmode.describe_point(*self._question))
+        return found
 
-    @property
-    def frequency(self) -> float:
-        """max Im(s)/2π, Hz, correctly rounded; NaN beyond the range of 64-bit numbers."""
-        found = self.details["frequency_hz"]
-        return np.nan if found is None else float(found)
+    def __eq__(self, other: object) -> bool:
+        return self.details == other.details if isinstance(other, Classification) else NotImplemented
+
+    #: The object has a dictionary.
+    __hash__ = None  # type: ignore[assignment]
 
     def _repr_html_(self) -> str:
         shown = {name: value for name, value in self.details.items() if isinstance(value, (int, float, str))}

@@ -53,10 +53,18 @@ def remark(code: int, messages: str) -> None:
     lines = [line for line in messages.splitlines() if not line.startswith("in SI: ")]
     for line in lines:
         if line.startswith(WARNING):
-            warnings.warn(line.removeprefix(WARNING), SlipmodeWarning, stacklevel=5)
+            warnings.warn(line.removeprefix(WARNING), SlipmodeWarning, stacklevel=caller_level())
     if code != 0:
         text = "\n".join(line.removeprefix("error: ") for line in lines if not line.startswith(WARNING))
         raise (CheckFailed if code == 1 else InputError)(text)
+
+
+def caller_level() -> int:
+    """Return how many calls above the caller of this function the code lies that called the package."""
+    frame, level = sys._getframe(1), 1
+    while frame.f_back is not None and frame.f_globals.get("__name__", "").partition(".")[0] == "slipmode":
+        frame, level = frame.f_back, level + 1
+    return level
 
 
 def progress(items: Iterable[T], total: int) -> Iterator[T]:

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from slipmode import _slipmode
 from slipmode._classified import BoundaryTable, Categories, Classification, Classifications, Map, Possibilities
 from slipmode._exact import Number, exact
-from slipmode._run import call, call_json, progress
+from slipmode._run import call, call_json, progress, remark
 from slipmode._simulated import Failed, Simulation, Simulations
 from slipmode._slipmode import CheckFailed, InputError
 from slipmode._table import Table
@@ -125,15 +125,23 @@ class Slider:
 
         An oscillation is inertial from ω/ω_n > ``inertial_threshold``; √(1/2) without it.
         """
-        limit = () if inertial_threshold is None else (f"--inertial-threshold={exact(inertial_threshold)}",)
+        texts = None if inertial_threshold is None else exact(inertial_threshold)
         if is_number(sigma) and is_number(v):
-            found = call_json("classify", *self._point(sigma, v), *limit)
-            return Possibilities.of(found) if "certain" in found else Classification.of(found)
+            return self._classify_point([*self._texts.values(), exact(sigma), exact(v)], texts)
         if self.is_uncertain:
             raise InputError("values with error bars are classified at one point, not at an array of points")
-        texts = None if inertial_threshold is None else exact(inertial_threshold)
         stress, velocity = np.broadcast_arrays(as_floats(sigma), as_floats(v))
         return Classifications(stress, velocity, *self._columns(stress, velocity, texts))
+
+    def _classify_point(self, values: list[str], threshold: str | None) -> Classification | Possibilities:
+        answer = _slipmode.classify_point(values, threshold)
+        if answer is None:
+            limit = () if threshold is None else (f"--inertial-threshold={threshold}",)
+            return Possibilities.of(call_json("classify", *self._point(*values[5:]), *limit))
+        code, messages, fields = answer
+        remark(code, messages)
+        assert fields is not None  # A command without a result has raised.
+        return Classification(*fields, (values, threshold))
 
     def _columns(self, stress: NDArray[np.float64], velocity: NDArray[np.float64], threshold: str | None) -> Columns:
         slider, shape, size = list(self._texts.values()), stress.shape, stress.size
@@ -160,17 +168,14 @@ class Slider:
         inertial_threshold: Number | None = None,
     ) -> Map:
         """Classify a grid with equal logarithmic steps, each axis given as (from, to, number of coordinates), and draw it."""
-        axes = {"--grid-normal-stress": sigma, "--grid-loading-velocity": v}
-        grid = [f"{option}={exact(low)}:{exact(high)}:{points}" for option, (low, high, points) in axes.items()]
-        limit = () if inertial_threshold is None else (f"--inertial-threshold={exact(inertial_threshold)}",)
-        with tempfile.TemporaryDirectory() as folder:
-            rows, picture = Path(folder, "map.csv"), Path(folder, "map.svg")
-            call("classify", *self._options(), *grid, *limit, "--output", str(rows), "--svg", str(picture))
-            coordinates = np.loadtxt(rows, delimiter=",", skiprows=1, usecols=(0, 1)).reshape(sigma[2], v[2], 2)
-            svg = picture.read_text()
-        velocity, stress = np.moveaxis(coordinates, 2, 0)
+        stresses, velocities = (f"{exact(low)}:{exact(high)}:{points}" for low, high, points in (sigma, v))
         threshold = None if inertial_threshold is None else exact(inertial_threshold)
-        return Map(stress, velocity, *self._columns(stress, velocity, threshold), svg)
+        code, messages, grid = _slipmode.draw_grid(list(self._texts.values()), velocities, stresses, threshold)
+        remark(code, messages)
+        assert grid is not None  # A command without a result has raised.
+        axes = (np.frombuffer(axis, "<f8").astype(np.float64) for axis in grid[:2])
+        velocity, stress = np.meshgrid(*axes)
+        return Map(stress, velocity, *self._columns(stress, velocity, threshold), grid[2])
 
     def roots(self, sigma: Number, v: Number, digits: int = 50) -> list[Root]:
         """Compute the three roots s of eq 8, 1/s, with this many certain digits of every part."""

@@ -9,7 +9,10 @@ __all__ = [
     "VERSION",
     "call",
     "check_slider",
+    "classify_point",
     "classify_points",
+    "describe_point",
+    "draw_grid",
     "main",
 ]
 
@@ -23,6 +26,13 @@ VERSION: Final[str]
 def main(arguments: Sequence[str]) -> int: ...
 def call(arguments: Sequence[str]) -> tuple[int, bytes, str]: ...
 def check_slider(slider: Sequence[str]) -> bool: ...
+def classify_point(
+    values: Sequence[str], inertial_threshold: str | None = None
+) -> tuple[int, str, tuple[int, int, str, str, float, float, float] | None] | None: ...
+def describe_point(values: Sequence[str], inertial_threshold: str | None = None) -> str: ...
+def draw_grid(
+    slider: Sequence[str], loading_velocity: str, normal_stress: str, inertial_threshold: str | None = None
+) -> tuple[int, str, tuple[bytearray, bytearray, str] | None]: ...
 def classify_points(
     slider: Sequence[str],
     normal_stresses: bytes,

@@ -1,6 +1,7 @@
 //! `_slipmode`: what the Python package takes from the library. `python/slipmode` has everything that Python code can do itself.
 
 mod call;
+mod classified;
 mod points;
 
 use std::ffi::OsString;
@@ -23,6 +24,8 @@ pyo3::create_exception!(
 mod _slipmode {
     #[pymodule_export]
     use super::call::call;
+    #[pymodule_export]
+    use super::classified::{classify_point, describe_point, draw_grid};
     #[pymodule_export]
     use super::points::{check_slider, classify_points};
     #[pymodule_export]

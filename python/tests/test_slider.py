@@ -2,6 +2,7 @@
 
 import json
 import os
+import pickle
 import signal
 import subprocess
 import sys
@@ -55,6 +56,34 @@ def test_bad_values_raise_the_messages_of_the_command_line():
         slipmode.Slider(a=True, b=1, d_c=1, k=1, m=1)
     with pytest.warns(slipmode.SlipmodeWarning, match="normal_stress_pa = 5: looks like MPa"):
         SLIDER.classify(5, 1e-5)
+
+
+@pytest.mark.filterwarnings("ignore::slipmode.SlipmodeWarning")
+def test_a_point_is_what_the_command_line_prints():
+    random = np.random.default_rng(3)
+    for decades in random.uniform([-3, -3, -6, 5, 1, 2, -8], [-1, -1, -3, 10, 5, 9, 0], (50, 7)):
+        texts = [f"{10**decade:.5g}" for decade in decades]
+        point = slipmode.Slider(**dict(zip(("a", "b", "d_c", "k", "m"), texts))).classify(*texts[5:])
+        options = [f"-{letter}{text}" for letter, text in zip("abdkmsv", texts)]
+        code, output, _ = slipmode._slipmode.call(["classify", *options, "--json"])
+        printed = json.loads(output)
+        assert code == 0 and point.details == printed
+        fields = ("transition_sign", "boundary_sign", "spectral_class", "slip_mode")
+        assert all(getattr(point, name) == printed[name] for name in fields)
+        numbers = (point.growth_rate, point.angular_frequency, point.frequency)
+        assert numbers == tuple(printed[name] for name in ("max_real_per_s", "max_imaginary_per_s", "frequency_hz"))
+        assert pickle.loads(pickle.dumps(point)) == point != SLIDER.classify("5MPa", "10um/s")
+
+
+def test_a_warning_names_the_line_that_called():
+    table_top = slipmode.Slider(a="0.009", b="0.0126", d_c="8um", k="2MPa/mm", m="5")
+    for call in (
+        lambda: table_top.classify("5MPa", "10um/s"),
+        lambda: table_top.map(("10kPa", "100MPa", 2), ("1um/s", "1cm/s", 2)),
+    ):
+        with pytest.warns(slipmode.SlipmodeWarning, match="looks like kg") as warned:
+            call()
+        assert {warning.filename for warning in warned} == {__file__}
 
 
 def test_roots_have_the_digits_and_a_radius():

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use super::alterations::{Alteration, alike, alterations};
 use crate::claims::{Evidence, Finding, Resolved, Verdict, computed, formula};
 use crate::experiments::Context;
-use crate::scene::{ClaimEntry, ClaimFormula, Source, StatedClaim};
+use crate::scene::{ClaimEntry, ClaimFormula, Source};
 use slipmode_algebra::Symbol;
 use slipmode_core::theory::Equation;
 
@@ -64,6 +64,9 @@ fn sound_claims<'c>(context: &Context<'c>) -> Vec<Sound<'c>> {
 #[derive(Clone)]
 struct Sound<'c> {
     claim: &'c ClaimEntry,
+    /// The id of its proof and its words, as in the ledger: what decided the claim there is known.
+    id: String,
+    words: &'c str,
     part: &'c ClaimFormula,
     verdicts: Vec<Verdict>,
     /// The equations that its proofs name.
@@ -76,21 +79,23 @@ struct Sound<'c> {
 
 impl<'c> Sound<'c> {
     fn parts_of(claim: &'c ClaimEntry) -> Vec<Self> {
-        let of = |part| Self {
+        let of = |(id, (words, part)): (String, &'c (String, ClaimFormula))| Self {
             claim,
+            id,
+            words,
             part,
             verdicts: Vec::new(),
             equations: BTreeSet::new(),
             digest: String::new(),
             steps: 0,
         };
-        let parts = claim.stated.iter().flat_map(StatedClaim::parts).map(|(_, formula)| formula);
-        parts.filter(|formula| is_of_equations(formula)).map(of).collect()
+        let parts = claim.stated.iter().flat_map(|stated| formula::parts(&claim.id, stated));
+        parts.filter(|(_, (_, formula))| is_of_equations(formula)).map(of).collect()
     }
 
     fn finding(&self, context: &Context) -> Finding {
         let context = context.with_kind(self.claim.sentence.kind);
-        formula::decide_part("part", &self.claim.words, self.part, &context)
+        formula::decide_part(&self.id, self.words, self.part, &context)
     }
 
     fn decided(mut self, context: &Context) -> Self {

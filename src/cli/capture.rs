@@ -6,6 +6,7 @@ use std::io::{self, Write};
 
 use clap::Parser;
 
+use crate::cli::failure::Failure;
 use crate::cli::progress::Progress;
 use crate::cli::{Cli, dispatch, without_usage_of_conflict};
 
@@ -49,17 +50,21 @@ pub fn capture(arguments: impl IntoIterator<Item = OsString>) -> Captured {
             return Captured { exit_code: crate::cli::exit_code_of_usage(&error), output, messages };
         }
     };
+    capture_work(|| dispatch(cli.command, Progress::new(true))).1
+}
+
+/// Does a part of a command as a function: returns its result unless it fails, and what it would write to the standard streams.
+pub fn capture_work<T>(work: impl FnOnce() -> Result<T, Failure>) -> (Option<T>, Captured) {
     STREAMS.with_borrow_mut(|streams| *streams = Some(Captured::default()));
-    let done = dispatch(cli.command, Progress::new(true));
-    let exit_code = done.map_or_else(
-        |failure| {
+    let (done, exit_code) = match work() {
+        Ok(done) => (Some(done), 0),
+        Err(failure) => {
             failure.print();
-            failure.exit_code()
-        },
-        |()| 0,
-    );
+            (None, failure.exit_code())
+        }
+    };
     let captured = STREAMS.with_borrow_mut(Option::take).unwrap_or_default();
-    Captured { exit_code, ..captured }
+    (done, Captured { exit_code, ..captured })
 }
 
 /// Whether this thread captures what a command writes.

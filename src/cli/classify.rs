@@ -1,13 +1,14 @@
 //! `slipmode classify`: one point for people or programs, every row of a CSV file, or the counts of a grid.
 
 mod box_view;
+pub mod call;
 mod derived;
 mod grid;
-mod grid_files;
+pub mod grid_files;
 mod ranges;
 pub mod rows;
 mod sample;
-mod view;
+pub mod view;
 
 use std::path::PathBuf;
 
@@ -20,6 +21,7 @@ use crate::cli::progress::Progress;
 use grid::GridOptions;
 use rows::ClassifyRows;
 use sample::SampleOptions;
+use view::ClassifiedPoint;
 
 /// Options of `classify`.
 #[derive(Debug, Args)]
@@ -88,7 +90,7 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     let Some(points) = &options.points else {
         let parameters = options.slider.parameters(&mut arguments);
         let (parameters, threshold) = arguments.finish(parameters.zip(threshold))?;
-        return view::answer(&parameters, &threshold).print(options.json);
+        return ClassifiedPoint::new(parameters, &threshold).answer().print(options.json);
     };
     options.slider.refuse_beside_points(&mut arguments);
     let threshold = arguments.finish(threshold)?;

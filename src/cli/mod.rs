@@ -51,6 +51,9 @@ use progress::Progress;
 use slipmode::scene::{LONGEST_MESSAGE, Quantity, Uncertain, with_short_quotations};
 
 pub use capture::{Captured, capture};
+pub use classify::call::{capture_grid, capture_point, has_error_bar};
+pub use classify::grid_files::GridPicture;
+pub use classify::view::ClassifiedPoint;
 pub use options::inertial_threshold;
 
 /// What the exit codes mean.

@@ -83,6 +83,11 @@ impl<const N: usize> QuantityOptions<N> {
         self.0.get(quantity as usize)?.as_deref()
     }
 
+    /// Options of which the first ones have these texts, and the others are not given.
+    pub fn of<const GIVEN: usize>(texts: [&str; GIVEN]) -> Self {
+        Self(std::array::from_fn(|index| texts.get(index).map(|text| text.to_string())))
+    }
+
     /// The same with other texts for the material and the machine.
     pub fn with_material(mut self, texts: [&str; 5]) -> Self {
         self.0.iter_mut().zip(texts).for_each(|(text, given)| *text = Some(given.to_string()));
@@ -208,11 +213,9 @@ fn required_as<T>(
     arguments: &mut Arguments,
     parse: impl FnOnce(&str) -> Result<T, Problem>,
 ) -> Option<T> {
-    let option = option_of(quantity);
-    match text {
-        Some(text) => arguments.number(&option, text, parse),
-        None => arguments.fault(&option, None, Problem::Missing { allowed: AllowedRange::PHYSICAL.wanted() }),
-    }
+    let missing = || Problem::Missing { allowed: AllowedRange::PHYSICAL.wanted() };
+    let read = text.ok_or_else(missing).and_then(parse);
+    read.map_err(|problem| arguments.fault::<T>(&option_of(quantity), text, problem)).ok()
 }
 
 /// The box of seven values; their ends are positive and in order.
@@ -238,6 +241,11 @@ pub struct ThresholdOption {
 }
 
 impl ThresholdOption {
+    /// The option with this text, or not given.
+    pub fn of(text: Option<&str>) -> Self {
+        Self { inertial_threshold: text.map(str::to_string) }
+    }
+
     /// The threshold for values with error bars, (ω/ω_n)² ≥ 1/5.
     pub fn threshold_over_box(&self, arguments: &mut Arguments) -> Option<InertialThreshold> {
         let threshold = self.threshold(arguments)?;
@@ -267,6 +275,11 @@ pub fn inertial_threshold(text: &str) -> Result<InertialThreshold, Problem> {
     let range = AllowedRange::OPEN_UNIT;
     let ratio = range.parse(text)?;
     InertialThreshold::from_ratio(&ratio).ok_or(Problem::OutOfRange { allowed: range.text() })
+}
+
+/// Whether a number was given with a unit: in no other text of a number stands a letter but the e of an exponent.
+fn has_unit(text: &str) -> bool {
+    text.contains(|letter: char| letter.is_alphabetic() && !"eE".contains(letter))
 }
 
 /// The faults and warnings of a command line, collected while its values are read.
@@ -342,19 +355,17 @@ impl Arguments {
 
     /// Notes the value of a quantity, or the ends of its error bar, if it was given with a unit.
     fn note_unit(&mut self, quantity: Quantity, text: Option<&str>, values: &[&Rational]) {
-        let is_noted =
-            text.is_some_and(|text| self.note_converted(&option_of(quantity), text, values, quantity.unit()));
-        self.with_unit.extend(is_noted.then_some(quantity));
+        let Some(text) = text.filter(|text| has_unit(text)) else { return };
+        self.note_converted(&option_of(quantity), text, values, quantity.unit());
+        self.with_unit.push(quantity);
     }
 
-    /// Notes values in SI, if they were given with a unit: in no other text of a number stands a letter but the e of an exponent.
-    fn note_converted(&mut self, option: &str, text: &str, values: &[&Rational], in_si: &str) -> bool {
-        let has_unit = text.contains(|letter: char| letter.is_alphabetic() && !"eE".contains(letter));
-        if has_unit {
+    /// Notes values in SI, if they were given with a unit.
+    fn note_converted(&mut self, option: &str, text: &str, values: &[&Rational], in_si: &str) {
+        if has_unit(text) {
             let values: Vec<String> = values.iter().map(|value| exact_text(value)).collect();
             self.converted.push(format!("{option} = {text}: {} {in_si}", values.join(" to ")));
         }
-        has_unit
     }
 
     /// A whole number in a range, when given.

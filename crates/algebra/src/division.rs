@@ -1,7 +1,12 @@
 //! Exact division and greatest common divisors of polynomials in several variables.
 
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
+
 use rug::{Integer, Rational};
 
+use super::budget::spend;
+use super::operators::{length, length_of};
 use super::{Generator, Monomial, Polynomial};
 
 impl Polynomial {
@@ -9,16 +14,24 @@ impl Polynomial {
     #[must_use]
     pub fn divide_exact(&self, divisor: &Self) -> Option<Self> {
         let (leading, leading_coefficient) = divisor.leading_term()?;
-        let mut remainder = self.clone();
-        let mut quotient = Self::zero();
-        while let Some((monomial, coefficient)) = remainder.leading_term() {
+        let length = length(divisor);
+        let mut remainder: BTreeMap<Monomial, Rational> =
+            self.terms().map(|(monomial, coefficient)| (monomial.clone(), coefficient.clone())).collect();
+        let mut quotient = Vec::new();
+        while let Some((monomial, coefficient)) = remainder.pop_last() {
             let step = monomial.divided_by(leading)?;
-            let factor = Rational::from(coefficient / leading_coefficient);
-            let term = Self::term(factor, step);
-            remainder = &remainder - &(&term * divisor);
-            quotient = &quotient + &term;
+            let factor = coefficient / leading_coefficient;
+            // A product, a difference and a sum.
+            spend(divisor.term_count() * length.max(length_of(&factor)));
+            spend(remainder.len() + 1 + divisor.term_count() + quotient.len() + 1);
+            // The leading terms have cancelled.
+            for (own, value) in divisor.terms().rev().skip(1) {
+                subtract(&mut remainder, own.times(&step), Rational::from(value * &factor));
+            }
+            quotient.push((step, factor));
         }
-        Some(quotient)
+        quotient.reverse();
+        Some(Self::of_ascending(quotient))
     }
 
     /// A polynomial whose square this is (its leading coefficient positive), if there is one.
@@ -136,6 +149,19 @@ impl Polynomial {
             remainder = &(&leading * &remainder) - &(&factor * divisor);
         }
         Some(remainder)
+    }
+}
+
+/// Subtracts a term, keeping zeros out.
+fn subtract(terms: &mut BTreeMap<Monomial, Rational>, monomial: Monomial, value: Rational) {
+    match terms.entry(monomial) {
+        Entry::Vacant(place) => _ = place.insert(-value),
+        Entry::Occupied(mut place) => {
+            *place.get_mut() -= value;
+            if place.get().is_zero() {
+                place.remove();
+            }
+        }
     }
 }
 

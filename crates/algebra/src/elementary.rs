@@ -197,11 +197,15 @@ fn primes(number: &Rational) -> Vec<(Rational, i32)> {
     let (mut above, mut below) = number.clone().into_numer_denom();
     let mut found = Vec::new();
     for prime in 2..=LARGEST_PRIME {
+        if above == 1 && below == 1 {
+            break;
+        }
+        if !above.is_divisible_u(prime) && !below.is_divisible_u(prime) {
+            continue;
+        }
         let (up, down) = (above.remove_factor_mut(&prime.into()), below.remove_factor_mut(&prime.into()));
         // What has a composite divisor had a prime one before.
-        if up + down > 0 {
-            found.push((Rational::from(prime), up as i32 - down as i32));
-        }
+        found.push((Rational::from(prime), up as i32 - down as i32));
     }
     found.extend(
         [(above, 1), (below, -1)]

@@ -1,7 +1,6 @@
 //! Products of powers of variables and functions, in lexicographic order.
 
 use std::cmp::Ordering;
-use std::collections::BTreeMap;
 
 use super::Generator;
 
@@ -45,21 +44,45 @@ impl Monomial {
     /// The product of two monomials.
     #[must_use]
     pub fn times(&self, other: &Self) -> Self {
-        let mut exponents: BTreeMap<Generator, u32> = self.0.iter().cloned().collect();
-        for (name, exponent) in &other.0 {
-            *exponents.entry(name.clone()).or_insert(0) += exponent;
+        let mut product = Vec::with_capacity(self.0.len() + other.0.len());
+        let (mut left, mut right) = (self.0.as_slice(), other.0.as_slice());
+        while let ([(name, exponent), more_left @ ..], [(other_name, other_exponent), more_right @ ..]) =
+            (left, right)
+        {
+            let order = name.cmp(other_name);
+            let power = match order {
+                Ordering::Less => (name, *exponent),
+                Ordering::Equal => (name, exponent + other_exponent),
+                Ordering::Greater => (other_name, *other_exponent),
+            };
+            product.push((power.0.clone(), power.1));
+            left = if order.is_le() { more_left } else { left };
+            right = if order.is_ge() { more_right } else { right };
         }
-        Self(exponents.into_iter().collect())
+        product.extend_from_slice(left);
+        product.extend_from_slice(right);
+        Self(product)
     }
 
     /// The quotient, if `other` divides this monomial.
     #[must_use]
     pub fn divided_by(&self, other: &Self) -> Option<Self> {
-        if other.0.iter().any(|(name, exponent)| self.exponent(name) < *exponent) {
-            return None;
+        let mut quotient = Vec::with_capacity(self.0.len());
+        let mut divisor = other.0.as_slice();
+        for (name, exponent) in &self.0 {
+            let mut left = *exponent;
+            if let [(first, taken), more @ ..] = divisor
+                && first == name
+            {
+                left = left.checked_sub(*taken)?;
+                divisor = more;
+            }
+            if left > 0 {
+                quotient.push((name.clone(), left));
+            }
         }
-        let left = self.0.iter().map(|(name, exponent)| (name.clone(), exponent - other.exponent(name)));
-        Some(Self(left.filter(|(_, exponent)| *exponent > 0).collect()))
+        // A variable that this monomial does not have is left over.
+        divisor.is_empty().then_some(Self(quotient))
     }
 
     /// The greatest monomial that divides both.
@@ -99,6 +122,8 @@ impl Ord for Monomial {
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
+
     use super::*;
     use crate::Symbol;
 
@@ -125,6 +150,22 @@ mod tests {
                     assert_eq!(left.cmp(right), left.times(factor).cmp(&right.times(factor)));
                 }
             }
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn exponents_add_and_subtract(one in prop::array::uniform4(0u32..4), other in prop::array::uniform4(0u32..4)) {
+            const NAMES: [&str; 4] = ["w", "x", "y", "z"];
+            let of = |exponents: [u32; 4]| {
+                let powers = NAMES.iter().zip(exponents).map(|(name, exponent)| (*name, exponent));
+                Monomial(powers.filter(|(_, power)| *power > 0).map(|(name, power)| (Symbol::from(name).as_ref().clone(), power)).collect())
+            };
+            let each = |change: fn(u32, u32) -> u32| of(std::array::from_fn(|index| change(one[index], other[index])));
+            prop_assert_eq!(of(one).times(&of(other)), each(|one, other| one + other));
+            let divides = one.iter().zip(other).all(|(one, other)| *one >= other);
+            prop_assert_eq!(of(one).divided_by(&of(other)), divides.then(|| each(u32::saturating_sub)));
+            prop_assert_eq!(of(one).common_divisor(&of(other)), each(u32::min));
         }
     }
 

@@ -7,8 +7,10 @@ use rug::Rational;
 use super::{Expression, Generator, Monomial, Symbol};
 
 /// A polynomial over ℚ: a sum of rational coefficients times monomials, none of them zero.
+///
+/// The terms are in ascending order of their monomials.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub struct Polynomial(BTreeMap<Monomial, Rational>);
+pub struct Polynomial(Vec<(Monomial, Rational)>);
 
 impl Polynomial {
     /// The zero polynomial.
@@ -44,22 +46,32 @@ impl Polynomial {
     /// coefficient · monomial.
     #[must_use]
     pub fn term(coefficient: Rational, monomial: Monomial) -> Self {
-        let mut polynomial = Self::zero();
-        polynomial.add_term(&monomial, &coefficient);
-        polynomial
+        if coefficient.is_zero() { Self::zero() } else { Self(vec![(monomial, coefficient)]) }
+    }
+
+    /// The polynomial of these terms, whose monomials ascend and whose coefficients are not zero.
+    pub(super) fn of_ascending(terms: Vec<(Monomial, Rational)>) -> Self {
+        debug_assert!(terms.is_sorted_by(|(lighter, _), (heavier, _)| lighter < heavier));
+        Self(terms)
     }
 
     /// Adds coefficient · monomial in place, keeping zeros out.
     pub(super) fn add_term(&mut self, monomial: &Monomial, coefficient: &Rational) {
-        let sum = self.0.remove(monomial).unwrap_or_default() + coefficient;
-        if !sum.is_zero() {
-            self.0.insert(monomial.clone(), sum);
+        match self.0.binary_search_by(|(own, _)| own.cmp(monomial)) {
+            Ok(place) => {
+                self.0[place].1 += coefficient;
+                if self.0[place].1.is_zero() {
+                    self.0.remove(place);
+                }
+            }
+            Err(_) if coefficient.is_zero() => {}
+            Err(place) => self.0.insert(place, (monomial.clone(), coefficient.clone())),
         }
     }
 
     /// Monomials and their coefficients, lightest monomial first.
     pub fn terms(&self) -> impl DoubleEndedIterator<Item = (&Monomial, &Rational)> {
-        self.0.iter()
+        self.0.iter().map(|(monomial, coefficient)| (monomial, coefficient))
     }
 
     /// The number of terms.
@@ -77,9 +89,9 @@ impl Polynomial {
     /// Its value, if no variable occurs.
     #[must_use]
     pub fn as_constant(&self) -> Option<Rational> {
-        match self.0.len() {
-            0 => Some(Rational::new()),
-            1 => self.0.get(&Monomial::one()).cloned(),
+        match self.0.as_slice() {
+            [] => Some(Rational::new()),
+            [(monomial, value)] if *monomial == Monomial::one() => Some(value.clone()),
             _ => None,
         }
     }
@@ -87,13 +99,13 @@ impl Polynomial {
     /// The heaviest term, if there is any.
     #[must_use]
     pub fn leading_term(&self) -> Option<(&Monomial, &Rational)> {
-        self.0.last_key_value()
+        self.0.last().map(|(monomial, coefficient)| (monomial, coefficient))
     }
 
     /// The variables and functions that it is a polynomial in, in alphabetical order.
     #[must_use]
     pub fn generators(&self) -> BTreeSet<Generator> {
-        self.0.keys().flat_map(|monomial| monomial.factors().map(|(name, _)| name.clone())).collect()
+        self.terms().flat_map(|(monomial, _)| monomial.factors().map(|(name, _)| name.clone())).collect()
     }
 
     /// The variables that occur, those in the arguments of functions too, in alphabetical order.
@@ -105,15 +117,14 @@ impl Polynomial {
     /// The degree in one variable; 0 for the zero polynomial.
     #[must_use]
     pub fn degree(&self, variable: &(impl AsRef<Generator> + ?Sized)) -> u32 {
-        self.0.keys().map(|monomial| monomial.exponent(variable)).max().unwrap_or(0)
+        self.terms().map(|(monomial, _)| monomial.exponent(variable)).max().unwrap_or(0)
     }
 
     /// The highest degree of a term in all variables together; 0 for the zero polynomial.
     #[must_use]
     pub fn total_degree(&self) -> u32 {
-        self.0
-            .keys()
-            .map(|monomial| monomial.factors().map(|(_, exponent)| exponent).sum())
+        self.terms()
+            .map(|(monomial, _)| monomial.factors().map(|(_, exponent)| exponent).sum())
             .max()
             .unwrap_or(0)
     }
@@ -197,7 +208,7 @@ impl Polynomial {
     /// With positive variables this is the polynomial's sign: the certificate behind every inequality here.
     #[must_use]
     pub fn coefficient_sign(&self) -> Option<i8> {
-        let positive = self.0.values().filter(|value| value.is_positive()).count();
+        let positive = self.terms().filter(|(_, value)| value.is_positive()).count();
         match positive {
             _ if self.is_zero() => None,
             0 => Some(-1),

@@ -1,24 +1,41 @@
 //! Sums, products and text of polynomials.
 
+use std::collections::BTreeMap;
 use std::fmt;
 use std::ops::{Add, Mul, Neg, Sub};
 
 use rug::Rational;
 
-use super::Polynomial;
 use super::budget::spend;
+use super::{Monomial, Polynomial};
 
 impl Add for &Polynomial {
     type Output = Polynomial;
 
     fn add(self, other: Self) -> Polynomial {
-        spend(self.term_count() + other.term_count());
-        let mut sum = self.clone();
-        for (monomial, coefficient) in other.terms() {
-            sum.add_term(monomial, coefficient);
-        }
-        sum
+        merged(self, other, Rational::clone)
     }
+}
+
+/// The sum of a polynomial and of another one whose coefficients are changed.
+fn merged(one: &Polynomial, other: &Polynomial, changed: fn(&Rational) -> Rational) -> Polynomial {
+    spend(one.term_count() + other.term_count());
+    let mut sum = Vec::with_capacity(one.term_count() + other.term_count());
+    let mut left = one.terms().peekable();
+    for (monomial, coefficient) in other.terms() {
+        while let Some((lighter, own)) = left.next_if(|(own, _)| *own < monomial) {
+            sum.push((lighter.clone(), own.clone()));
+        }
+        let mut coefficient = changed(coefficient);
+        if let Some((_, own)) = left.next_if(|(own, _)| *own == monomial) {
+            coefficient += own;
+        }
+        if !coefficient.is_zero() {
+            sum.push((monomial.clone(), coefficient));
+        }
+    }
+    sum.extend(left.map(|(monomial, coefficient)| (monomial.clone(), coefficient.clone())));
+    Polynomial::of_ascending(sum)
 }
 
 impl Neg for &Polynomial {
@@ -33,7 +50,7 @@ impl Sub for &Polynomial {
     type Output = Polynomial;
 
     fn sub(self, other: Self) -> Polynomial {
-        self + &-other
+        merged(self, other, |coefficient| Rational::from(-coefficient))
     }
 }
 
@@ -42,21 +59,33 @@ impl Mul for &Polynomial {
 
     fn mul(self, other: Self) -> Polynomial {
         spend(self.term_count() * other.term_count() * length(self).max(length(other)));
-        let mut product = Polynomial::zero();
-        for (left, left_coefficient) in self.terms() {
-            for (right, right_coefficient) in other.terms() {
-                product.add_term(&left.times(right), &Rational::from(left_coefficient * right_coefficient));
-            }
+        let (short, long) =
+            if self.term_count() < other.term_count() { (self, other) } else { (other, self) };
+        let products = short.terms().flat_map(|(monomial, coefficient)| {
+            long.terms().map(move |(own, value)| (own.times(monomial), Rational::from(value * coefficient)))
+        });
+        // Products with one monomial keep the order.
+        if short.term_count() <= 1 {
+            return Polynomial::of_ascending(products.collect());
         }
-        product
+        let mut product = BTreeMap::<Monomial, Rational>::new();
+        for (monomial, coefficient) in products {
+            *product.entry(monomial).or_default() += coefficient;
+        }
+        Polynomial::of_ascending(
+            product.into_iter().filter(|(_, coefficient)| !coefficient.is_zero()).collect(),
+        )
     }
 }
 
 /// The length of the longest coefficient in machine words, at least 1.
-fn length(polynomial: &Polynomial) -> usize {
-    let bits =
-        |value: &Rational| value.numer().significant_bits().max(value.denom().significant_bits()) as usize;
-    1 + polynomial.terms().map(|(_, coefficient)| bits(coefficient)).max().unwrap_or(0) / 64
+pub(super) fn length(polynomial: &Polynomial) -> usize {
+    polynomial.terms().map(|(_, coefficient)| length_of(coefficient)).max().unwrap_or(1)
+}
+
+/// The length of a coefficient in machine words, at least 1.
+pub(super) fn length_of(value: &Rational) -> usize {
+    1 + value.numer().significant_bits().max(value.denom().significant_bits()) as usize / 64
 }
 
 impl fmt::Display for Polynomial {
@@ -89,6 +118,22 @@ mod tests {
         #[test]
         fn multiplication_distributes_and_commutes(a in polynomial(), b in polynomial(), c in polynomial()) {
             prop_assert_eq!(&a * &(&b + &c), &(&b * &a) + &(&a * &c));
+        }
+
+        #[test]
+        fn values_are_those_of_the_numbers_and_terms_ascend(
+            a in polynomial(), b in polynomial(), x in -5i32..6, y in (-5i32..6, 1i32..4)
+        ) {
+            let point = BTreeMap::from([("x", Rational::from(x)), ("y", Rational::from(y))].map(|(name, at)| (Symbol::from(name), at)));
+            let at = |polynomial: &Polynomial| polynomial.evaluate(&point).expect("a value for each name");
+            prop_assert_eq!(at(&(&a + &b)), at(&a) + at(&b));
+            prop_assert_eq!(at(&(&a - &b)), at(&a) - at(&b));
+            prop_assert_eq!(at(&(&a * &b)), at(&a) * at(&b));
+            let results = [&a + &b, &a - &b, &a * &b].into_iter().chain((&a * &b).divide_exact(&b));
+            for result in results {
+                prop_assert!(result.terms().is_sorted_by(|(lighter, _), (heavier, _)| lighter < heavier));
+                prop_assert!(result.terms().all(|(_, coefficient)| !coefficient.is_zero()));
+            }
         }
 
         #[test]

@@ -1,5 +1,6 @@
 //! Quotients of polynomials over ℚ in lowest terms.
 
+use std::borrow::Cow;
 use std::collections::BTreeSet;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -21,8 +22,8 @@ impl RationalFunction {
     /// numerator/denominator in lowest terms; `None` for a zero denominator.
     #[must_use]
     pub fn new(numerator: Polynomial, denominator: Polynomial) -> Option<Self> {
-        if denominator.is_zero() {
-            return None;
+        if let Some(value) = denominator.as_constant() {
+            return (!value.is_zero()).then(|| numerator.scale(&value.recip()).into());
         }
         let divisor = numerator.gcd(&denominator);
         let numerator = numerator.divide_exact(&divisor)?;
@@ -95,7 +96,11 @@ impl RationalFunction {
     /// The quotient; `None` when `divisor` is zero.
     #[must_use]
     pub fn checked_div(&self, divisor: &Self) -> Option<Self> {
-        Self::new(&self.numerator * &divisor.denominator, &self.denominator * &divisor.numerator)
+        let (_, leading) = divisor.numerator.leading_term()?;
+        let scale = Rational::from(leading.recip_ref());
+        let [numerator, denominator] =
+            [&divisor.denominator, &divisor.numerator].map(|side| side.scale(&scale));
+        Some(self * &Self { numerator, denominator })
     }
 
     /// A natural power; the power 0 is 1.
@@ -125,6 +130,22 @@ fn reduced(numerator: Polynomial, denominator: Polynomial) -> RationalFunction {
     RationalFunction::new(numerator, denominator).unwrap_or_else(|| Polynomial::zero().into())
 }
 
+/// Both divided by their greatest common divisor, and this divisor. The second one and the divisor have the leading coefficient 1.
+fn cancelled<'p>(one: &'p Polynomial, other: &'p Polynomial) -> [Cow<'p, Polynomial>; 3] {
+    let unit = || Cow::Owned(Polynomial::one());
+    if one.as_constant().is_some() || other.as_constant().is_some() {
+        return [Cow::Borrowed(one), Cow::Borrowed(other), unit()];
+    }
+    if one == other {
+        return [unit(), unit(), Cow::Borrowed(one)];
+    }
+    let divisor = one.gcd(other);
+    match (one.divide_exact(&divisor), other.divide_exact(&divisor)) {
+        (Some(one), Some(other)) => [Cow::Owned(one), Cow::Owned(other), Cow::Owned(divisor)],
+        _ => [Cow::Borrowed(one), Cow::Borrowed(other), unit()],
+    }
+}
+
 impl From<Polynomial> for RationalFunction {
     fn from(numerator: Polynomial) -> Self {
         Self { numerator, denominator: Polynomial::one() }
@@ -141,8 +162,14 @@ impl Add<&RationalFunction> for &RationalFunction {
     type Output = RationalFunction;
 
     fn add(self, other: &RationalFunction) -> RationalFunction {
-        let numerator = &(&self.numerator * &other.denominator) + &(&other.numerator * &self.denominator);
-        reduced(numerator, &self.denominator * &other.denominator)
+        // Knuth, The art of computer programming, 4.5.1: with g the common divisor of the denominators, only a divisor of g cancels.
+        let [left, right, shared] = cancelled(&self.denominator, &other.denominator);
+        let numerator = &(&self.numerator * &right) + &(&other.numerator * &left);
+        if numerator.is_zero() {
+            return numerator.into();
+        }
+        let [numerator, rest, _] = cancelled(&numerator, &shared);
+        RationalFunction { numerator: numerator.into_owned(), denominator: &(&*left * &right) * &rest }
     }
 }
 
@@ -166,7 +193,13 @@ impl Mul<&RationalFunction> for &RationalFunction {
     type Output = RationalFunction;
 
     fn mul(self, other: &RationalFunction) -> RationalFunction {
-        reduced(&self.numerator * &other.numerator, &self.denominator * &other.denominator)
+        if self.is_zero() || other.is_zero() {
+            return Polynomial::zero().into();
+        }
+        // Each side is in lowest terms, so that a numerator shares factors with the other side's denominator only.
+        let [left, right_divisor, _] = cancelled(&self.numerator, &other.denominator);
+        let [right, left_divisor, _] = cancelled(&other.numerator, &self.denominator);
+        RationalFunction { numerator: &*left * &right, denominator: &*left_divisor * &right_divisor }
     }
 }
 
@@ -206,7 +239,33 @@ impl Field for RationalFunction {}
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
+
     use super::*;
+
+    /// Quotients of small polynomials in x and y.
+    fn quotient() -> impl Strategy<Value = RationalFunction> {
+        let term = (-3..=3_i32, prop::array::uniform2(0..=2_u32));
+        let polynomial = prop::collection::vec(term, 1..4).prop_map(|terms| {
+            terms.iter().fold(Polynomial::zero(), |sum, (coefficient, [first, second])| {
+                let powers = &Polynomial::variable("x").pow(*first) * &Polynomial::variable("y").pow(*second);
+                &sum + &powers.scale(&Rational::from((*coefficient, 2)))
+            })
+        });
+        let quotient = (polynomial.clone(), polynomial);
+        quotient.prop_filter_map("a divisor", |(one, other)| RationalFunction::new(one, other))
+    }
+
+    proptest! {
+        #[test]
+        fn sums_products_and_quotients_are_those_of_cross_multiplication(one in quotient(), other in quotient()) {
+            let [(n, d), (m, e)] = [&one, &other].map(|side| (side.numerator(), side.denominator()));
+            prop_assert_eq!(Some(&one + &other), RationalFunction::new(&(n * e) + &(m * d), d * e));
+            prop_assert_eq!(Some(&one - &other), RationalFunction::new(&(n * e) - &(m * d), d * e));
+            prop_assert_eq!(Some(&one * &other), RationalFunction::new(n * m, d * e));
+            prop_assert_eq!(one.checked_div(&other), RationalFunction::new(n * e, d * m));
+        }
+    }
 
     #[test]
     fn common_factors_cancel() {

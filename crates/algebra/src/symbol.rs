@@ -121,7 +121,7 @@ impl From<&Generator> for Expression {
 
 impl PartialEq for Generator {
     fn eq(&self, other: &Self) -> bool {
-        self.text == other.text
+        Arc::ptr_eq(&self.text, &other.text) || self.text == other.text
     }
 }
 

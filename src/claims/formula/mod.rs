@@ -68,21 +68,28 @@ fn proof_id(claim: &str, reading: Option<usize>, part: usize) -> String {
     format!("formula-{claim}{reading}-{part}")
 }
 
-/// The formulas of a claim with the ids of their proofs, those on the outside of a limit among them.
-fn formulas<'c>(id: &str, stated: &'c StatedClaim) -> Vec<(String, &'c ClaimFormula)> {
+/// The parts of a claim, words and formula, with the ids of their proofs.
+pub(super) fn parts<'c>(id: &str, stated: &'c StatedClaim) -> Vec<(String, &'c (String, ClaimFormula))> {
     let id = id.to_lowercase();
     let (readings, all) = (&stated.readings, stated.parts().count());
     let mut found = Vec::new();
     for (reading, which) in readings.iter().zip(1..) {
         let which = if readings.len() == 1 { None } else { Some(which) };
-        for ((_, formula), number) in reading.parts.iter().zip(1..) {
+        for (part, number) in reading.parts.iter().zip(1..) {
             let id = if all == 1 { format!("formula-{id}") } else { proof_id(&id, which, number) };
-            let outside = formula.limit.as_ref().map(|limit| (format!("{id}-outside"), &limit.outside.1));
-            found.push((id, formula));
-            found.extend(outside);
+            found.push((id, part));
         }
     }
     found
+}
+
+/// The formulas of a claim with the ids of their proofs, those on the outside of a limit among them.
+fn formulas<'c>(id: &str, stated: &'c StatedClaim) -> Vec<(String, &'c ClaimFormula)> {
+    let with_outside = |(id, (_, formula)): (String, &'c (String, ClaimFormula))| {
+        let outside = formula.limit.as_ref().map(|limit| (format!("{id}-outside"), &limit.outside.1));
+        std::iter::once((id, formula)).chain(outside)
+    };
+    parts(id, stated).into_iter().flat_map(with_outside).collect()
 }
 
 /// The formulas of a claim as theorems, each with the id of its proof, or why it has none.

@@ -35,10 +35,15 @@ const CRITICAL_ERROR: f64 = 24.0 * Dd::UNIT;
 impl Derived {
     /// From the exact values.
     pub fn of(parameters: &Parameters<Rational>, found: &Classification) -> Self {
+        Self::new(parameters, &Frequencies::of(parameters, found))
+    }
+
+    /// From the exact values, where the frequencies are known.
+    pub fn new(parameters: &Parameters<Rational>, frequencies: &Frequencies) -> Self {
         let critical = parameters.critical_stiffness();
         let ratio = (critical > 0).then(|| Rational::from(&parameters.slider.stiffness_pa_per_m / &critical));
         let ratio = ratio.as_ref().map(nearest_f64);
-        Self::new(nearest_f64(&critical), ratio, &Frequencies::of(parameters, found))
+        Self::rounded(nearest_f64(&critical), ratio, frequencies)
     }
 
     /// From values in double-double; none where they do not decide how a number is rounded.
@@ -53,10 +58,10 @@ impl Derived {
         let ratio = (slider.stiffness_pa_per_m / critical).rounded_surely(error)?;
         let critical = critical.rounded_surely(error)?;
         let ratio = (difference > 0.0).then_some(ratio);
-        Some(Self::new(critical, ratio, &Frequencies::quickly(parameters, found)?))
+        Some(Self::rounded(critical, ratio, &Frequencies::quickly(parameters, found)?))
     }
 
-    fn new(critical: f64, ratio: Option<f64>, frequencies: &Frequencies) -> Self {
+    fn rounded(critical: f64, ratio: Option<f64>, frequencies: &Frequencies) -> Self {
         let in_range = |value: f64| (value == 0.0 || value.is_normal()).then_some(value);
         Self {
             frequency_hz: frequencies.frequency_hz.to_f64(),

@@ -10,7 +10,7 @@ use slipmode_core::stability::batch::{GridAxis, StreamedGrid, Tally};
 use slipmode_core::stability::{InertialThreshold, SlipMode, SpectralClass};
 
 use crate::cli::answer::Answer;
-use crate::cli::classify::grid_files::GridFiles;
+use crate::cli::classify::grid_files::{GridFiles, GridPicture};
 use crate::cli::classify::rows::NEUTRAL;
 use crate::cli::failure::Failure;
 use crate::cli::inputs::slider_json;
@@ -50,6 +50,15 @@ pub struct GridRequest {
 }
 
 impl GridOptions {
+    /// The options of a grid that is drawn.
+    pub fn drawn(loading_velocity: &str, normal_stress: &str) -> Self {
+        Self {
+            grid_loading_velocity: Some(loading_velocity.to_string()),
+            grid_normal_stress: Some(normal_stress.to_string()),
+            svg: Some(PathBuf::new()),
+        }
+    }
+
     /// Whether a grid is requested.
     pub fn is_given(&self) -> bool {
         self.grid_loading_velocity.is_some() || self.grid_normal_stress.is_some()
@@ -120,6 +129,15 @@ fn axis(quantity: Quantity, text: Option<&str>, arguments: &mut Arguments) -> Op
 }
 
 impl GridRequest {
+    /// Draws the slip modes.
+    pub fn picture(&self, threshold: &InertialThreshold) -> GridPicture {
+        self.files(threshold).picture()
+    }
+
+    fn files<'g>(&'g self, threshold: &'g InertialThreshold) -> GridFiles<'g> {
+        GridFiles::new(&self.slider, threshold, [&self.loading_velocities, &self.normal_stresses])
+    }
+
     /// Classifies the grid, writes its rows and its picture where they are wanted, and prints the counts.
     ///
     /// # Errors
@@ -128,14 +146,13 @@ impl GridRequest {
         // An output that cannot be written is reported before the work, not after it.
         let [rows, svg] = Output::create_both([self.rows.as_deref(), self.svg.as_deref()])?;
         let tally = self.tally(threshold, progress);
-        let files =
-            GridFiles::new(&self.slider, threshold, [&self.loading_velocities, &self.normal_stresses]);
+        let files = self.files(threshold);
         if let Some(output) = rows {
             let bar = progress.points(self.points());
             files.write_rows(output, |points| bar.inc(points))?;
             bar.finish_and_clear();
         }
-        svg.map_or(Ok(()), |output| files.draw(output))?;
+        svg.map_or(Ok(()), |output| output.finish(files.picture().svg))?;
         self.answer(&tally).print_beside(json, self.rows.as_deref())
     }
 

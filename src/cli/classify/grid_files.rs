@@ -11,8 +11,9 @@ use slipmode::scene::{LogAxis, LogCoordinates};
 use slipmode_core::friction::Slider;
 use slipmode_core::number::format::shortest;
 use slipmode_core::number::{Dd, Rational};
+use slipmode_core::stability::batch::{GridCell, GridKernel, SignPair};
 use slipmode_core::stability::boundary::BoundaryCurve;
-use slipmode_core::stability::{Classification, InertialThreshold, classify, classify_quickly};
+use slipmode_core::stability::{Classification, InertialThreshold, SlipMode, classify, classify_quickly};
 
 use crate::cli::classify::rows::{Classified, ClassifyRows, Found};
 use crate::cli::failure::Failure;
@@ -23,6 +24,17 @@ const BOUNDARY_POINTS: usize = 200;
 const BOUNDARY_DIGITS: u32 = 17;
 /// Points of a row that are classified together.
 const POINTS_TOGETHER: u32 = 4096;
+
+/// The coordinates of a grid, and the picture of its slip modes.
+#[derive(Debug)]
+pub struct GridPicture {
+    /// Loading velocities, m/s.
+    pub loading_velocity_m_per_s: Vec<f64>,
+    /// Normal stresses, Pa.
+    pub normal_stress_pa: Vec<f64>,
+    /// The picture as SVG.
+    pub svg: String,
+}
 
 /// A grid of which rows are written or modes are drawn.
 #[derive(Debug)]
@@ -77,16 +89,30 @@ impl<'g> GridFiles<'g> {
     }
 
     /// Draws the slip modes.
-    pub fn draw(&self, output: Output) -> Result<(), Failure> {
+    pub fn picture(&self) -> GridPicture {
         let [velocities, stresses] =
             [self.loading_velocities, self.normal_stresses].map(LogAxis::coordinates);
-        let columns = &velocities;
-        let row =
-            |stress: f64| columns.iter().map(move |&velocity| self.classified(velocity, stress).slip_mode);
-        let values = stresses.par_iter().flat_map_iter(|&stress| row(stress)).collect();
+        let values = self.modes(&velocities, &stresses);
         let modes = Grid { loading_velocity_m_per_s: velocities, normal_stress_pa: stresses, values };
         let points = BoundaryCurve::new(self.slider, BOUNDARY_DIGITS).sample(BOUNDARY_POINTS, END_ERROR);
-        output.finish(mode_picture(self.slider, &modes, &points).unwrap_or_default())
+        let svg = mode_picture(self.slider, &modes, &points).unwrap_or_default();
+        let Grid { loading_velocity_m_per_s, normal_stress_pa, .. } = modes;
+        GridPicture { loading_velocity_m_per_s, normal_stress_pa, svg }
+    }
+
+    /// The slip modes, row by row of constant normal stress.
+    fn modes(&self, velocities: &[f64], stresses: &[f64]) -> Vec<SlipMode> {
+        let undecided = GridCell::new(SignPair::new(0, 0), SlipMode::StickSlip);
+        let kernel = GridKernel::new(self.slider, self.threshold, stresses);
+        let column = |&velocity: &f64| {
+            let mut cells = vec![undecided; stresses.len()];
+            kernel.as_ref()?.classify_row(velocity, &mut cells).map(|_| cells)
+        };
+        let columns: Option<Vec<Vec<GridCell>>> = velocities.par_iter().map(column).collect();
+        // Every coordinate of a logarithmic axis in the allowed range is positive and finite.
+        let columns = columns.unwrap_or_default();
+        let row = |row: usize| columns.iter().map(move |cells| cells[row].slip_mode());
+        (0..stresses.len()).flat_map(row).collect()
     }
 
     /// The point of these coordinates, taken as the binary numbers that they are.

@@ -1,11 +1,11 @@
 //! The answer of `classify` for one point.
 
-use serde_json::json;
+use serde_json::{Value, json};
 use slipmode::scene::cited;
 use slipmode_core::friction::Parameters;
 use slipmode_core::number::format::round_float;
 use slipmode_core::number::{Rational, Wide};
-use slipmode_core::stability::{Classification, InertialThreshold, LogDistance, classify};
+use slipmode_core::stability::{Classification, Frequencies, InertialThreshold, LogDistance, classify};
 
 use crate::cli::answer::{Answer, Item, SHOWN_DIGITS, wide};
 use crate::cli::classify::derived::Derived;
@@ -16,18 +16,58 @@ use crate::cli::roots::{PrintedRoot, print_roots};
 /// Significant digits of the roots next to a classification: those of a 64-bit number.
 const ROOT_DIGITS: u32 = 17;
 
-/// Classifies the point; the keys are the names of the CSV columns and more.
-pub fn answer(parameters: &Parameters<Rational>, threshold: &InertialThreshold) -> Answer {
-    let found = classify(parameters, threshold);
-    let derived = Derived::of(parameters, &found);
+/// A point with its class and its frequency.
+#[derive(Debug)]
+pub struct ClassifiedPoint {
+    parameters: Parameters<Rational>,
+    found: Classification,
+    frequencies: Frequencies,
+}
+
+impl ClassifiedPoint {
+    /// Classifies a point.
+    pub fn new(parameters: Parameters<Rational>, threshold: &InertialThreshold) -> Self {
+        let found = classify(&parameters, threshold);
+        let frequencies = Frequencies::of(&parameters, &found);
+        Self { parameters, found, frequencies }
+    }
+
+    /// Signs, class and values.
+    pub const fn found(&self) -> &Classification {
+        &self.found
+    }
+
+    /// The slip mode as a word.
+    pub fn slip_mode(&self) -> &'static str {
+        slip_mode_word(&self.found)
+    }
+
+    /// max Im(s)/2π, Hz; none beyond the range of 64-bit numbers.
+    pub fn frequency_hz(&self) -> Option<f64> {
+        self.frequencies.frequency_hz.to_f64()
+    }
+
+    /// The object that `classify --json` prints.
+    pub fn json(&self) -> Value {
+        self.answer().json()
+    }
+
+    /// All that `classify` says of the point; the keys are the names of the CSV columns and more.
+    pub(in crate::cli) fn answer(&self) -> Answer {
+        answer(self)
+    }
+}
+
+fn answer(ClassifiedPoint { parameters, found, frequencies }: &ClassifiedPoint) -> Answer {
+    let derived = Derived::new(parameters, frequencies);
     let groups = parameters.groups();
     let critical = parameters.critical_stiffness();
     let ratio = (critical > 0).then(|| Rational::from(&parameters.slider.stiffness_pa_per_m / &critical));
     let without_ratio = if ratio.is_some() { "" } else { "(a >= b: no transition)" };
     let roots = print_roots(parameters, ROOT_DIGITS);
     Answer::to(inputs_json(parameters))
-        .item("slip_mode", "slip mode", slip_mode_word(&found))
-        .note(mode_words(&found))
+        .item("slip_mode", "slip mode", slip_mode_word(found))
+        .note(mode_words(found))
         .item("spectral_class", "spectral class", found.spectral_class.as_str())
         .item("transition_sign", "sign of K - K_c", found.transition_sign)
         .note(transition_words(found.transition_sign))

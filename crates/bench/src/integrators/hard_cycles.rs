@@ -100,10 +100,9 @@ pub fn read_hard_cycles(file: &str, text: &str) -> Result<Vec<HardCycle>, Faults
             return Err(fault(line, "", None, problem.into()));
         }
         let number = |column: usize| {
-            let allowed = "any decimal".to_string();
-            parse_decimal(cells[column]).map(|value: Rational| nearest_f64(&value)).map_err(|reason| {
-                fault(line, COLUMNS[column], Some(cells[column]), Problem::NotANumber { reason, allowed })
-            })
+            let refused = |reason| Problem::NotANumber { reason, allowed: None };
+            let read = parse_decimal(cells[column]).map(|value: Rational| nearest_f64(&value));
+            read.map_err(|reason| fault(line, COLUMNS[column], Some(cells[column]), refused(reason)))
         };
         let law = EvolutionLaw::from_word(cells[1]);
         let unknown = || {

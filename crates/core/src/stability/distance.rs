@@ -2,10 +2,10 @@
 
 use rug::{Float, Rational};
 
-use super::boundary::{BoundaryCurve, BoundaryPoint};
+use super::boundary::{BoundaryCurve, Section};
 use super::logarithm::log10_one_plus;
 use super::{boundary_sign, transition_sign};
-use crate::friction::{OperatingPoint, Parameters, Slider};
+use crate::friction::{OperatingPoint, Parameters};
 use crate::number::{Ball, Wide};
 
 /// Signed decimal logarithms of (coordinate of the line)/(coordinate of the point), of the nearest such place.
@@ -55,13 +55,10 @@ impl LogDistance {
         }
         let (slider, point) = (&parameters.slider, &parameters.point);
         let (stress, velocity) = (&point.normal_stress_pa, &point.loading_velocity_m_per_s);
+        let curve = BoundaryCurve::new(slider, FIRST_DIGITS);
         Self {
-            normal_stress: nearest(slider, stress, |curve| {
-                coordinates(curve.at_velocity(velocity), |point| point.normal_stress_pa)
-            }),
-            loading_velocity: nearest(slider, velocity, |curve| {
-                coordinates(curve.at_normal_stress(stress), |point| point.loading_velocity_m_per_s)
-            }),
+            normal_stress: nearest(&curve, stress, &Section::AtVelocity(velocity.clone())),
+            loading_velocity: nearest(&curve, velocity, &Section::AtNormalStress(stress.clone())),
         }
     }
 }
@@ -75,24 +72,17 @@ fn log10(ratio: Rational, divisor: u32) -> Option<Wide> {
     Some(Wide::from_float(&Float::with_val(80, log10_one_plus(&excess).centre() / divisor)))
 }
 
-fn coordinates(points: Vec<BoundaryPoint>, coordinate: fn(BoundaryPoint) -> Ball) -> Vec<Ball> {
-    points.into_iter().map(coordinate).collect()
-}
-
 /// Digits at which a distance is looked for first: enough for all but points made to be near.
 const FIRST_DIGITS: u32 = 40;
 /// Digits beyond which no point made of decimals of the grammar can hide its distance.
 const MOST_DIGITS: u32 = 1 << 17;
 
-/// The smallest of the distances from `from` to the curve's coordinates, with as many digits as it takes to tell it from zero.
-fn nearest(
-    slider: &Slider<Rational>,
-    from: &Rational,
-    on_curve: impl Fn(&BoundaryCurve) -> Vec<Ball>,
-) -> Option<Wide> {
+/// The smallest of the distances from `from` to the curve's coordinates on a section, with as many digits as it takes to tell it
+/// from zero. The curve has [`FIRST_DIGITS`].
+fn nearest(curve: &BoundaryCurve, from: &Rational, section: &Section) -> Option<Wide> {
     let mut digits = FIRST_DIGITS;
+    let mut there = curve.coordinates(section);
     loop {
-        let there = on_curve(&BoundaryCurve::new(slider, digits));
         let distances: Vec<Ball> = there.iter().map(|coordinate| log10_ratio(coordinate, from)).collect();
         let separated = distances.iter().all(|distance| distance.relative_radius_log2() < -60.0);
         if separated || digits >= MOST_DIGITS {
@@ -101,6 +91,7 @@ fn nearest(
             return least.map(|distance| Wide::from_float(distance.centre()));
         }
         digits *= 4;
+        there = curve.with_digits(digits).coordinates(section);
     }
 }
 

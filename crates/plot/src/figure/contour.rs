@@ -1,5 +1,7 @@
 //! Filled contours: outlines of the area where a grid of values lies above a level (marching squares).
 
+use std::collections::BTreeMap;
+
 use super::path::Point;
 
 /// For each pattern of corners inside (1 lower left, 2 lower right, 4 upper right, 8 upper left), the segments that
@@ -49,16 +51,13 @@ pub(crate) fn outlines(
     let grid = Grid { values, columns, rows: values.len() / columns, inside, crossing };
     let mut next = grid.links();
     let mut loops = Vec::new();
-    for start in 0..next.len() {
-        let mut outline = Vec::new();
-        let mut edge = start;
-        while let Some(to) = next[edge].take() {
+    while let Some((mut edge, mut to)) = next.pop_first() {
+        let mut outline = vec![grid.point(edge)];
+        while let Some(after) = next.remove(&to) {
+            (edge, to) = (to, after);
             outline.push(grid.point(edge));
-            edge = to;
         }
-        if !outline.is_empty() {
-            loops.push(outline);
-        }
+        loops.push(outline);
     }
     loops
 }
@@ -79,23 +78,28 @@ impl Grid<'_> {
     }
 
     /// For each grid edge where an outline enters a cell, the edge where it leaves it.
-    fn links(&self) -> Vec<Option<usize>> {
-        let mut next = vec![None; 2 * self.width() * (self.rows + 2)];
+    fn links(&self) -> BTreeMap<usize, usize> {
+        let mut next = BTreeMap::new();
+        let mut lower = self.inside_of_row(0);
         for row in 0..=self.rows {
-            for column in 0..=self.columns {
-                let corners = [(column, row), (column + 1, row), (column + 1, row + 1), (column, row + 1)];
-                let pattern = corners
-                    .iter()
-                    .enumerate()
-                    .map(|(bit, &(i, j))| usize::from(self.is_inside(i, j)) << bit)
-                    .sum::<usize>();
-                let edges = self.edges(column, row);
+            let upper = self.inside_of_row(row + 1);
+            for (column, (low, high)) in lower.windows(2).zip(upper.windows(2)).enumerate() {
+                let corners = [low[0], low[1], high[1], high[0]];
+                let bits = corners.iter().enumerate();
+                let pattern = bits.map(|(bit, &is_inside)| usize::from(is_inside) << bit).sum::<usize>();
                 for &(from, to) in SEGMENTS[pattern] {
-                    next[edges[from]] = Some(edges[to]);
+                    let edges = self.edges(column, row);
+                    next.insert(edges[from], edges[to]);
                 }
             }
+            lower = upper;
         }
         next
+    }
+
+    /// Which points of a row are inside, the ring included.
+    fn inside_of_row(&self, row: usize) -> Vec<bool> {
+        (0..self.width()).map(|column| self.is_inside(column, row)).collect()
     }
 
     /// Numbers of a cell's lower, right, upper and left edge: even ones lie, odd ones stand.

@@ -43,7 +43,7 @@ const CORNER: Point = (80.0, 14.0);
 /// Width and height of the map.
 const SIZE: Point = (544.0, 440.0);
 /// Left edges of two maps side by side, their upper edge and their size.
-const PAIR_LEFT: [f64; 2] = [78.0, 394.0];
+const PAIR_LEFT: [f64; 2] = [78.0, 388.0];
 const PAIR_TOP: f64 = 30.0;
 const PAIR_SIZE: Point = (236.0, 236.0);
 /// How far a drawn edge may lie from the given one, in canvas units: less than a grid step of a fine map.

@@ -127,9 +127,13 @@ impl Mul for Jet {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
         Self::new(|i, j| {
-            (0..=i).fold(Interval::ZERO, |sum, p| {
-                (0..=j).fold(sum, |sum, q| sum + self.at(p, q) * other.at(i - p, j - q))
-            })
+            let mut sum = Interval::ZERO;
+            for p in 0..i + 1 {
+                for q in 0..j + 1 {
+                    sum = sum + self.0[place(p, q)] * other.0[place(i - p, j - q)];
+                }
+            }
+            sum
         })
     }
 }

@@ -22,9 +22,13 @@ type Field<const M: usize> = [[Lanes<M>; ORDER + 1]; (CORRECTIONS + 1) * (CORREC
 
 /// Coefficient k of the product of two fields, at (i, j).
 fn field_product<const M: usize>(a: &Field<M>, b: &Field<M>, (i, j): (usize, usize), k: usize) -> Lanes<M> {
-    (0..=i).fold(Lanes::ZERO, |sum, p| {
-        (0..=j).fold(sum, |sum, q| sum + product(&a[place(p, q)], &b[place(i - p, j - q)], k))
-    })
+    let mut sum = Lanes::ZERO;
+    for p in 0..i + 1 {
+        for q in 0..j + 1 {
+            sum = sum + product(&a[place(p, q)], &b[place(i - p, j - q)], k);
+        }
+    }
+    sum
 }
 
 /// The fields that the iterates are made of.

@@ -59,8 +59,12 @@ impl Motion<'_> {
         if !(self.has_fallen && self.may_stick) {
             return None;
         }
+        let largest_delay = self.lateness * ENTRY_DELAY;
+        if !(Manifold::least_delay(self.constants, &[x, y]) < largest_delay) {
+            return None;
+        }
         let manifold = Manifold::over(self.constants, &[x, y]);
-        if !(manifold.delay() < self.lateness * ENTRY_DELAY) {
+        if !(manifold.delay() < largest_delay) {
             return None;
         }
         let off = f - manifold.inertia * manifold.rate;

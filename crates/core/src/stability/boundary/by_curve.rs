@@ -142,6 +142,17 @@ impl BoundaryCurve {
         )
     }
 
+    /// The sought coordinate of each of the crossings, σ at given V0 and V0 at given σ, to this curve's precision.
+    pub(in crate::stability) fn coordinates(&self, section: &Section) -> Vec<Ball> {
+        let rounded = |crossing: Crossing| section.sought(crossing.position).with_precision(self.bits);
+        self.crossings(section).into_iter().map(rounded).collect()
+    }
+
+    /// The same boundary to another number of digits.
+    pub(in crate::stability) fn with_digits(&self, digits: u32) -> Self {
+        Self::new(&self.slider, digits)
+    }
+
     /// What each of the crossings takes; nothing for one that takes the general way, to its place or to its λ.
     #[doc(hidden)]
     #[must_use]
