@@ -70,8 +70,10 @@ fn over(region: &ParameterBox, [from, to]: [[Rational; 2]; 2]) -> Option<Paramet
     ParameterBox::new(at(from, &region.lower()), at(to, &region.upper()))
 }
 
-/// The bands as areas of a map with so many columns and rows of cells: each cell in which some values within the error bars have the
-/// line belongs to its band, and none that is certain to have no such values but inside a band.
+/// The bands as areas of a map with so many columns and rows of cells.
+///
+/// A cell belongs to a band unless it is certain that no values within the error bars have the line there. Inside a band, blocks are
+/// filled by their corners and their centre.
 #[must_use]
 pub(crate) fn band_lines(region: &ParameterBox, x: &Axis, y: &Axis, cells: [usize; 2]) -> Vec<Line> {
     let lines = |of: BandOf| {
