@@ -3,7 +3,6 @@
 
 use rayon::prelude::*;
 
-use slipmode_core::friction::Parameters;
 use slipmode_core::number::Rational;
 use slipmode_core::stability::ParameterBox;
 use slipmode_core::stability::inverse::{SolutionRange, Target, Unknown, is_nowhere, solve_over_box};
@@ -54,20 +53,20 @@ impl BandOf {
     /// All solutions for one coordinate at this value of the other one, which the box's own values do not affect.
     #[must_use]
     pub fn ranges(self, region: &ParameterBox, unknown: Unknown, known: &Rational) -> Vec<SolutionRange> {
-        let one = || Rational::from(1);
-        let [velocity, stress] = match unknown {
-            Unknown::NormalStress => [known.clone(), one()],
-            _ => [one(), known.clone()],
+        let other = match unknown {
+            Unknown::NormalStress => Unknown::LoadingVelocity,
+            _ => Unknown::NormalStress,
         };
-        let ends = [[velocity.clone(), stress.clone()], [velocity, stress]];
-        over(region, ends).map_or_else(Vec::new, |region| solve_over_box(&region, unknown, &self.target()))
+        let region = other.within(region.clone(), [known.clone(), known.clone()]);
+        region.map_or_else(Vec::new, |region| solve_over_box(&region, unknown, &self.target()))
     }
 }
 
 /// The box with V0 and σ from the first pair to the second one.
 fn over(region: &ParameterBox, [from, to]: [[Rational; 2]; 2]) -> Option<ParameterBox> {
-    let at = |[velocity, stress]: [Rational; 2], end: &Parameters<Rational>| end.slider.at(stress, velocity);
-    ParameterBox::new(at(from, &region.lower()), at(to, &region.upper()))
+    let ([slow, low], [fast, high]) = (from, to);
+    let region = Unknown::LoadingVelocity.within(region.clone(), [slow, fast])?;
+    Unknown::NormalStress.within(region, [low, high])
 }
 
 /// The bands as areas of a map with so many columns and rows of cells.
@@ -161,6 +160,7 @@ impl<'a> Cells<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use slipmode_core::friction::Parameters;
     use slipmode_core::number::split_mix::SplitMix64;
     use slipmode_core::stability::inverse::solve;
     use slipmode_core::stability::{InertialThreshold, over_box};

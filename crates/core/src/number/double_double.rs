@@ -7,7 +7,7 @@
 
 use std::ops::Neg;
 
-use rug::{Float, Rational};
+use rug::{Float, Integer, Rational};
 
 use super::{Field, Real};
 use slipmode_algebra::implement_operators;
@@ -69,7 +69,19 @@ impl Dd {
 
     /// The double-double nearest to a rational, to within a relative 2^-105.
     #[must_use]
+    #[expect(clippy::disallowed_methods, reason = "short integers are converted exactly")]
     pub fn from_rational(value: &Rational) -> Self {
+        let [numerator, denominator] = [value.numer(), value.denom()];
+        // Integers that are 64-bit numbers, so small that the quotient's remainder has neither overflow nor underflow.
+        let is_short = |integer: &Integer| {
+            let bits = integer.significant_bits();
+            bits < 400 && bits - integer.find_one(0).unwrap_or(0) <= 53
+        };
+        if is_short(numerator) && is_short(denominator) {
+            let [numerator, denominator] = [numerator.to_f64(), denominator.to_f64()];
+            let hi = numerator / denominator;
+            return Self { hi, lo: (-hi).mul_add(denominator, numerator) / denominator };
+        }
         let rounded = Float::with_val(120, value);
         let hi = rounded.to_f64();
         let lo = Float::with_val(120, &rounded - hi).to_f64();
@@ -278,8 +290,9 @@ mod tests {
         }
 
         #[test]
-        fn a_rational_is_rounded_to_106_bits(n in 1i64..i64::MAX, d in 1i64..i64::MAX) {
-            let exact = Rational::from((n, d));
+        fn a_rational_is_rounded_to_106_bits(n in 1i64..i64::MAX, d in 1i64..i64::MAX, less in 0u32..63, scale in -420i32..420) {
+            // Integers of all sizes, those that 64-bit numbers hold among them.
+            let exact = Rational::from(((n >> less).max(1), (d >> (less / 2)).max(1))) << scale;
             assert_within_unit(Dd::from_rational(&exact), &exact);
         }
     }

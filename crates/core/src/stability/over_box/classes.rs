@@ -26,56 +26,43 @@ const UPPER: Corner = Corner::high(&[A, S]);
 type WayOut = (Corner, fn(State) -> bool);
 
 /// The sets that a box meets.
-pub(super) struct Classes {
+pub(super) struct Classes<'a> {
     /// The least and the greatest sign of K − K_c.
     pub(super) transition: [i8; 2],
     /// An enclosure of the signs of the discriminant; the least one is attained.
     pub(super) boundary: [i8; 2],
-    pub(super) unstable_real: Met,
-    pub(super) unstable_complex: Met,
-    pub(super) neutral: Met,
-    pub(super) stable_complex: Met,
-    pub(super) upper: Met,
-    pub(super) lower: Met,
+    pub(super) unstable_real: Met<'a>,
+    pub(super) unstable_complex: Met<'a>,
+    pub(super) neutral: Met<'a>,
+    pub(super) stable_complex: Met<'a>,
+    pub(super) upper: Met<'a>,
+    pub(super) lower: Met<'a>,
 }
 
-impl Classes {
+impl<'a> Classes<'a> {
     /// The least and the greatest sign of K − K_c.
     pub(super) fn transition_signs(filtered: &Filtered<'_>) -> [i8; 2] {
         [LEAST_STABLE, LEAST_STABLE.opposite()].map(|corner| filtered.at_corner(corner).transition)
     }
 
     /// Decides all of them.
-    pub(super) fn of(filtered: &Filtered<'_>) -> Self {
-        let corner = |corner: Corner| filtered.region.corner(corner);
+    pub(super) fn of(filtered: &'a Filtered<'_>) -> Self {
         let if_at = |at: Corner, is_inside: fn(State) -> bool| {
-            if is_inside(filtered.at_corner(at)) { Met::at(corner(at)) } else { Met::Nowhere }
+            if is_inside(filtered.at_corner(at)) { Met::at_corner(filtered, at) } else { Met::NOWHERE }
         };
         let [least, most] = [LEAST_STABLE, LEAST_STABLE.opposite()];
         let transition = Self::transition_signs(filtered);
         let unstable_real = if_at(UNSTABLE_REAL, State::is_unstable_real);
         let upper = if_at(UPPER, State::is_upper);
         let lower = lower_area::meets(filtered);
-        let unstable_complex = if transition[0] < 0 {
-            outside(
-                filtered,
-                least,
-                &[(UNSTABLE_REAL.opposite(), State::is_unstable_real)],
-                SpectralClass::UnstableComplex,
-            )
-        } else {
-            Met::Nowhere
-        };
-        let stable_complex = if transition[1] > 0 {
-            let ways_out: [WayOut; 3] = [
-                (UPPER.opposite(), State::is_upper),
-                (lower_area::LEAST, State::is_lower),
-                (lower_area::LEAST.opposite(), State::is_lower),
-            ];
-            outside(filtered, most, &ways_out, SpectralClass::StableComplex)
-        } else {
-            Met::Nowhere
-        };
+        let way_out: [WayOut; 1] = [(UNSTABLE_REAL.opposite(), State::is_unstable_real)];
+        let unstable_complex = outside(filtered, least, &way_out, SpectralClass::UnstableComplex);
+        let ways_out: [WayOut; 3] = [
+            (UPPER.opposite(), State::is_upper),
+            (lower_area::LEAST, State::is_lower),
+            (lower_area::LEAST.opposite(), State::is_lower),
+        ];
+        let stable_complex = outside(filtered, most, &ways_out, SpectralClass::StableComplex);
         let neutral = neutral(filtered, transition);
         let has = |sets: &[&Met]| sets.iter().any(|met| met.is_somewhere());
         let boundary = [
@@ -97,31 +84,34 @@ fn least_of_real(filtered: &Filtered<'_>) -> i8 {
 /// A point of a class with a complex pair, from a corner that is in it or in an area of real roots beside it.
 ///
 /// `ways_out` are corners, one of which is outside that area if the box does not lie inside.
-fn outside(filtered: &Filtered<'_>, start: Corner, ways_out: &[WayOut], class: SpectralClass) -> Met {
+fn outside<'a>(
+    filtered: &'a Filtered<'_>,
+    start: Corner,
+    ways_out: &[WayOut],
+    class: SpectralClass,
+) -> Met<'a> {
     let state = filtered.at_corner(start);
-    let from = filtered.region.corner(start);
     if state.class == class {
-        return Met::at(from);
+        return Met::at_corner(filtered, start);
     }
-    for (corner, is_inside) in ways_out.iter().filter(|(_, is_inside)| is_inside(state)) {
-        if is_inside(filtered.at_corner(*corner)) {
-            continue;
-        }
-        let ends = [from, filtered.region.corner(*corner)];
-        let found = filtered.between(ends, is_inside, |_, state| state.class == class);
-        return found.map_or(Met::WithoutWitness, Met::at);
-    }
-    Met::Nowhere
+    let leads_out =
+        |&&(corner, is_inside): &&WayOut| is_inside(state) && !is_inside(filtered.at_corner(corner));
+    ways_out.iter().find(leads_out).map_or(Met::NOWHERE, |&(corner, is_inside)| {
+        let ends = move || [start, corner].map(|corner| filtered.region.corner(corner));
+        Met::found_by(move || filtered.between(ends(), is_inside, |_, state| state.class == class))
+    })
 }
 
 /// A point on K = K_c.
-fn neutral(filtered: &Filtered<'_>, transition: [i8; 2]) -> Met {
+fn neutral<'a>(filtered: &'a Filtered<'_>, transition: [i8; 2]) -> Met<'a> {
     let [least, most] = [LEAST_STABLE, LEAST_STABLE.opposite()];
     match transition {
-        [0, _] => Met::at(filtered.region.corner(least)),
-        [_, 0] => Met::at(filtered.region.corner(most)),
-        [-1, 1] => on_transition(filtered, filtered.region.corner(least), filtered.region.corner(most)),
-        _ => Met::Nowhere,
+        [0, _] => Met::at_corner(filtered, least),
+        [_, 0] => Met::at_corner(filtered, most),
+        [-1, 1] => Met::found_by(move || {
+            on_transition(filtered, filtered.region.corner(least), filtered.region.corner(most))
+        }),
+        _ => Met::NOWHERE,
     }
 }
 
@@ -130,9 +120,9 @@ const LINEAR: [usize; 4] = [K, B, S, M];
 
 /// A rational point on K = K_c between two corners. The transition crosses the box along the linear parameters
 /// for some rational a, D_c and V0, unless these parameters are certain.
-fn on_transition(filtered: &Filtered<'_>, mut unstable: Point, mut stable: Point) -> Met {
+fn on_transition(filtered: &Filtered<'_>, mut unstable: Point, mut stable: Point) -> Option<Point> {
     if !LINEAR.iter().any(|i| filtered.region.is_wide(*i)) {
-        return Met::WithoutWitness;
+        return None;
     }
     let ends = [unstable.clone(), stable.clone()];
     let with_linear = |other: &Point, end: &Point| -> Point {
@@ -146,7 +136,7 @@ fn on_transition(filtered: &Filtered<'_>, mut unstable: Point, mut stable: Point
         } else if filtered.at(&high).transition < 0 {
             unstable = middle;
         } else {
-            return linear_crossing(low, &high).map_or(Met::WithoutWitness, Met::at);
+            return linear_crossing(low, &high);
         }
     }
 }

@@ -25,19 +25,6 @@ pub(super) const V: usize = 6;
 pub(super) type Point = [Rational; 7];
 
 impl ParameterBox {
-    /// The box with other ends of a parameter, or `None` unless 0 < lower ≤ upper.
-    pub(in crate::stability) fn with_ends(
-        &self,
-        parameter: usize,
-        lower: Rational,
-        upper: Rational,
-    ) -> Option<Self> {
-        let is_valid = lower > 0 && lower <= upper;
-        let mut changed = self.clone();
-        (changed.lower[parameter], changed.upper[parameter]) = (lower, upper);
-        is_valid.then_some(changed)
-    }
-
     /// Whether a parameter has more than one value.
     pub(super) fn is_wide(&self, parameter: usize) -> bool {
         self.lower[parameter] < self.upper[parameter]

@@ -26,7 +26,7 @@ pub(super) const LEAST: Corner = Corner::high(&[A, B, S]);
 const ORDER: [usize; 7] = [D, B, K, S, A, M, V];
 
 /// Whether the box meets the lower area.
-pub(super) fn meets(filtered: &Filtered<'_>) -> Met {
+pub(super) fn meets<'a>(filtered: &'a Filtered<'_>) -> Met<'a> {
     let mut corner = LEAST;
     let corners: Vec<Corner> = std::iter::once(LEAST)
         .chain(ORDER.iter().filter(|parameter| filtered.region.is_wide(**parameter)).map(|parameter| {
@@ -35,13 +35,14 @@ pub(super) fn meets(filtered: &Filtered<'_>) -> Met {
         }))
         .collect();
     if let Some(inside) = corners.iter().find(|corner| filtered.at_corner(**corner).is_lower()) {
-        return Met::at(filtered.region.corner(*inside));
+        return Met::at_corner(filtered, *inside);
     }
     if is_clearly_nowhere(filtered) {
-        return Met::Nowhere;
+        return Met::NOWHERE;
     }
     let edges = corners.windows(2).map(|ends| [ends[0], ends[1]]);
-    edges.filter_map(|ends| Edge::new(filtered, ends)).find_map(|edge| edge.search()).unwrap_or(Met::Nowhere)
+    let found = edges.filter_map(|ends| Edge::new(filtered, ends)).find_map(|edge| edge.search());
+    found.map_or(Met::NOWHERE, |point| Met::found_by(|| point))
 }
 
 /// Whether one of the two sides of [`Lines::lower_area`] is not positive anywhere in the box, by the ends of its terms. Far from
@@ -96,7 +97,8 @@ impl Edge {
         Some(Self { ends: ends.map(|corner| filtered.region.corner(corner)), discriminant, sides, sturm })
     }
 
-    fn search(&self) -> Option<Met> {
+    /// Whether the edge meets the area, and a point if that is rational.
+    fn search(&self) -> Option<Option<Point>> {
         self.between(&Rational::new(), &Rational::from(1))
     }
 
@@ -105,7 +107,7 @@ impl Edge {
     }
 
     /// Searches a part of the edge whose ends are outside. The area's piece would end at roots of the discriminant.
-    fn between(&self, low: &Rational, high: &Rational) -> Option<Met> {
+    fn between(&self, low: &Rational, high: &Rational) -> Option<Option<Point>> {
         let is_root = |at: &Rational| self.discriminant.evaluate(at) == 0;
         let within = self.sturm.count_roots(low, high) - usize::from(is_root(high));
         match within {
@@ -115,7 +117,7 @@ impl Edge {
         }
         let middle = (low + high).complete() / 2u32;
         if self.is_inside(&middle) {
-            return Some(Met::at(self.point(&middle)));
+            return Some(self.point(&middle));
         }
         self.between(low, &middle).or_else(|| self.between(&middle, high))
     }
@@ -123,7 +125,7 @@ impl Edge {
     /// With one root between, the piece is that point alone: a multiple root of the discriminant, negative on both sides.
     ///
     /// At such a root both sides are positive or one is negative, so that halving decides.
-    fn touched_between(&self, low: &Rational, high: &Rational) -> Option<Met> {
+    fn touched_between(&self, low: &Rational, high: &Rational) -> Option<Option<Point>> {
         let repeated = self.discriminant.gcd(&self.discriminant.derivative());
         let (mut low, mut high) = (low.clone(), high.clone());
         let counts = SturmSequence::new(&repeated);
@@ -138,23 +140,23 @@ impl Edge {
             match signs {
                 [Some(false), _] | [_, Some(false)] => return None,
                 [Some(true), Some(true)] => match only_rational(&repeated, &low, &high) {
-                    Some(None) => return Some(Met::WithoutWitness),
-                    Some(Some(root)) => return Some(Met::at(self.point(&root))),
+                    Some(None) => return Some(None),
+                    Some(Some(root)) => return Some(self.point(&root)),
                     None => {}
                 },
                 _ => {}
             }
             let middle = (&low + &high).complete() / 2u32;
             if self.discriminant.evaluate(&middle) == 0 {
-                return self.is_inside(&middle).then(|| Met::at(self.point(&middle)));
+                return self.is_inside(&middle).then(|| self.point(&middle));
             }
             if self.sturm.count_roots(&low, &middle) == 1 { high = middle } else { low = middle }
         }
     }
 
-    fn point(&self, at: &Rational) -> Point {
+    fn point(&self, at: &Rational) -> Option<Point> {
         let [start, end] = &self.ends;
-        std::array::from_fn(|i| (&end[i] - &start[i]).complete() * at + &start[i])
+        Some(std::array::from_fn(|i| (&end[i] - &start[i]).complete() * at + &start[i]))
     }
 }
 

@@ -36,12 +36,15 @@ pub(super) use ranges::{Scaled, Sought, sought_in};
 pub(super) use root_discs::{Quantity, Values};
 pub use shares::{Distribution, SampledShare, sampled_shares};
 
+use std::cell::LazyCell;
+use std::rc::Rc;
+
 use super::{InertialThreshold, SlipMode, SpectralClass};
 use crate::friction::Parameters;
 use crate::number::Rational;
 use classes::Classes;
 use corners::{A, B, Corner, D, Filtered, M, Point, S, State, V};
-use threshold::{Found, Search};
+use threshold::Search;
 
 /// Something that points of a box have, with such a point.
 #[derive(Debug, Clone, PartialEq)]
@@ -150,29 +153,30 @@ pub(super) fn boundary_sought(region: &ParameterBox) -> Sought {
     }
 }
 
-/// Whether a box meets a set, and where.
-#[derive(Debug, Clone, PartialEq, Eq)]
-enum Met {
-    At(Box<Point>),
-    /// At points that need not be rational.
-    WithoutWitness,
-    Nowhere,
-}
+/// Finds a point; none where the points that there are need not be rational.
+type Find<'a> = Box<dyn FnOnce() -> Option<Point> + 'a>;
 
-impl Met {
-    fn at(point: Point) -> Self {
-        Self::At(Box::new(point))
+/// Whether a box meets a set, and where: the point is found when it is asked for.
+#[derive(Clone)]
+struct Met<'a>(Option<Rc<LazyCell<Option<Point>, Find<'a>>>>);
+
+impl<'a> Met<'a> {
+    const NOWHERE: Self = Self(None);
+
+    fn found_by(find: impl FnOnce() -> Option<Point> + 'a) -> Self {
+        Self(Some(Rc::new(LazyCell::new(Box::new(find)))))
+    }
+
+    fn at_corner(filtered: &'a Filtered<'_>, corner: Corner) -> Self {
+        Self::found_by(move || Some(filtered.region.corner(corner)))
     }
 
     fn is_somewhere(&self) -> bool {
-        *self != Self::Nowhere
+        self.0.is_some()
     }
 
     fn point(&self) -> Option<&Point> {
-        match self {
-            Self::At(point) => Some(point),
-            _ => None,
-        }
+        LazyCell::force(self.0.as_ref()?).as_ref()
     }
 
     fn possible<T>(&self, what: T) -> Option<Possible<T>> {
@@ -181,7 +185,7 @@ impl Met {
     }
 }
 
-fn spectral_classes(classes: Classes) -> Vec<Possible<SpectralClass>> {
+fn spectral_classes(classes: Classes<'_>) -> Vec<Possible<SpectralClass>> {
     let stable_real = if classes.lower.point().is_some() || !classes.upper.is_somewhere() {
         classes.lower
     } else {
@@ -200,17 +204,19 @@ fn spectral_classes(classes: Classes) -> Vec<Possible<SpectralClass>> {
 /// The possible slip modes, and those left undecided.
 fn modes(
     filtered: &Filtered<'_>,
-    classes: &Classes,
+    classes: &Classes<'_>,
     search: &mut Search<'_>,
 ) -> (Vec<Possible<SlipMode>>, Vec<(SlipMode, Rational)>) {
     let complex = [&classes.unstable_complex, &classes.stable_complex, &classes.neutral];
     let known = complex[..2].iter().filter_map(|met| met.point()).map(|point| (filtered.mode(point), point));
     let known: Vec<(SlipMode, &Point)> = known.collect();
     let is_below = threshold::is_clearly_below(filtered);
-    let mut met = |mode: SlipMode| match mode {
-        SlipMode::OverdampedStableSliding => Ok(classes.lower.clone()),
-        SlipMode::OverdampedOscillation => Ok(classes.upper.clone()),
-        SlipMode::StickSlip if classes.unstable_real.is_somewhere() => Ok(classes.unstable_real.clone()),
+    let mut found = |mode: SlipMode| match mode {
+        SlipMode::OverdampedStableSliding => Ok(classes.lower.possible(mode)),
+        SlipMode::OverdampedOscillation => Ok(classes.upper.possible(mode)),
+        SlipMode::StickSlip if classes.unstable_real.is_somewhere() => {
+            Ok(classes.unstable_real.possible(mode))
+        }
         of_a_pair => {
             let unstable = matches!(of_a_pair, SlipMode::StickSlip | SlipMode::HarmonicVibration);
             let above =
@@ -218,21 +224,18 @@ fn modes(
             let exists = !(above && is_below)
                 && complex.iter().enumerate().any(|(i, met)| (i == 0) == unstable && met.is_somewhere());
             let point = known.iter().find(|(mode, _)| *mode == of_a_pair).map(|(_, point)| (*point).clone());
+            let at = |point| Possible { what: mode, witness: Some(Parameters::from(point)) };
             match point.or_else(|| beside_real_roots(filtered, classes, of_a_pair)) {
-                Some(point) => Ok(Met::at(point)),
-                None if !exists => Ok(Met::Nowhere),
-                None => match search.run(of_a_pair) {
-                    Found::At(point) => Ok(Met::at(point)),
-                    Found::Nowhere => Ok(Met::Nowhere),
-                    Found::Undecided(share) => Err(share),
-                },
+                Some(point) => Ok(Some(at(point))),
+                None if !exists => Ok(None),
+                None => search.run(of_a_pair).map(|found| found.map(at)),
             }
         }
     };
     let (mut possible, mut undecided) = (Vec::new(), Vec::new());
     for mode in SlipMode::ALL {
-        match met(mode) {
-            Ok(met) => possible.extend(met.possible(mode)),
+        match found(mode) {
+            Ok(found) => possible.extend(found),
             Err(share) => undecided.push((mode, share)),
         }
     }
@@ -240,7 +243,7 @@ fn modes(
 }
 
 /// A slow stable oscillation next to an area of stable real roots, when the box has points in and outside of that area.
-fn beside_real_roots(filtered: &Filtered<'_>, classes: &Classes, mode: SlipMode) -> Option<Point> {
+fn beside_real_roots(filtered: &Filtered<'_>, classes: &Classes<'_>, mode: SlipMode) -> Option<Point> {
     let wanted = SlipMode::NonInertialUnderdampedOscillation;
     let real = classes.lower.point().or(classes.upper.point()).filter(|_| mode == wanted)?;
     let ends = [real.clone(), classes.stable_complex.point()?.clone()];

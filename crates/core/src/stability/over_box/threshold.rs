@@ -35,13 +35,8 @@ const MOST_ROUGH_PARTS: usize = 64;
 const ABOVE: Corner = Corner::high(&[K, M, V]);
 const BELOW: Corner = Corner::high(&[S]);
 
-/// What the search for a mode ended with.
-pub(super) enum Found {
-    At(Point),
-    Nowhere,
-    /// Not yet excluded in at most this share of the box.
-    Undecided(Rational),
-}
+/// A point with the mode, or none if no point of the box has it; the largest share of the box in which it could be if this is undecided.
+type Found = Result<Option<Point>, Rational>;
 
 /// A sign that a polynomial has to have.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -134,13 +129,10 @@ impl<'a> Search<'a> {
     pub(super) fn run(&mut self, mode: SlipMode) -> Found {
         self.effort.searches += 1;
         let ways = self.ways(mode, &self.rough);
-        match self.search(mode, ways, MOST_ROUGH_PARTS) {
-            Found::Undecided(_) => {
-                let ways = self.ways(mode, &self.exact);
-                self.search(mode, ways, MOST_PARTS)
-            }
-            found => found,
-        }
+        self.search(mode, ways, MOST_ROUGH_PARTS).or_else(|_| {
+            let ways = self.ways(mode, &self.exact);
+            self.search(mode, ways, MOST_PARTS)
+        })
     }
 
     fn search<T: Coefficient>(&mut self, mode: SlipMode, ways: Vec<Way<T>>, most_parts: usize) -> Found {
@@ -163,7 +155,7 @@ impl<'a> Search<'a> {
             }
             if let Some(point) = part.witness(self.filtered, mode) {
                 if self.filtered.at(&point).transition != 0 {
-                    return Found::At(point);
+                    return Ok(Some(point));
                 }
                 neutral = Some(point);
             }
@@ -175,9 +167,8 @@ impl<'a> Search<'a> {
         let share =
             parts.iter().fold(Rational::new(), |sum, part| sum + (Rational::from(1) >> part.halvings));
         match neutral {
-            Some(point) => Found::At(point),
-            None if share == 0 => Found::Nowhere,
-            None => Found::Undecided(share),
+            None if share > 0 => Err(share),
+            found => Ok(found),
         }
     }
 
