@@ -2,7 +2,8 @@
 //
 // Usage: node pages.mjs CHROMIUM PAGE…   Prints one line per finding and ends with their number; exit code 1 when there is any.
 // It checks for requests for anything but the page itself, faults found by axe-core, text that only scripts show,
-// content wider than the window, messages in the console, and readouts and sliders that the keyboard does not move.
+// messages in the console, and readouts and sliders that the keyboard does not move; and, with everything that folds open,
+// at four widths, for content wider than the window and for text that its picture clips.
 
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
@@ -17,6 +18,7 @@ const findings = [];
 const browser = await chromium.launch({ executablePath, args: ["--no-sandbox"] });
 for (const page of pages) {
   const texts = new Map();
+  for (const width of [768, 390]) await fits(page, width);
   for (const javaScriptEnabled of [true, false]) {
     for (const colorScheme of ["light", "dark"]) {
       for (const width of [1280, 320]) {
@@ -29,8 +31,35 @@ for (const page of pages) {
 }
 await browser.close();
 for (const finding of findings) console.log(finding);
-console.log(`${pages.length} pages in 8 ways each: ${findings.length} findings`);
+console.log(`${pages.length} pages in 10 ways each: ${findings.length} findings`);
 process.exit(findings.length === 0 ? 0 : 1);
+
+// Opens a page in the light at a width that needs no other check.
+async function fits(path, width) {
+  const page = await browser.newPage({ viewport: { width, height: 900 } });
+  await page.goto(pathToFileURL(resolve(path)).href);
+  await findOverflow(page, `${path} (${width} px)`);
+  await page.close();
+}
+
+// What sticks out of the window or of its picture, with everything open: the page stays so.
+async function findOverflow(page, scene) {
+  const found = await page.evaluate(() => {
+    const wider = () => document.documentElement.scrollWidth - window.innerWidth;
+    const folded = wider();
+    document.querySelectorAll("details").forEach((element) => { element.open = true; });
+    const clipped = [...document.querySelectorAll("svg text")].filter((text) => {
+      const [inner, outer] = [text, text.ownerSVGElement].map((element) => element.getBoundingClientRect());
+      const sticksOut = [outer.left - inner.left, outer.top - inner.top, inner.right - outer.right, inner.bottom - outer.bottom];
+      return inner.width > 0 && Math.max(...sticksOut) > 1;
+    });
+    return { widths: [folded, wider()], clipped: clipped.map((text) => text.textContent) };
+  });
+  for (const [index, width] of found.widths.entries()) {
+    if (width > 0) findings.push(`${scene}: ${["folded", "opened"][index]}, ${width} px wider than the window`);
+  }
+  for (const text of found.clipped) findings.push(`${scene}: its picture clips "${text}"`);
+}
 
 async function look(path, scene, { javaScriptEnabled, colorScheme, width }) {
   // axe-core's script is not part of the page: the page's policy must not stop it.
@@ -53,8 +82,7 @@ async function look(path, scene, { javaScriptEnabled, colorScheme, width }) {
   const text = (await page.locator("body").innerText()).replace(/\s+/g, "");
   await showExtras(page, "");
   if (javaScriptEnabled) {
-    const overflow = await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
-    if (overflow > 0) findings.push(`${scene}: ${overflow} px wider than the window`);
+    await findOverflow(page, scene);
     // Shading at the edges of scrolling areas would leave the contrast undecided: it is checked on the plain background.
     await page.addStyleTag({ content: ".plot, .scroll { background: var(--ground) !important; }" });
     await page.evaluate(axe);

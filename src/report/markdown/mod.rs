@@ -16,6 +16,9 @@ use slipmode_plot::table::printable;
 /// Schemes that a link may have.
 const SCHEMES: [&str; 3] = ["https", "http", "mailto"];
 
+/// Letters of a formula within a line that a screen of 320 px shows in any part of the page.
+const LETTERS_OF_A_NARROW_LINE: usize = 18;
+
 /// What rendering prose needs and gathers: formulas, deep links, faults.
 #[derive(Debug, Default)]
 pub(crate) struct Prose {
@@ -82,21 +85,16 @@ impl Prose {
     }
 
     fn formula(&mut self, latex: &str, display: bool, place: &str) -> Event<'static> {
-        let mathml = if display {
-            // A formula that is wider than a narrow screen scrolls by itself, with the keyboard too.
-            let scrolling = |mathml| {
-                format!(
-                    "<span class=\"formula\" tabindex=\"0\" role=\"group\" aria-label=\"Formula\">{mathml}</span>"
-                )
-            };
-            self.mathematics.block(latex).map(scrolling)
-        } else {
-            self.mathematics.inline(latex)
-        };
-        let text = mathml.unwrap_or_else(|fault| {
+        let mathml = if display { self.mathematics.block(latex) } else { self.mathematics.inline(latex) };
+        let mut text = mathml.unwrap_or_else(|fault| {
             self.faults.push(format!("{place}: formula {fault}"));
             String::new()
         });
+        // What may be wider than a narrow screen scrolls by itself, with the keyboard too.
+        if display || letters(&text) > LETTERS_OF_A_NARROW_LINE {
+            let named = "class=\"formula\" tabindex=\"0\" role=\"group\" aria-label=\"Formula\"";
+            text = format!("<span {named}>{text}</span>");
+        }
         Event::InlineHtml(CowStr::from(text))
     }
 
@@ -125,6 +123,11 @@ impl Prose {
             }
         }
     }
+}
+
+/// Letters between the tags of a formula.
+fn letters(mathml: &str) -> usize {
+    mathml.split('<').filter_map(|tag| tag.split_once('>')).map(|(_, text)| text.trim().chars().count()).sum()
 }
 
 /// The formulas of a Markdown text that cannot be set, each with its line, counted from 1, and what is wrong.
@@ -265,7 +268,9 @@ mod tests {
     #[test]
     fn formulas_become_mathml_and_faults_name_the_place() {
         let mut prose = Prose::default();
-        assert!(prose.inline("for $\\eta > 1$ it", "B8").contains("<math>"));
+        assert!(prose.inline("for $\\eta > 1$ it", "B8").starts_with("for <math>"));
+        let wide = prose.inline("for $(a + b)(c + d) = a c + a d + b c + b d$ it", "B8");
+        assert!(wide.starts_with("for <span class=\"formula\" tabindex=\"0\""), "{wide}");
         assert!(prose.faults.is_empty());
         prose.inline("bad $\\nonsense{1}$", "claim B8, statement");
         assert!(prose.faults[0].starts_with("claim B8, statement: formula"), "{:?}", prose.faults);

@@ -77,20 +77,19 @@ impl<'a> Frame<'a> {
     pub fn draw_grid(&self, svg: &mut Svg) {
         let b = self.bounds;
         self.draw_upright_grid(svg);
-        svg.open("g", &[("class", "grid"), ("stroke", palette::GRID)]);
-        let places = self.places(self.y).filter(|(_, tick)| tick.is_major());
-        let rule = |(v, _)| [b.left, b.right].map(|x| (x, self.place_unit((0.0, v)).1)).into();
-        svg.rules(&places.map(rule).collect::<Vec<_>>());
-        svg.close();
+        self.draw_rules(svg, self.y, |v| [b.left, b.right].map(|x| (x, self.place_unit((0.0, v)).1)).into());
     }
 
     /// Draws a line at every labelled tick of the horizontal axis.
     pub fn draw_upright_grid(&self, svg: &mut Svg) {
         let b = self.bounds;
+        self.draw_rules(svg, self.x, |u| [b.top, b.bottom].map(|y| (self.place_unit((u, 0.0)).0, y)).into());
+    }
+
+    fn draw_rules(&self, svg: &mut Svg, axis: &Axis, rule: impl Fn(f64) -> (Point, Point)) {
         svg.open("g", &[("class", "grid"), ("stroke", palette::GRID)]);
-        let places = self.places(self.x).filter(|(_, tick)| tick.is_major());
-        let rule = |(u, _)| [b.top, b.bottom].map(|y| (self.place_unit((u, 0.0)).0, y)).into();
-        svg.rules(&places.map(rule).collect::<Vec<_>>());
+        let places = self.places(axis).filter(|(_, tick)| tick.is_major());
+        svg.rules(&places.map(|(at, _)| rule(at)).collect::<Vec<_>>());
         svg.close();
     }
 
@@ -169,7 +168,8 @@ impl<'a> Frame<'a> {
         svg.open("g", &label_attributes("middle"));
         for (u, tick) in self.ticks_x().into_iter().filter(|(_, tick)| tick.is_major()) {
             let (x, y) = self.place_unit((u, 0.0));
-            svg.words((x, y + 21.0), &tick.label, SMALL);
+            let half = rich_text::width(&tick.label, SMALL) / 2.0;
+            svg.words((x.clamp(half, CANVAS_WIDTH - half), y + 21.0), &tick.label, SMALL);
         }
         svg.close();
     }
