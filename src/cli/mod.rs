@@ -79,48 +79,74 @@ struct Cli {
 #[derive(Debug, Subcommand)]
 enum Command {
     /// Computes stability, slip mode, growth rate and frequency of one point or of every row of a CSV file, or counts them on a grid
+    #[command(after_help = example("classify SLIDER -s 5MPa -v 10um/s"))]
     Classify(classify::Options),
     /// Computes the three roots of eq 8 with certified digits
+    #[command(after_help = example("roots SLIDER -s 5MPa -v 10um/s"))]
     Roots(roots::Options),
     /// Writes the exact boundary max Im(s) = 0 as CSV, complete or at one velocity or normal stress
+    #[command(after_help = example("boundary SLIDER --at-velocity 10um/s"))]
     Boundary(boundary::Options),
     /// Solves for the normal stress, loading velocity, stiffness or mass with a stated frequency, growth rate, or place on the transition or boundary
+    #[command(after_help = example("solve SLIDER -v 10um/s --for normal-stress --transition"))]
     Solve(solve::Options),
     /// Simulates the nonlinear slider: mode, peak velocity, period and stress drop with their errors
+    #[command(after_help = example("simulate SLIDER -s 5MPa -v 10um/s --law aging"))]
     Simulate(simulate::Options),
     /// Computes one shard of a scene's sweep, block by block, into a folder; also plans the sweep and writes scripts for Slurm
+    #[command(after_help = example("sweep sweep.toml --out blocks"))]
     Sweep(sweep::Options),
     /// Joins the blocks of a sweep; if blocks are missing, names the shards to run
+    #[command(after_help = example("merge blocks --output all.csv"))]
     Merge(merge::Options),
     /// Compares runs of other programs with the theory and with our simulation; exits with 1 unless all agree
+    #[command(after_help = example("compare --runs runs.csv"))]
     Compare(compare::Options),
     /// Proves all certificates of a scene again, or certifies the points of its grid anew; exits with 1 if one is not proved
+    #[command(after_help = example("certificates scene.toml"))]
     Certificates(certificates::Options),
     /// Prints where each formula may be used, for given relative errors
+    #[command(after_help = example("tolerance SLIDER -e 0.01"))]
     Tolerance(tolerance::Options),
     /// Writes a page on which b, K and M of a scene's slider can be changed; it needs no server
+    #[command(after_help = example("explore scene.toml --output scene.html"))]
     Explore(explore::Options),
     /// Writes a folder for a report on your own slider
+    #[command(after_help = example("new lab SLIDER -s 5MPa -v 10um/s"))]
     New(new::Options),
     /// Computes one scene: its tables and figures
+    #[command(after_help = example("run scene.toml"))]
     Run(report::RunOptions),
     /// Computes a report: its page, tables, figures and ledger
+    #[command(after_help = example("report lab"))]
     Report(report::ReportOptions),
     /// Computes a report and compares it with its recorded verdicts and its published copy; exits with 1 if anything differs
+    #[command(after_help = example("verify lab"))]
     Verify(report::VerifyOptions),
     /// Packs a report and all its inputs into one zip file, with the same bytes everywhere
+    #[command(after_help = example("archive lab --output lab.zip"))]
     Archive(archive::Options),
     /// Checks an archive and computes it again; exits with 1 if anything differs
+    #[command(after_help = example("replay lab.zip"))]
     Replay(replay::Options),
     /// Compares two ledgers or archives, verdict by verdict; exits with 1 if they differ
+    #[command(after_help = example("diff lab.zip revised.zip"))]
     Diff(diff::Options),
     /// Prints a script that completes commands and options in a shell
+    #[command(after_help = example("completions bash"))]
     Completions(shell::CompletionsOptions),
     /// Prints the manual page of slipmode or of a command, for `man -l -`
+    #[command(after_help = example("man classify"))]
     Man(shell::ManOptions),
     /// Writes the certified steps of ledgers as theorems for Coq
     #[command(hide = true)]
     Theorems(theorems::Options),
+}
+
+/// An example for the help of a command.
+fn example(command: &str) -> String {
+    let command = command.replace("SLIDER", "-a 0.009 -b 0.0126 -d 8um -k 2e9 -m 2400");
+    format!("Example:\n  slipmode {command}")
 }
 
 /// Runs the command line of this process and gives its exit code; errors go to standard error.

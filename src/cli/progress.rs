@@ -36,7 +36,7 @@ impl Progress {
 
     /// A bar over the items of a plan, fed by the work itself.
     pub fn items<T>(self, work: impl FnOnce(slipmode::experiments::Progress) -> T) -> T {
-        let bar = self.bar(ProgressBar::no_length(), "{bar:40} {pos}/{len} {msg}");
+        let bar = self.bar(ProgressBar::no_length(), "{bar:40} {pos}/{len} {elapsed} {msg}");
         let result = work(&|item: &str, number: usize, count: usize| {
             bar.set_length(count as u64);
             bar.set_position(number as u64);

@@ -3,7 +3,9 @@
 use std::io::Write;
 use std::process::{Command, Stdio};
 
-use crate::harness::Workplace;
+use crate::certificates::write_certified;
+use crate::harness::{HEADER, Workplace};
+use crate::sweep::SCENE;
 
 /// The commands that `--help` lists.
 fn commands(place: &Workplace) -> Vec<String> {
@@ -48,6 +50,42 @@ fn every_command_has_a_manual_page_with_its_options() {
         assert!(page.contains(&heading) && page.contains(".SH OPTIONS"), "{page}");
     }
     place.run(["man", "clasify"]).expect_refusal(&["COMMAND = clasify: is no command (allowed: classify, "]);
+}
+
+#[test]
+fn the_example_of_every_command_runs() {
+    let place = Workplace::new();
+    write_certified(&place);
+    place.write("scene.toml", place.read("certified.toml"));
+    place.write("sweep.toml", SCENE);
+    let run = "0.009,0.0126,8e-6,2e9,2400,3e6,1e-5,decaying";
+    place.write("runs.csv", format!("{HEADER},mode\n{run}\n"));
+    place.run(["new", "--paper", "lab"]).expect_success();
+    for archive in ["lab.zip", "revised.zip"] {
+        place.run(["archive", "lab", "-o", archive]).expect_success();
+    }
+    for command in commands(&place).iter().filter(|command| *command != "help") {
+        let help = place.run([command, "--help"]).expect_success();
+        let example = help.split("Example:\n  slipmode ").nth(1).unwrap_or_else(|| panic!("{help}"));
+        // What an example writes is not there yet.
+        let place = if command == "new" { &Workplace::new() } else { &place };
+        if command == "archive" {
+            std::fs::remove_file(place.path("lab.zip")).unwrap();
+        }
+        assert_eq!(example.lines().count(), 1, "{example}");
+        let ended = place.run(example.split_whitespace());
+        assert_eq!(ended.code, 0, "{ended:?}");
+    }
+}
+
+#[test]
+fn no_line_of_help_is_longer_than_a_page_of_text() {
+    let place = Workplace::new();
+    for command in commands(&place).iter().filter(|command| *command != "help") {
+        let help = place.run([command, "--help"]).expect_success();
+        let mut lines = help.lines().filter(|line| !line.starts_with("Usage: "));
+        assert!(lines.all(|line| line.chars().count() <= 110), "{help}");
+    }
 }
 
 #[test]
