@@ -67,7 +67,7 @@ fn test(tools: &Path, wheel: &Path) -> Result<(), Failure> {
     let (settings, allowed) = (folder.join("pyproject.toml"), folder.join("tests/stubtest_allowed.txt"));
     check(
         "python",
-        &["-m", "pytest", "--quiet", "--rootdir"],
+        &["-m", "pytest", "--quiet", "--numprocesses=auto", "--dist=worksteal", "--rootdir"],
         &[folder.clone(), "-c".into(), settings.clone(), folder.join("tests")],
     )?;
     check("stubtest", &["slipmode", "--mypy-config-file"], &[settings, "--allowlist".into(), allowed])?;
