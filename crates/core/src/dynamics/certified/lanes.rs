@@ -82,18 +82,16 @@ pub(super) fn product<const L: usize>(a: &[Lanes<L>], b: &[Lanes<L>], k: usize) 
     let (mut mid, mut size, mut rad) = ([0.0; L], [0.0; L], [0.0; L]);
     for i in 0..=k {
         let (a, b) = (&a[i], &b[k - i]);
-        let (am, ar) = (a.mid[0], a.rad[0]);
-        let (bm, br) = (b.mid[0], b.rad[0]);
-        let (a_size, b_size) = (am.abs(), bm.abs());
-        for l in 1..L {
-            mid[l] += am * b.mid[l] + a.mid[l] * bm;
-            let (b_lane, a_lane) = (b.mid[l].abs(), a.mid[l].abs());
-            size[l] += a_size * b_lane + a_lane * b_size;
-            rad[l] += a_size * b.rad[l] + ar * (b_lane + b.rad[l]) + a_lane * br + a.rad[l] * (b_size + br);
+        let (am, ar, bm, br) = (a.mid[0], a.rad[0], b.mid[0], b.rad[0]);
+        // a b' + a' b, where lane 0 stands for b' and zero for a': the same operations in all lanes.
+        let (mut am_lane, mut ar_lane) = (a.mid, a.rad);
+        (am_lane[0], ar_lane[0]) = (0.0, 0.0);
+        for l in 0..L {
+            let (a_mid, a_rad, b_mid, b_rad) = (am_lane[l], ar_lane[l], b.mid[l], b.rad[l]);
+            mid[l] += am * b_mid + a_mid * bm;
+            size[l] += am.abs() * b_mid.abs() + a_mid.abs() * bm.abs();
+            rad[l] += am.abs() * b_rad + ar * (b_mid.abs() + b_rad) + a_mid.abs() * br + a_rad * (bm.abs() + br);
         }
-        mid[0] += am * bm;
-        size[0] += a_size * b_size;
-        rad[0] += a_size * br + ar * (b_size + br);
     }
     let units = (2 * k + 4) as f64 * UNIT;
     Lanes { mid, rad: std::array::from_fn(|l| generously_up(rad[l] + units * size[l])) }
