@@ -18,6 +18,13 @@ if TYPE_CHECKING:
     import pandas
 
 
+#: What has a range over error bars.
+RANGES = ("peak_velocity_m_per_s", "minimum_velocity_log10_ratio", "period_s", "stress_drop_pa", "frequency_hz")
+
+#: Keys of the command line's object that are no cells.
+NOT_IN_TABLES = ("schema", "inputs", "within_error_bars")
+
+
 @dataclass(frozen=True)
 class Observable:
     """A computed value with its estimated absolute error, in the same unit."""
@@ -79,6 +86,18 @@ class Simulation:
             _options=options,
         )
 
+    @property
+    def ranges(self) -> dict[str, tuple[float, float]] | None:
+        """The ranges over the error bars in SI, by name; none without error bars.
+
+        They are sampled: ``details["within_error_bars"]`` has the number of runs, the modes that occur, and what the linear theory
+        decides exactly. The other fields are those of the middle values.
+        """
+        found = self.details.get("within_error_bars")
+        if found is None:
+            return None
+        return {name: (ends[0], ends[1]) for name in RANGES if (ends := found[name]) is not None}
+
     def trajectory(self, duration: Number | None = None, samples: int | None = None) -> Trajectory:
         """Return the run from its start.
 
@@ -99,6 +118,8 @@ class Simulation:
         names = ("peak_velocity", "period", "frequency", "stress_drop", "minimum_velocity_log10_ratio")
         rows = [["mode", self.mode], ["slip mode", self.slip_mode]]
         rows += [[name.replace("_", " "), str(getattr(self, name) or "none")] for name in names]
+        for name, (low, high) in (self.ranges or {}).items():
+            rows.append([f"{name} within error bars, sampled", f"{low:.6g} to {high:.6g}"])
         return html_table(["observable", "value ± error"], rows)
 
 
@@ -142,14 +163,16 @@ class Simulations(Sequence["Simulation | Failed"]):
         return iter(self._runs)
 
     def to_dataframe(self) -> pandas.DataFrame:
-        """Return a row for each run, with the column names of the command line."""
+        """Return a row for each run, with the column names of the command line, and columns of the ends of ranges."""
         import pandas
 
         rows = []
         for run, (stress, velocity) in zip(self._runs, self._inputs):
             row: dict[str, Any] = {"normal_stress_pa": stress, "loading_velocity_m_per_s": velocity}
             if isinstance(run, Simulation):
-                row |= {name: value for name, value in run.details.items() if name not in ("schema", "inputs")}
+                row |= {name: value for name, value in run.details.items() if name not in NOT_IN_TABLES}
+                for name, (low, high) in (run.ranges or {}).items():
+                    row |= {f"{name}_low": low, f"{name}_high": high}
             else:
                 row["status"] = run.reason
             rows.append(row)

@@ -290,7 +290,8 @@ class Slider:
         """Simulate the nonlinear slider with the ``law`` ``slip`` (eq 3) or ``aging`` (eq 2).
 
         ``rtol`` is the permitted relative error of peak velocity and period. Two numbers give a :class:`Simulation`. Arrays
-        broadcast and give :class:`Simulations`, where a run that fails is :class:`Failed`.
+        broadcast and give :class:`Simulations`, where a run that fails is :class:`Failed`. With error bars, the run is that of the
+        middle values, and ``ranges`` has the sampled ranges.
         """
         common = (f"--law={law}", f"--tolerance={exact(rtol)}", f"--start={start}")
         if is_number(sigma) and is_number(v):

@@ -142,6 +142,26 @@ def test_error_bars_give_what_is_possible():
             unsure.solve("normal_stress", transition=True, v=v)
 
 
+def test_error_bars_give_the_ranges_of_runs():
+    values = {"a": "0.009", "d_c": "8um", "k": "1.5MPa/mm", "m": "2400"}
+    slider = slipmode.Slider(b="0.0126±0.0004", **values)
+    run = slider.simulate("5MPa", "10um/s", law="slip")
+    middle = slipmode.Slider(b="0.0126", **values).simulate("5MPa", "10um/s", law="slip")
+    assert middle.ranges is None and run.period == middle.period
+    ends = [slipmode.Slider(b=b, **values).simulate("5MPa", "10um/s", law="slip").period for b in ("0.0122", "0.013")]
+    low, high = run.ranges["period_s"]
+    assert low == pytest.approx(ends[0].value, rel=1e-7) and high == pytest.approx(ends[1].value, rel=1e-7)
+    assert low <= ends[0].value and ends[1].value <= high
+    assert run.details["within_error_bars"]["strength"] == "sampled" and "sampled" in run._repr_html_()
+    frame = slider.simulate(np.array([5e6]), 1e-5, law="slip").to_dataframe()
+    assert [frame["period_s_low"][0], frame["period_s_high"][0]] == pytest.approx([low, high])
+    refusal = "without an error bar; .* `classify`"
+    with pytest.raises(slipmode.InputError, match=refusal):
+        slider.roots("5MPa", "10um/s")
+    with pytest.raises(slipmode.InputError, match=refusal):
+        slider.map(("1MPa", "2MPa", 3), ("1um/s", "2um/s", 3))
+
+
 NAMES = [
     "direct_effect",
     "evolution_effect",

@@ -1,11 +1,11 @@
 //! `slipmode classify`: one point for people or programs, every row of a CSV file, or the counts of a grid.
 
-mod box_view;
+pub mod box_view;
 pub mod call;
 mod derived;
 mod grid;
 pub mod grid_files;
-mod ranges;
+pub mod ranges;
 pub mod rows;
 mod sample;
 pub mod view;

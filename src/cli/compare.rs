@@ -23,6 +23,7 @@ use crate::cli::options::Arguments;
 use crate::cli::output::{Output, OutputFolder, is_stream};
 use crate::cli::points::{Started, print_warnings};
 use crate::cli::progress::Progress;
+use crate::cli::simulate::over_box::BoxOptions;
 use crate::cli::terminal::{self, count_of};
 use crate::cli::words::law_of_word;
 use rows::{CompareRows, ComparedRow, counts};
@@ -36,7 +37,8 @@ pub struct Options {
     /// stress_drop_pa, frequency_hz, mode (periodic, decaying, or a slip mode) and trajectory (a CSV file in the folder of the
     /// runs file or below it, with time_s, velocity_m_per_s and optionally shear_stress_pa, that of the spring). Columns law, start
     /// and tolerance are optional; other columns are kept; empty cells are ignored. Limits of a trajectory: 8 to 10 000 000
-    /// samples.
+    /// samples. Parameters may have error bars, as in `classify --points`: a value that differs at the middle values is compared with
+    /// the range over the error bars, which is sampled, and the verdict is then `agrees-within-error-bars`.
     #[arg(long, value_name = "FILE.csv")]
     runs: PathBuf,
     /// The evolution law, `slip` or `aging`, of a file without a column `law` [default: slip]
@@ -55,6 +57,8 @@ pub struct Options {
     keep_going: bool,
     #[command(flatten)]
     dialect: DialectOptions,
+    #[command(flatten)]
+    within_error_bars: BoxOptions,
     /// One JSON object instead of text
     #[arg(long)]
     json: bool,
@@ -106,6 +110,7 @@ impl Options {
         let range = AllowedRange::RUN_TOLERANCE;
         let tolerance = arguments.number("--tolerance", &self.tolerance, |text| range.parse(text));
         arguments.refuse_stream("--output", self.output.as_deref().filter(|_| self.json), "the object");
+        let box_runs = self.within_error_bars.read(&mut arguments);
         let tolerance = arguments.finish(tolerance)?;
         // Standard input has no folder: trajectories are looked for in the current one.
         let folder = self.runs.parent().filter(|folder| !folder.as_os_str().is_empty());
@@ -115,6 +120,7 @@ impl Options {
             tolerance: nearest_f64(&tolerance),
             dialect: self.dialect.dialect(),
             keeps_recordings: self.report.is_some(),
+            box_runs,
         })
     }
 }

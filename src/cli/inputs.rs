@@ -15,6 +15,12 @@ pub fn inputs_json(parameters: &Parameters<Rational>) -> Value {
     quantities_json(exact_values(parameters, None))
 }
 
+/// The seven values under their names; the ends of all error bars where one has one.
+pub fn region_json(region: &ParameterBox) -> Value {
+    let lower = region.lower();
+    if lower == region.upper() { inputs_json(&lower) } else { ranges_json(region, &[]) }
+}
+
 /// The ends of the seven error bars under their names, but for those that are not given.
 pub fn ranges_json(region: &ParameterBox, without: &[Quantity]) -> Value {
     let [lower, upper]: [[Rational; 7]; 2] = [region.lower().into(), region.upper().into()];

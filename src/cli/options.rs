@@ -125,14 +125,14 @@ impl<const N: usize> QuantityOptions<N> {
         let is_known = |quantity: Quantity| (quantity as usize) < N && Some(quantity) != unknown;
         let values = Quantity::ALL.map(|quantity| match is_known(quantity) {
             true => uncertain(quantity, self.text(quantity), arguments),
-            false => Some(Uncertain { lower: Rational::from(1), upper: Rational::from(1) }),
+            false => Some(Uncertain::certain(Rational::from(1))),
         });
         let middle = |quantity: Quantity| {
             values[quantity as usize].as_ref().filter(|_| is_known(quantity)).map(Uncertain::middle)
         };
         arguments.check_units(&Quantity::ALL.map(middle));
         let [Some(a), Some(b), Some(d), Some(k), Some(m), Some(s), Some(v)] = values else { return None };
-        uncertain_box([a, b, d, k, m, s, v])
+        Uncertain::region([a, b, d, k, m, s, v])
     }
 
     /// The same with the middle of each error bar in its place; none where one is at fault.
@@ -201,8 +201,15 @@ pub fn operating_point(
     }))
 }
 
+/// What takes error bars, where a command does not.
+const WITHOUT_ERROR_BAR: &str = "a value without an error bar; ranges over error bars come from `classify` (roots, frequency, slip modes), \
+    `simulate`, `boundary`, `solve` and `tolerance`";
+
 fn required(quantity: Quantity, text: Option<&str>, arguments: &mut Arguments) -> Option<Rational> {
-    let value = required_as(quantity, text, arguments, |text| quantity.parse(text))?;
+    let value = required_as(quantity, text, arguments, |text| match Uncertain::is_meant(text) {
+        true => Err(Problem::Needs(WITHOUT_ERROR_BAR.into())),
+        false => quantity.parse(text),
+    })?;
     arguments.note_unit(quantity, text, &[&value]);
     Some(value)
 }
@@ -216,12 +223,6 @@ fn required_as<T>(
     let missing = || Problem::Missing { allowed: AllowedRange::PHYSICAL.wanted() };
     let read = text.ok_or_else(missing).and_then(parse);
     read.map_err(|problem| arguments.fault::<T>(&option_of(quantity), text, problem)).ok()
-}
-
-/// The box of seven values; their ends are positive and in order.
-pub fn uncertain_box(values: [Uncertain; 7]) -> Option<ParameterBox> {
-    let [lower, upper] = [values.each_ref().map(|ends| ends.lower.clone()), values.map(|ends| ends.upper)];
-    ParameterBox::new(lower.into(), upper.into())
 }
 
 /// `--normal-stress-pa` for σ, and so on.

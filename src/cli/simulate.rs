@@ -2,6 +2,7 @@
 
 mod certified;
 mod history;
+pub mod over_box;
 pub mod range;
 pub mod rows;
 pub mod run;
@@ -13,7 +14,6 @@ use clap::Args;
 use slipmode::scene::{AllowedRange, Problem};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::nearest_f64;
-use slipmode_core::stability::ParameterBox;
 
 use crate::cli::answer::Answer;
 use crate::cli::failure::Failure;
@@ -25,6 +25,7 @@ use crate::cli::terminal;
 use crate::cli::words::{LAWS, law_of_word, start_of_word};
 use certified::Certified;
 use history::{Extent, History};
+use over_box::{BoxOptions, BoxRuns, is_point};
 use rows::{SimulateRows, Simulated};
 use run::{Settings, simulate_point};
 
@@ -49,13 +50,18 @@ pub struct Options {
     /// friction at V; velocity-kick: state and spring as in steady sliding at V0.
     #[arg(long, value_name = "WORD", default_value = "steady-at-velocity", allow_hyphen_values = true)]
     start: String,
+    #[command(flatten)]
+    within_error_bars: BoxOptions,
     /// One JSON object instead of text
+    ///
+    /// A value with an error bar is 0.009±0.001, 0.009+-0.001, 0.009(1), 0.009±5% or [0.008, 0.010]. The run is then that of the middle
+    /// values, and `within_error_bars` has the sampled ranges, the modes that occur, and what the linear theory decides exactly.
     #[arg(long, conflicts_with = "points")]
     json: bool,
     /// Also prove the limit cycle or the decay, and enclose peak velocity, period and stress drop (seconds a point)
     ///
-    /// `certificate` is `cycle`, `decay`, or `none` with the reason: docs/certified.md says what is proved. Values may have small error bars
-    /// (100000±1): the proof and its bounds then hold for all values within them, and the simulation for the middle ones.
+    /// `certificate` is `cycle`, `decay`, or `none` with the reason: docs/certified.md says what is proved. With small error bars
+    /// (100000±1), the proof and its bounds hold for all values within them. Rows of --points then have the run of the middle values.
     #[arg(long)]
     certify: bool,
     /// Also write the run from its start as CSV: time, velocity, state variable, shear stress relative to steady sliding, and slip
@@ -75,7 +81,8 @@ pub struct Options {
     samples: Option<String>,
     /// Simulate every row of a CSV file; `-` reads standard input
     ///
-    /// The header is that of `classify --points`, with an optional column `law`. If the simulation of a row
+    /// The header is that of `classify --points`, with an optional column `law`. In a row with error bars, values are sampled ranges
+    /// ([low, high]), modes are all that occur, and `status` has the number of runs. If the simulation of a row
     /// fails, its column `status` has the reason, and the other rows continue. `outside_tested_range` is `true`
     /// if a group lies outside the ranges over which simulations were tested: eta = M V0^2/(sigma a D_c) from 5e-10 to 8e5,
     /// kappa = K D_c/(a sigma) from 0.0005 to 80, beta = b/a from 0.66 to 5.
@@ -98,11 +105,22 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
         return options.single(law, settings, arguments, *progress);
     };
     options.slider.refuse_beside_points(&mut arguments);
+    if options.certify {
+        options
+            .within_error_bars
+            .refuse("no --certify: rows then have the run of the middle values", &mut arguments);
+    }
+    let box_runs = options.within_error_bars.read(&mut arguments);
     let settings = arguments.finish(settings)?;
     if options.certify {
-        return points::run(points, &options.rows, SimulateRows::<true> { law, settings }, *progress);
+        return points::run(
+            points,
+            &options.rows,
+            SimulateRows::<true> { law, settings, box_runs },
+            *progress,
+        );
     }
-    points::run(points, &options.rows, SimulateRows::<false> { law, settings }, *progress)
+    points::run(points, &options.rows, SimulateRows::<false> { law, settings, box_runs }, *progress)
 }
 
 impl Options {
@@ -120,12 +138,11 @@ impl Options {
         mut arguments: Arguments,
         progress: Progress,
     ) -> Result<(), Failure> {
-        // Without a proof, a value with an error bar is refused.
-        let region = if self.certify {
-            self.slider.region(None, &mut arguments)
-        } else {
-            self.slider.parameters(&mut arguments).and_then(ParameterBox::of)
-        };
+        let region = self.slider.region(None, &mut arguments);
+        if region.as_ref().is_some_and(is_point) {
+            self.within_error_bars.refuse("values with error bars, such as 0.009±0.001", &mut arguments);
+        }
+        let box_runs = self.within_error_bars.read(&mut arguments);
         if self.law.is_none() {
             arguments.fault::<()>("--law", None, Problem::Missing { allowed: LAWS.into() });
         }
@@ -149,6 +166,13 @@ impl Options {
         });
         let simulated = Simulated::new(found, &parameters);
         let mut answer = view::answer(&simulated, &region, law, settings);
+        if !is_point(&region) {
+            let middle = simulated.found.clone();
+            let runs = progress.spinner("simulating within the error bars", || {
+                BoxRuns::new(middle, &region, law, settings, box_runs)
+            });
+            answer = answer.part("within_error_bars", runs.answer(&region));
+        }
         if self.certify {
             let certified = progress.spinner("certifying", || Certified::new(&region, law, settings.start));
             answer = answer.and(certified.answer());

@@ -96,10 +96,21 @@ slipmode_algebra::named! {
     pub enum Agreement {
         /// Within the tolerance and both errors.
         Agrees = "agrees",
+        /// Not at the middle of the parameters' error bars, but within the sampled range over them.
+        AgreesWithinErrorBars = "agrees-within-error-bars",
         /// Beyond them.
         Differs = "differs",
         /// Nothing follows, for a reason that is given.
         NotCompared = "not-compared",
+    }
+}
+
+impl Agreement {
+    /// The verdict of several: one that differs decides, then one that agrees; none without any.
+    #[must_use]
+    pub fn of_all(verdicts: impl Iterator<Item = Self> + Clone) -> Option<Self> {
+        let deciding = [Self::Differs, Self::AgreesWithinErrorBars, Self::Agrees, Self::NotCompared];
+        deciding.into_iter().find(|verdict| verdicts.clone().any(|other| other == *verdict))
     }
 }
 
@@ -128,10 +139,13 @@ pub struct Finding {
     pub run: Value,
     /// The reference's value.
     pub ours: Value,
-    /// run/ours − 1, for numbers.
+    /// run/ours − 1, for numbers; the distance from the range, where there is one.
     pub difference: Option<f64>,
     /// The tolerance plus the errors of both sides, for numbers.
     pub allowed: Option<f64>,
+    /// The sampled range of the reference over error bars, with its errors; none where the middle values decide.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub range: Option<[f64; 2]>,
     /// The verdict.
     pub verdict: Agreement,
     /// Why it could not be compared, or what a difference means; empty when the numbers say it all.
@@ -196,6 +210,7 @@ impl Finding {
             ours: Value::None,
             difference: None,
             allowed: None,
+            range: None,
             verdict,
             why: why.into(),
         }

@@ -1,12 +1,14 @@
 //! A run compared: every finding, the verdict on the run, and a unit that would explain a difference.
 
 use super::units::diagnose;
+use super::within_errors::look_within_error_bars;
 use super::{
     Agreement, Finding, Observable, Origin, Reference, Simulate, StatedMode, StatedRun, Theory, Value,
 };
 use crate::comparison::recording::{Measured, RecordedBehaviour, RecordedDecay};
 use slipmode_core::dynamics::{Behaviour, Simulation};
-use slipmode_core::number::nearest_f64;
+use slipmode_core::friction::Parameters;
+use slipmode_core::number::{Rational, nearest_f64};
 
 /// A run compared with theory and simulation.
 #[derive(Debug, Clone, PartialEq)]
@@ -17,7 +19,7 @@ pub struct Comparison {
     pub simulation: Result<Simulation, String>,
     /// Every quantity against every reference.
     pub findings: Vec<Finding>,
-    /// `differs` when a quantity does, `agrees` when one does and none differs.
+    /// `differs` when a quantity does; `agrees-within-error-bars` when one does and none differs; then `agrees`.
     pub verdict: Agreement,
     /// The unit that explains a difference, when one does; or why nothing could be compared.
     pub diagnosis: Option<String>,
@@ -31,12 +33,15 @@ const TIGHTEST_SIMULATION: f64 = 1e-15;
 /// Relative error of theory's 64-bit numbers.
 const THEORY_ERROR: f64 = 1e-14;
 
-/// Compares a run.
+/// Compares a run, at its parameters and, where these do not agree, at the others within their error bars.
 #[must_use]
-pub fn compare_run(run: &StatedRun, simulate: Simulate<'_>) -> Comparison {
+pub fn compare_run(run: &StatedRun, others: &[Parameters<Rational>], simulate: Simulate<'_>) -> Comparison {
     let mut found = compare_as_stated(run, simulate);
+    if found.verdict == Agreement::Differs && !others.is_empty() {
+        look_within_error_bars(run, others, simulate, &mut found);
+    }
     found.diagnosis = match found.verdict {
-        Agreement::Agrees => None,
+        Agreement::Agrees | Agreement::AgreesWithinErrorBars => None,
         _ if run.is_empty() => Some("the row has nothing to compare".into()),
         // Velocities in another unit never pass V_l, so that such a trajectory is not even compared.
         Agreement::Differs | Agreement::NotCompared => diagnose(run, simulate),
@@ -52,13 +57,13 @@ pub(crate) fn compare_as_stated(run: &StatedRun, simulate: Simulate<'_>) -> Comp
     let mut side = Side { run, theory: &theory, simulation: &simulation, findings: Vec::new() };
     side.compare();
     let findings = side.findings;
-    let has = |verdict| findings.iter().any(|finding: &Finding| finding.verdict == verdict);
-    let verdict = match () {
-        () if has(Agreement::Differs) => Agreement::Differs,
-        () if has(Agreement::Agrees) => Agreement::Agrees,
-        () => Agreement::NotCompared,
-    };
-    Comparison { theory, simulation, findings, verdict, diagnosis: None }
+    Comparison { verdict: verdict_of(&findings), theory, simulation, findings, diagnosis: None }
+}
+
+/// The verdict on a run with these findings.
+pub(super) fn verdict_of(findings: &[Finding]) -> Agreement {
+    let verdicts = findings.iter().map(|finding| finding.verdict);
+    Agreement::of_all(verdicts).unwrap_or(Agreement::NotCompared)
 }
 
 /// Both sides of a comparison, and what was found so far.
@@ -232,7 +237,8 @@ fn without_simulation(observable: Observable, origin: Origin, run: Value, why: &
 }
 
 /// A value of our simulation with its relative error.
-fn simulated(found: &Simulation, observable: Observable) -> Option<Measured> {
+#[must_use]
+pub fn simulated(found: &Simulation, observable: Observable) -> Option<Measured> {
     let (value, relative_error) = match observable {
         Observable::PeakVelocity => (found.peak_velocity_m_per_s, found.peak_relative_error),
         Observable::Period => found.period_s.zip(found.period_relative_error)?,

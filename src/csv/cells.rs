@@ -42,6 +42,8 @@ pub enum Datum {
     Text(String),
     /// A number of 64 bits, in its shortest decimal; an empty cell, or null, when there is none.
     Number(Option<f64>),
+    /// The ends of a range, as it is typed as an input; an empty cell, or null, when there is none.
+    Range(Option<[f64; 2]>),
     /// A whole number.
     Count(u64),
     /// `true` or `false`.
@@ -55,6 +57,7 @@ impl Datum {
         match self {
             Self::Text(text) => text.into(),
             Self::Number(number) => number.into(),
+            Self::Range(ends) => ends.map_or(Value::Null, |ends| ends.to_vec().into()),
             Self::Count(count) => count.into(),
             Self::Flag(flag) => flag.into(),
         }
@@ -95,10 +98,17 @@ pub fn push_cells<T>(columns: &[Column<T>], result: &T, out: &mut Vec<u8>) {
         match cell(result) {
             Datum::Text(text) => push_cell(out, text.as_bytes()),
             Datum::Number(number) => out.extend(number.map(shortest).unwrap_or_default().bytes()),
+            Datum::Range(ends) => push_cell(out, ends.map(range_text).unwrap_or_default().as_bytes()),
             Datum::Count(count) => out.extend(count.to_string().bytes()),
             Datum::Flag(flag) => out.extend(flag.to_string().bytes()),
         }
     }
+}
+
+/// A range as it is typed as an input.
+fn range_text(ends: [f64; 2]) -> String {
+    let [low, high] = ends.map(shortest);
+    format!("[{low}, {high}]")
 }
 
 #[cfg(test)]

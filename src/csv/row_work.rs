@@ -1,7 +1,7 @@
 //! What a command does with the rows of a points file, apart from reading and writing them.
 
 use crate::scene::{CsvProblem, Fault, Faults, Problem, Quantity, Uncertain};
-use slipmode_core::friction::Parameters;
+use slipmode_core::friction::{ParameterBox, Parameters};
 use slipmode_core::number::{Dd, Rational, parse_decimal_to_dd};
 
 use crate::csv::header::Header;
@@ -132,6 +132,15 @@ impl Cells<'_> {
         self.uncertain_without(None)
     }
 
+    /// All values within the error bars.
+    ///
+    /// # Errors
+    /// As [`Self::uncertain`].
+    pub fn region(self) -> Result<ParameterBox, Faults> {
+        let needs = || vec![self.fault(None, Problem::Needs("positive values within all error bars".into()))];
+        Uncertain::region(self.uncertain()?).ok_or_else(needs)
+    }
+
     /// As [`Self::uncertain`], with 1 for the unknown, whose column is not read.
     ///
     /// # Errors
@@ -140,7 +149,7 @@ impl Cells<'_> {
         let mut faults = Faults::new();
         let values = Quantity::ALL.map(|quantity| {
             if Some(quantity) == unknown {
-                return Some(Uncertain { lower: Rational::from(1), upper: Rational::from(1) });
+                return Some(Uncertain::certain(Rational::from(1)));
             }
             let read = |text: &str| self.header.value(quantity, text);
             let position = self.header.positions[quantity as usize];

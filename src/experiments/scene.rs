@@ -53,12 +53,7 @@ impl Head {
             ratio
         });
         let read = parameters.as_ref().map(Option::as_ref);
-        let sweep = top.optionally("sweep", |entry| {
-            if parameters.as_ref().and_then(Option::as_ref).is_some_and(|given| given.error_bars.is_some()) {
-                return entry.refuse(Problem::Needs("[parameters] without error bars".into()));
-            }
-            SweepSection::read(entry, read)
-        });
+        let sweep = top.optionally("sweep", |entry| SweepSection::read(entry, read));
         Self { name, title, parameters, inertial_threshold, sweep }
     }
 }

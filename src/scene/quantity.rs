@@ -3,7 +3,7 @@
 use crate::scene::section::Section;
 use crate::scene::units::{stem_of_key, unit_of_key};
 use crate::scene::{AllowedRange, Problem, Uncertain};
-use slipmode_core::friction::{OperatingPoint, Slider};
+use slipmode_core::friction::{OperatingPoint, Parameters, Slider};
 use slipmode_core::number::Rational;
 use slipmode_core::stability::ParameterBox;
 
@@ -121,6 +121,17 @@ impl ParametersSection {
         }
     }
 
+    /// The value of a quantity with its error bar, when it is stated.
+    #[must_use]
+    pub fn uncertain(&self, quantity: Quantity) -> Option<Uncertain> {
+        let middle = self.value(quantity)?;
+        let end = |of: fn(&ParameterBox) -> Parameters<Rational>| match &self.error_bars {
+            Some(region) => <[Rational; 7]>::from(of(region))[quantity as usize].clone(),
+            None => middle.clone(),
+        };
+        Some(Uncertain { lower: end(ParameterBox::lower), upper: end(ParameterBox::upper) })
+    }
+
     /// The scene's own operating point, when the scene states both σ and V0.
     #[must_use]
     pub fn point(&self) -> Option<OperatingPoint<Rational>> {
@@ -150,13 +161,12 @@ pub(crate) fn read_parameters(section: &mut Section<'_>) -> Option<ParametersSec
 
 /// The box of the error bars; none where no value has one.
 fn error_bars(material: [Uncertain; 5], place: [Option<Uncertain>; 2]) -> Option<ParameterBox> {
-    let one = || Uncertain { lower: Rational::from(1), upper: Rational::from(1) };
+    let one = || Uncertain::certain(Rational::from(1));
     let [a, b, d, k, m] = material;
     let [s, v] = place.map(|value| value.unwrap_or_else(one));
     let values = [a, b, d, k, m, s, v];
     if values.iter().all(Uncertain::is_certain) {
         return None;
     }
-    let lower = values.each_ref().map(|value| value.lower.clone());
-    ParameterBox::new(lower.into(), values.map(|value| value.upper).into())
+    Uncertain::region(values)
 }

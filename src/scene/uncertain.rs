@@ -4,6 +4,7 @@
 
 use crate::scene::units::split_unit;
 use crate::scene::{AllowedRange, Problem};
+use slipmode_core::friction::ParameterBox;
 use slipmode_core::number::Rational;
 
 /// All values between two exact ends, ends included; a value without an error bar has equal ends.
@@ -30,6 +31,12 @@ impl Uncertain {
             || SEPARATORS.iter().any(|separator| text.contains(separator))
     }
 
+    /// A value without an error bar.
+    #[must_use]
+    pub fn certain(value: Rational) -> Self {
+        Self { lower: value.clone(), upper: value }
+    }
+
     /// Whether both ends are the same.
     #[must_use]
     pub fn is_certain(&self) -> bool {
@@ -40,6 +47,13 @@ impl Uncertain {
     #[must_use]
     pub fn middle(&self) -> Rational {
         Rational::from(&self.lower + &self.upper) / 2u32
+    }
+
+    /// All values of the seven quantities; none unless they are positive.
+    #[must_use]
+    pub fn region(values: [Self; 7]) -> Option<ParameterBox> {
+        let lower = values.each_ref().map(|ends| ends.lower.clone());
+        ParameterBox::new(lower.into(), values.map(|ends| ends.upper).into())
     }
 
     /// A value with or without an error bar. `read` reads each of its numbers as it reads a number that stands alone.
@@ -54,7 +68,7 @@ impl Uncertain {
             return Self::with_last_digits(value, digits, read);
         }
         let Some((value, error)) = SEPARATORS.iter().find_map(|separator| text.split_once(separator)) else {
-            return read(text).map(|value| Self { lower: value.clone(), upper: value });
+            return read(text).map(Self::certain);
         };
         if let Some((share, unit)) = error.split_once('%') {
             let value = read(&with_unit(value, unit.trim()))?;

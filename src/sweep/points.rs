@@ -2,10 +2,10 @@
 
 use rug::Float;
 
-use crate::scene::{LogAxis, Quantity};
+use crate::scene::{LogAxis, Quantity, Uncertain};
 use crate::sweep::low_discrepancy::LowDiscrepancy;
 use crate::sweep::{Coordinate, Spacing, Span, SweepPoints};
-use slipmode_core::friction::Parameters;
+use slipmode_core::friction::{ParameterBox, Parameters};
 use slipmode_core::number::{Dd, Rational, nearest_f64};
 
 /// A point: the values of those quantities that vary; the others are not looked at.
@@ -17,11 +17,12 @@ pub struct PointSource {
     coordinates: [Place; 7],
     sequence: Option<LowDiscrepancy>,
     count: u64,
+    has_error_bars: bool,
 }
 
 #[derive(Debug, Clone)]
 enum Place {
-    Fixed(Box<Rational>, Dd),
+    Fixed(Box<Uncertain>, Dd),
     /// An axis, and the number of points after which it goes on to its next value.
     Axis {
         values: Vec<f64>,
@@ -59,7 +60,9 @@ impl PointSource {
         let place = |index: usize| {
             let later = &coordinates[index + 1..];
             match &coordinates[index] {
-                Coordinate::Fixed(value) => Place::Fixed(Box::new(value.clone()), Dd::from_rational(value)),
+                Coordinate::Fixed(value) => {
+                    Place::Fixed(Box::new(value.clone()), Dd::from_rational(&value.middle()))
+                }
                 Coordinate::Axis { span, points } => Place::Axis {
                     values: axis_values(span, *points),
                     stride: later.iter().map(Coordinate::points).product(),
@@ -70,7 +73,8 @@ impl PointSource {
                 },
             }
         };
-        Some(Self { coordinates: [0, 1, 2, 3, 4, 5, 6].map(place), sequence, count })
+        let has_error_bars = points.has_error_bars();
+        Some(Self { coordinates: [0, 1, 2, 3, 4, 5, 6].map(place), sequence, count, has_error_bars })
     }
 
     /// How many points there are.
@@ -108,11 +112,24 @@ impl PointSource {
         }))
     }
 
-    /// The point's parameters, exactly.
+    /// All values within the error bars at a point; none where no value has one.
+    #[must_use]
+    pub fn region(&self, point: &Varying) -> Option<ParameterBox> {
+        if !self.has_error_bars {
+            return None;
+        }
+        let values = [0, 1, 2, 3, 4, 5, 6].map(|index| match &self.coordinates[index] {
+            Place::Fixed(value, _) => value.as_ref().clone(),
+            _ => Uncertain::certain(Rational::from_f64(point[index]).unwrap_or_default()),
+        });
+        Uncertain::region(values)
+    }
+
+    /// The point's parameters, exactly, in the middle of the error bars.
     #[must_use]
     pub fn exact(&self, point: &Varying) -> Parameters<Rational> {
         Parameters::from([0, 1, 2, 3, 4, 5, 6].map(|index| match &self.coordinates[index] {
-            Place::Fixed(value, _) => value.as_ref().clone(),
+            Place::Fixed(value, _) => value.middle(),
             _ => Rational::from_f64(point[index]).unwrap_or_default(),
         }))
     }
@@ -158,7 +175,7 @@ mod tests {
     }
 
     fn fixed() -> [Coordinate; 7] {
-        [1, 2, 3, 4, 5, 6, 7].map(|value| Coordinate::Fixed(Rational::from((value, 3))))
+        [1, 2, 3, 4, 5, 6, 7].map(|value| Coordinate::Fixed(Uncertain::certain(Rational::from((value, 3)))))
     }
 
     #[test]

@@ -82,9 +82,31 @@ impl SweepSection {
         let block_points = section.optionally("block_points", |entry| entry.whole(1..=MOST_BLOCK_POINTS));
         let summary = section.optionally("summary", SummarySection::read);
         section.finish();
-        let work = work?;
+        let (work, points) = (work?, points?);
+        let is_of_points = matches!(work, SweepWork::Boundary | SweepWork::AsymptoteError);
+        if is_of_points && points.has_error_bars() {
+            let needs = "values without error bars, or the work classify or simulate, which take them";
+            return entry.refuse(Problem::Needs(needs.into()));
+        }
         let block_points = block_points?.unwrap_or_else(|| work.usual_block_points());
-        Some(Self { work, points: points?, block_points, summary: summary? })
+        Some(Self { work, points, block_points, summary: summary? })
+    }
+}
+
+impl SweepPoints {
+    /// Whether a value that is the same at every point has an error bar.
+    #[must_use]
+    pub fn has_error_bars(&self) -> bool {
+        let is_uncertain = |coordinate: &Coordinate| match coordinate {
+            Coordinate::Fixed(value) => !value.is_certain(),
+            Coordinate::Axis { .. } | Coordinate::Anywhere(_) => false,
+        };
+        match self {
+            Self::Grid(coordinates) | Self::Samples { coordinates, .. } => {
+                coordinates.iter().any(is_uncertain)
+            }
+            Self::List { .. } => false,
+        }
     }
 }
 

@@ -70,6 +70,7 @@ mod renamed;
 mod replay_budget;
 mod reports;
 mod roots;
+mod runs_within_error_bars;
 mod sabotage;
 mod shell;
 mod simulate;

@@ -206,10 +206,32 @@ const COMMANDS: &[Command] = &[
             ],
             &["simulate", "--points", "in.csv", "--law", "slip"],
             &["simulate", "--points", "in.csv"],
+            &[
+                "simulate",
+                "-a",
+                "0.004",
+                "-b",
+                "0.006",
+                "-d",
+                "1e-5",
+                "-k",
+                "1e7",
+                "-m",
+                "1000",
+                "-s",
+                "1e5",
+                "-v",
+                "1e-3±1e-4",
+                "--law",
+                "slip",
+            ],
+            &["simulate", "--points", "bars.csv", "--law", "slip"],
+            &["simulate", "--points", "bars.csv"],
         ],
         options: &[
             SLIDER[0],
             SLIDER[5],
+            ("--box-runs", &["--box-runs", "3"]),
             ("--law", &["--law", "aging"]),
             ("--tolerance", &["--tolerance", "1e-5"]),
             ("--start", &["--start", "velocity-kick"]),
@@ -252,8 +274,13 @@ const COMMANDS: &[Command] = &[
         ],
     },
     Command {
-        bases: &[&["compare", "--runs", "runs.csv"], &["compare", "--runs", "faulty.csv"]],
+        bases: &[
+            &["compare", "--runs", "runs.csv"],
+            &["compare", "--runs", "faulty.csv"],
+            &["compare", "--runs", "bar-runs.csv"],
+        ],
         options: &[
+            ("--box-runs", &["--box-runs", "3"]),
             ("--law", &["--law", "aging"]),
             ("--tolerance", &["--tolerance", "0.3"]),
             ("--keep-going", &["--keep-going"]),
@@ -355,6 +382,10 @@ fn workplace() -> Workplace {
     place.write("in.csv", format!("{HEADER}\n{ROW}\n"));
     place.write("faulty.csv", format!("{HEADER},peak_velocity_m_per_s\n{ROW},1.2e-2\n0,{ROW}\n"));
     place.write("runs.csv", format!("{HEADER},peak_velocity_m_per_s\n{ROW},1.2e-2\n"));
+    // The period is beyond every tolerance of the middle value, 0.26 s, and within the error bars.
+    let bars = ROW.replace(",1e-3", ",1e-3±5e-4");
+    place.write("bars.csv", format!("{HEADER}\n{bars}\n"));
+    place.write("bar-runs.csv", format!("{HEADER},period_s\n{bars},0.42\n"));
     place.write("s.toml", format!("{SCENE}[boundary]\npoints = 3\ndigits = 20\n"));
     place.write("sweep.toml", sweep(8, 10));
     for folder in ["blocks", "fewer"] {

@@ -67,7 +67,7 @@ fn the_guide_works_as_written_from_an_empty_folder() {
     let runs = GUIDE.split("```csv\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
     place.write("runs.csv", runs);
     let examples = examples(GUIDE);
-    assert_eq!(examples.len(), 16);
+    assert_eq!(examples.len(), 17);
     for (arguments, shown) in examples {
         let printed = printed(&arguments, &place.path(""));
         assert!(is_as_shown(&printed, &shown), "slipmode {arguments} printed:\n{printed}");

@@ -7,7 +7,7 @@ use slipmode_core::friction::Parameters;
 use slipmode_core::number::format::rational_to_decimal;
 use slipmode_core::number::{Rational, nearest_f64};
 use slipmode_core::stability::{
-    InertialThreshold, ParameterBox, Possible, SlipMode, SpectralClass, over_box, transition_sign,
+    InertialThreshold, OverBox, ParameterBox, Possible, SlipMode, SpectralClass, over_box, transition_sign,
 };
 
 use crate::cli::answer::{Answer, Item, SHOWN_DIGITS};
@@ -24,6 +24,35 @@ pub fn answer(
     sample: Option<&Sample>,
 ) -> Option<Answer> {
     let found = over_box(region, threshold)?;
+    let class = |possible: &Possible<SpectralClass>| {
+        Answer::default()
+            .item("spectral_class", "spectral class", possible.what.as_str())
+            .with("witness", witness(possible))
+    };
+    let signs = |[least, greatest]: [i8; 2]| {
+        let text = if least == greatest { least.to_string() } else { format!("{least} to {greatest}") };
+        Item::new(json!([least, greatest]), text)
+    };
+    let critical = &found.critical_stiffness_pa_per_m;
+    let [least, greatest] = critical.each_ref().map(shown);
+    let sampled = sample.map(|sample| sample.draw(region, threshold));
+    let answer = Answer::to(ranges_json(region, &[]))
+        .and(modes(region, &found))
+        .list("spectral_classes", found.spectral_classes.iter().map(class))
+        .item("transition_signs", "sign of K - K_c", signs(found.transition_signs))
+        .item("boundary_signs", "sign of discriminant", signs(found.boundary_signs))
+        .and(RootRanges::new(region, &found).answer())
+        .with("critical_stiffness_pa_per_m", outward(critical))
+        .named("K_c", &format!("{least} to {greatest} Pa/m"))
+        .note(&cited("({transition})"));
+    Some(match sampled {
+        Some(sampled) => answer.part("sampled", Sampled::answer(&sampled)),
+        None => answer.with("sampled", Value::Null),
+    })
+}
+
+/// The slip modes that are possible, each with a point, and those that are not decided.
+pub fn modes(region: &ParameterBox, found: &OverBox) -> Answer {
     let is_certain = found.certain_mode().is_some();
     let name = if is_certain { "slip mode" } else { "possible slip mode" };
     let mode = |possible: &Possible<SlipMode>| {
@@ -44,34 +73,11 @@ pub fn answer(
             .note(&format!("(in at most {percent} % of the box)"))
             .with("share", nearest_f64(share))
     };
-    let class = |possible: &Possible<SpectralClass>| {
-        Answer::default()
-            .item("spectral_class", "spectral class", possible.what.as_str())
-            .with("witness", witness(possible))
-    };
-    let signs = |[least, greatest]: [i8; 2]| {
-        let text = if least == greatest { least.to_string() } else { format!("{least} to {greatest}") };
-        Item::new(json!([least, greatest]), text)
-    };
-    let critical = &found.critical_stiffness_pa_per_m;
-    let [least, greatest] = critical.each_ref().map(shown);
-    let sampled = sample.map(|sample| sample.draw(region, threshold));
-    let answer = Answer::to(ranges_json(region, &[]))
+    Answer::default()
         .with("certain", is_certain)
         .list("slip_modes", found.slip_modes.iter().map(mode))
         .list("undecided", found.undecided.iter().map(undecided))
         .with("undecided_share", nearest_f64(&found.undecided_share()))
-        .list("spectral_classes", found.spectral_classes.iter().map(class))
-        .item("transition_signs", "sign of K - K_c", signs(found.transition_signs))
-        .item("boundary_signs", "sign of discriminant", signs(found.boundary_signs))
-        .and(RootRanges::new(region, &found).answer())
-        .with("critical_stiffness_pa_per_m", outward(critical))
-        .named("K_c", &format!("{least} to {greatest} Pa/m"))
-        .note(&cited("({transition})"));
-    Some(match sampled {
-        Some(sampled) => answer.part("sampled", Sampled::answer(&sampled)),
-        None => answer.with("sampled", Value::Null),
-    })
 }
 
 /// The uncertain values of a point.

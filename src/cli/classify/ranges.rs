@@ -55,7 +55,8 @@ impl RootRanges {
     }
 }
 
-fn shown([low, high]: [f64; 2]) -> String {
+/// A range with rounded ends.
+pub fn shown([low, high]: [f64; 2]) -> String {
     format!("{} to {}", round_digits(low, SHOWN_DIGITS), round_digits(high, SHOWN_DIGITS))
 }
 

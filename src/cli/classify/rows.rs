@@ -9,12 +9,12 @@ use slipmode_core::number::{Dd, nearest_f64};
 use slipmode_core::roots::PrecisionLevel;
 use slipmode_core::stability::batch::classify_points;
 use slipmode_core::stability::{
-    Classification, InertialThreshold, OverBox, SpectralClass, classify, over_box,
+    Classification, InertialThreshold, OverBox, ParameterBox, SpectralClass, classify, over_box,
 };
 
 use crate::cli::classify::derived::{self, Derived};
 use crate::cli::classify::ranges::{RootRanges, cell, outward};
-use crate::cli::options::{OVER_BOX, uncertain_box};
+use crate::cli::options::OVER_BOX;
 use crate::cli::unit_warnings::slider_warnings;
 
 /// Classifies rows; with `DERIVED`, what follows from a classification is appended too.
@@ -31,6 +31,15 @@ pub enum Found {
     Point(Classification),
     /// With error bars.
     Box(Box<BoxFound>),
+}
+
+impl Found {
+    /// What is found within error bars; none for a threshold that is not allowed there.
+    pub fn over(region: &ParameterBox, threshold: &InertialThreshold) -> Option<Self> {
+        let over = over_box(region, threshold)?;
+        let ranges = RootRanges::new(region, &over);
+        Some(Self::Box(Box::new(BoxFound { over, ranges })))
+    }
 }
 
 /// What is found over a box.
@@ -109,14 +118,10 @@ impl<const DERIVED: bool> RowWork for ClassifyRows<DERIVED> {
             let derived = DERIVED.then(|| Derived::of(&parameters, &found));
             return Ok(Classified { found: Found::Point(found), derived, warnings });
         }
-        let found = uncertain_box(values).and_then(|region| {
-            let over = over_box(&region, &self.threshold)?;
-            let ranges = RootRanges::new(&region, &over);
-            Some(BoxFound { over, ranges })
-        });
+        let found = Uncertain::region(values).and_then(|region| Found::over(&region, &self.threshold));
         let needs = || Problem::Needs(format!("--inertial-threshold with {OVER_BOX}"));
         let found = found.ok_or_else(|| vec![cells.fault(None, needs())])?;
-        Ok(Classified { found: Found::Box(Box::new(found)), derived: None, warnings })
+        Ok(Classified { found, derived: None, warnings })
     }
 
     /// Rows in double-double, together; those that it does not decide by the exact values.

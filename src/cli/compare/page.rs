@@ -6,7 +6,7 @@ use slipmode::report::{ChapterView, ProvenanceView, ReportView, render_html, ren
 
 use crate::cli::compare::figures::figures;
 use crate::cli::compare::inputs::inputs;
-use crate::cli::compare::rows::{ComparedRow, counts};
+use crate::cli::compare::rows::{ComparedRow, counts, within_error_bars};
 use crate::cli::compare::tables::tables;
 use crate::cli::environment::{ENVIRONMENT_FILE, Environment};
 use crate::cli::failure::Failure;
@@ -15,6 +15,7 @@ use crate::cli::tree::Files;
 
 const SUBTITLE: &str = "Runs of other programs compared with the linear theory and with our simulation";
 const HOW: &str = "Each number is compared with our simulation of the same slider and, for decaying oscillations, with the roots of the linear theory. It agrees if it differs by at most the stated tolerance plus the errors of both sides; otherwise it differs. If an error is larger than the tolerance, the number is not compared.\n\nA trajectory is compared by its long-term behaviour: its first cycle is left out, the rest decides between a limit cycle and a decay, and the last cycle gives peak, period and stress drop. Their errors come from the same reduction of every second sample and from the change between the last cycles. Periods are times between upward crossings of the loading velocity.\n\nA mode is also compared with the linear theory, unless our own simulation departs from the theory.\n";
+const WITHIN: &str = "\nParameters with error bars: a value that differs at the middle values is compared with the range over the error bars. The range is sampled: it comes from runs at the middle, at every corner and at points spread between, and no proof says that other values stay inside. Each value is compared on its own, so that two values may agree at different parameters. In the figure, the difference is then that from the range.\n";
 
 /// All files of the folder.
 ///
@@ -30,6 +31,10 @@ pub fn files(runs: &Path, done: &Done<ComparedRow>, environment: &Environment) -
     for table in &tables {
         files.insert(format!("tables/{}.csv", table.id), table.to_csv());
     }
+    let how = match within_error_bars(rows) {
+        Some(_) => format!("{HOW}{WITHIN}"),
+        None => HOW.into(),
+    };
     let placed: String = figures.iter().map(|figure| format!("[[figure:{}]]\n\n", figure.id)).collect();
     let chapter = |id: &str, title: &str, text_markdown: String| ChapterView {
         id: id.into(),
@@ -44,7 +49,7 @@ pub fn files(runs: &Path, done: &Done<ComparedRow>, environment: &Environment) -
         chapters: vec![
             chapter("verdicts", "Verdicts", format!("[[table:runs]]\n\n{placed}")),
             chapter("numbers", "Numbers", "[[table:findings]]\n".into()),
-            chapter("method", "How runs are compared", HOW.into()),
+            chapter("method", "How runs are compared", how),
         ],
         figures,
         tables,
@@ -76,8 +81,14 @@ fn summary(rows: &[ComparedRow], faulty: u64) -> String {
         1 => " 1 further row of the file is invalid and was left out.".to_string(),
         _ => format!(" {faulty} further rows of the file are invalid and were left out."),
     };
+    let within = match within_error_bars(rows) {
+        Some(within) => {
+            format!(" ({within} of them only within the error bars of their parameters, sampled)")
+        }
+        None => String::new(),
+    };
     format!(
-        "Of {} runs, **{agree} agree**, **{differ} differ** and **{not_compared} could not be compared**.{invalid}\n",
+        "Of {} runs, **{agree} agree**{within}, **{differ} differ** and **{not_compared} could not be compared**.{invalid}\n",
         rows.len(),
     )
 }

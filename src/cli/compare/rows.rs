@@ -8,11 +8,12 @@ use slipmode::comparison::{Agreement, Comparison, Observable, StatedMode, Stated
 use slipmode::csv::{Cells, Dialect, Remark, RowWork, is_named, misnamed, names, push_cells, read_recording};
 use slipmode::scene::{AllowedRange, CsvProblem, Faults, Problem, Quantity, check_name, nearest, of_word};
 use slipmode_core::dynamics::Start;
-use slipmode_core::friction::{EvolutionLaw, Parameters};
+use slipmode_core::friction::{EvolutionLaw, ParameterBox, Parameters};
 use slipmode_core::number::{Rational, nearest_f64};
 
 use crate::cli::compare::cells::COLUMNS;
 use crate::cli::input::{open_named_csv, place_inside};
+use crate::cli::simulate::over_box::{is_point, points_within};
 use crate::cli::simulate::range;
 use crate::cli::simulate::run::{Settings, simulate_point};
 use crate::cli::words::{LAW_COLUMN, law_of_word, start_of_word};
@@ -35,12 +36,15 @@ pub struct CompareRows {
     pub dialect: Dialect,
     /// Whether trajectories are wanted back, for figures.
     pub keeps_recordings: bool,
+    /// Runs at points spread within the error bars of a row.
+    pub box_runs: u64,
 }
 
 /// A row that was read.
 #[derive(Debug)]
 pub struct ReadRow {
     run: StatedRun,
+    region: ParameterBox,
     start: Start,
     number: u64,
     trajectory: Option<String>,
@@ -53,6 +57,8 @@ pub struct ComparedRow {
     pub number: u64,
     /// What it states; without its trajectory unless figures are wanted.
     pub run: StatedRun,
+    /// All values within its error bars.
+    pub region: ParameterBox,
     /// The start of our simulation.
     pub start: Start,
     /// The comparison.
@@ -104,13 +110,10 @@ impl RowWork for CompareRows {
         observable_columns().chain(more).any(|column| is_named(name, column))
     }
 
-    fn needs_for_errors(&self) -> Option<&'static str> {
-        Some("no errors: remove it; the column tolerance states the error of a run")
-    }
-
     fn read(&self, cells: Cells<'_>) -> Result<ReadRow, Faults> {
         let mut reader = RowCells { cells, faults: Faults::new() };
-        let parameters = cells.parameters().map_err(|faults| reader.faults.extend(faults)).ok();
+        let region = cells.region().map_err(|faults| reader.faults.extend(faults)).ok();
+        let parameters = region.as_ref().map(ParameterBox::middle);
         let law = reader.optional(LAW_COLUMN, law_of_word).or(self.law).unwrap_or(EvolutionLaw::Slip);
         let start = reader.optional(START_COLUMN, start_of_word);
         let tolerance = reader.optional(TOLERANCE_COLUMN, |text| AllowedRange::RUN_TOLERANCE.parse(text));
@@ -121,7 +124,7 @@ impl RowWork for CompareRows {
                 .map(|value| nearest_f64(&value))
         });
         let recording = self.recording(&mut reader, parameters.as_ref());
-        let (Some(parameters), true) = (parameters, reader.faults.is_empty()) else {
+        let (Some((parameters, region)), true) = (parameters.zip(region), reader.faults.is_empty()) else {
             return Err(reader.faults);
         };
         let run = StatedRun {
@@ -134,17 +137,19 @@ impl RowWork for CompareRows {
             recording: recording.map(Arc::new),
         };
         let trajectory = reader.optional(TRAJECTORY_COLUMN, |name| Ok(name.to_owned()));
-        Ok(ReadRow { run, start: start.unwrap_or_default(), number: cells.row.number, trajectory })
+        Ok(ReadRow { run, region, start: start.unwrap_or_default(), number: cells.row.number, trajectory })
     }
 
     fn append(&self, row: &ReadRow, out: &mut Vec<u8>) -> Remark<ComparedRow> {
         let simulate = |parameters: &Parameters<Rational>, law, tolerance| {
             simulate_point(parameters, law, Settings { tolerance, start: row.start })
         };
+        let others = points_within(&row.region, self.box_runs);
         let mut compared = ComparedRow {
             number: row.number,
-            comparison: compare_run(&row.run, &simulate),
+            comparison: compare_run(&row.run, &others, &simulate),
             run: row.run.clone(),
+            region: row.region.clone(),
             start: row.start,
             trajectory: row.trajectory.clone(),
             warnings: range::warnings(&row.run.parameters),
@@ -188,10 +193,18 @@ fn trajectory_place(folder: &Path, name: &str) -> Result<PathBuf, Problem> {
     place_inside(folder, name).map_err(|error| Problem::Unreadable(error.to_string()))
 }
 
-/// How many rows agree, differ and could not be compared.
+/// How many rows agree, within the error bars of their parameters at least, differ and could not be compared.
 pub fn counts(rows: &[ComparedRow]) -> [usize; 3] {
-    [Agreement::Agrees, Agreement::Differs, Agreement::NotCompared]
-        .map(|verdict| rows.iter().filter(|row| row.comparison.verdict == verdict).count())
+    let of =
+        |verdicts: &[Agreement]| rows.iter().filter(|row| verdicts.contains(&row.comparison.verdict)).count();
+    let agrees = [Agreement::Agrees, Agreement::AgreesWithinErrorBars];
+    [of(&agrees), of(&[Agreement::Differs]), of(&[Agreement::NotCompared])]
+}
+
+/// How many rows agree within their error bars only; none where no row has error bars.
+pub fn within_error_bars(rows: &[ComparedRow]) -> Option<usize> {
+    let agrees = |row: &&ComparedRow| row.comparison.verdict == Agreement::AgreesWithinErrorBars;
+    rows.iter().any(|row| !is_point(&row.region)).then(|| rows.iter().filter(agrees).count())
 }
 
 /// Columns of which one at least has to be there.

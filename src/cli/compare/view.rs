@@ -6,8 +6,8 @@ use slipmode_core::number::format::round_digits;
 
 use crate::cli::answer::{Answer, SCHEMA};
 use crate::cli::compare::cells::reason;
-use crate::cli::compare::rows::{ComparedRow, counts};
-use crate::cli::inputs::inputs_json;
+use crate::cli::compare::rows::{ComparedRow, counts, within_error_bars};
+use crate::cli::inputs::region_json;
 use crate::cli::simulate;
 use crate::cli::simulate::rows::Simulated;
 use crate::cli::terminal::count_of;
@@ -33,14 +33,22 @@ pub fn answer(rows: &[ComparedRow], faulty: u64) -> Answer {
     };
     let [agree, differ, not_compared] = counts(rows);
     let count = count_of(rows.len(), "row");
-    Answer::default()
+    let within = within_error_bars(rows)
+        .filter(|within| *within > 0)
+        .map(|within| format!(" ({within} within their error bars, sampled)"));
+    let within = within.unwrap_or_default();
+    let answer = Answer::default()
         .with("schema", SCHEMA)
         .list("rows", rows.iter().map(row))
-        .text(&format!("{count}: {agree} agree, {differ} differ, {not_compared} not compared\n"))
+        .text(&format!("{count}: {agree} agree{within}, {differ} differ, {not_compared} not compared\n"))
         .with("agree", agree)
         .with("differ", differ)
         .with("not_compared", not_compared)
-        .with("at_fault", faulty)
+        .with("at_fault", faulty);
+    match within_error_bars(rows) {
+        Some(within) => answer.with("agree_within_error_bars", within),
+        None => answer,
+    }
 }
 
 fn heading(row: &ComparedRow) -> String {
@@ -107,7 +115,7 @@ fn row_part(row: &ComparedRow) -> Answer {
     let simulated = Simulated::new(found.simulation.clone(), &row.run.parameters);
     Answer::default()
         .with("row", row.number)
-        .with("inputs", inputs_json(&row.run.parameters))
+        .with("inputs", region_json(&row.region))
         .with("law", row.run.law.as_str())
         .with("start", row.start.as_str())
         .with("tolerance", row.run.tolerance)

@@ -7,19 +7,21 @@ use slipmode_core::friction::{EvolutionLaw, Parameters};
 use slipmode_core::number::Rational;
 use slipmode_core::stability::ParameterBox;
 
-use crate::cli::options::uncertain_box;
 use crate::cli::simulate::certified::{self, Certified};
+use crate::cli::simulate::over_box::{self, BoxRuns, is_point};
 use crate::cli::simulate::range;
 use crate::cli::simulate::run::{Found, Settings, simulate_point};
 use crate::cli::words::{LAW_COLUMN, LAWS, law_of_word};
 
-/// Simulates rows; with `CERTIFY`, the middle of each row's error bars, and certifies all values within them.
+/// Simulates rows, over their error bars; with `CERTIFY`, the middle of the error bars, and certifies all values within them.
 #[derive(Debug)]
 pub struct SimulateRows<const CERTIFY: bool> {
     /// The law of all rows; none when a column chooses it.
     pub law: Option<EvolutionLaw>,
     /// What is the same for every row.
     pub settings: Settings,
+    /// Runs at points spread within the error bars of a row.
+    pub box_runs: u64,
 }
 
 /// A point that was simulated.
@@ -65,7 +67,7 @@ fn found(simulated: &Simulated, datum: fn(&Simulation) -> Datum) -> Datum {
 }
 
 impl<const CERTIFY: bool> RowWork for SimulateRows<CERTIFY> {
-    /// The point, and the values that are to be certified.
+    /// The middle values; all values, where they are to be certified or have error bars; and the law.
     type Input = (Parameters<Rational>, Option<ParameterBox>, EvolutionLaw);
     type Kept = ();
 
@@ -94,36 +96,36 @@ impl<const CERTIFY: bool> RowWork for SimulateRows<CERTIFY> {
         is_named(name, LAW_COLUMN)
     }
 
-    fn needs_for_errors(&self) -> Option<&'static str> {
-        (!CERTIFY).then_some("--certify of `simulate`: a simulation is of one point; or remove it")
-    }
-
     fn read(&self, cells: Cells<'_>) -> Result<Self::Input, Faults> {
-        let needs =
-            || vec![cells.fault(None, Problem::Needs("positive values within all error bars".into()))];
-        let read = if CERTIFY {
-            let region = cells.uncertain().and_then(|values| uncertain_box(values).ok_or_else(needs));
-            region.map(|region| (region.middle(), Some(region)))
-        } else {
-            cells.parameters().map(|parameters| (parameters, None))
-        };
+        let read = cells.region();
         let law = match (self.law, cells.header.position(LAW_COLUMN)) {
             (None, Some(position)) => law_of_word(cells.text(position))
                 .map_err(|problem| vec![cells.fault(Some(position), problem)]),
             (law, _) => law.ok_or_else(|| vec![cells.fault(None, Problem::Missing { allowed: LAWS.into() })]),
         };
         match (read, law) {
-            (Ok((parameters, region)), Ok(law)) => Ok((parameters, region, law)),
+            (Ok(region), Ok(law)) => {
+                let middle = region.middle();
+                Ok((middle, Some(region).filter(|region| CERTIFY || !is_point(region)), law))
+            }
             (read, law) => Err([read.err(), law.err()].into_iter().flatten().flatten().collect()),
         }
     }
 
-    fn append(&self, (parameters, region, law): &Self::Input, out: &mut Vec<u8>) -> Remark {
-        let answer = Simulated::new(simulate_point(parameters, *law, self.settings), parameters);
-        push_cells(&COLUMNS, &answer, out);
-        if let Some(region) = region {
+    fn append(&self, (middle, region, law): &Self::Input, out: &mut Vec<u8>) -> Remark {
+        let found = simulate_point(middle, *law, self.settings);
+        let mut is_unanswered = found.is_err();
+        match region {
+            Some(region) if !CERTIFY => {
+                let runs = BoxRuns::new(found, region, *law, self.settings, self.box_runs);
+                push_cells(&over_box::COLUMNS, &runs, out);
+                is_unanswered = runs.is_unanswered();
+            }
+            _ => push_cells(&COLUMNS, &Simulated::new(found, middle), out),
+        }
+        if let Some(region) = region.as_ref().filter(|_| CERTIFY) {
             push_cells(&certified::COLUMNS, &Certified::new(region, *law, self.settings.start), out);
         }
-        Remark { is_unanswered: answer.found.is_err(), ..Remark::warning(&range::warnings(parameters)) }
+        Remark { is_unanswered, ..Remark::warning(&range::warnings(middle)) }
     }
 }

@@ -9,7 +9,8 @@ use slipmode_core::number::format::{certain_digits, round_digits};
 use slipmode_core::stability::ParameterBox;
 
 use crate::cli::answer::Answer;
-use crate::cli::inputs::{inputs_json, ranges_json};
+use crate::cli::inputs::region_json;
+use crate::cli::simulate::over_box::is_point;
 use crate::cli::simulate::rows::{COLUMNS, Simulated};
 use crate::cli::simulate::run::Settings;
 
@@ -20,9 +21,9 @@ const ERROR_DIGITS: usize = 2;
 
 /// States what was requested and found: the columns of `--points` are keys, and so are the errors that have no column.
 pub fn answer(simulated: &Simulated, region: &ParameterBox, law: EvolutionLaw, settings: Settings) -> Answer {
-    let is_point = region.lower() == region.upper();
-    let inputs = if is_point { inputs_json(&region.lower()) } else { ranges_json(region, &[]) };
-    let answer = Answer::to(inputs)
+    let middle = if is_point(region) { "" } else { "the middle of the error bars:\n" };
+    let answer = Answer::to(region_json(region))
+        .text(middle)
         .with("law", law.as_str())
         .with("tolerance", settings.tolerance)
         .with("start", settings.start.as_str())

@@ -7,7 +7,6 @@ use slipmode_core::number::nearest_f64;
 use slipmode_core::stability::ParameterBox;
 
 use crate::cli::answer::cell;
-use crate::cli::options::uncertain_box;
 use crate::cli::solve::Question;
 use crate::cli::unit_warnings::unit_warnings;
 
@@ -49,7 +48,7 @@ impl RowWork for SolveRows {
         let mut known = values.each_ref().map(|value| Some(nearest_f64(&value.middle())));
         known[self.question.quantity() as usize] = None;
         let needs = || vec![cells.fault(None, Problem::Needs("positive values".into()))];
-        let region = uncertain_box(values).ok_or_else(needs)?;
+        let region = Uncertain::region(values).ok_or_else(needs)?;
         Ok(Row { region, is_point, warnings: unit_warnings(known, &[]) })
     }
 

@@ -9,12 +9,14 @@ use slipmode::sweep::{PointSource, SweepPoints, SweepSection, SweepWork};
 use slipmode_core::dynamics::Start;
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::nearest_f64;
-use slipmode_core::stability::InertialThreshold;
+use slipmode_core::stability::{InertialThreshold, is_allowed_over_box};
 
 use crate::cli::classify::rows::ClassifyRows;
 use crate::cli::environment::SOURCE_SHA256;
 use crate::cli::failure::Failure;
 use crate::cli::input::{lacks, read_small_file};
+use crate::cli::options::OVER_BOX;
+use crate::cli::simulate::over_box::DEFAULT_RUNS;
 use crate::cli::simulate::rows::SimulateRows;
 use crate::cli::simulate::run::Settings;
 use crate::cli::sweep::asymptote_rows::AsymptoteRows;
@@ -65,6 +67,11 @@ impl Loaded {
     pub fn points(&self) -> Result<Points, Failure> {
         match &self.section.work {
             SweepWork::Classify => {
+                if self.section.points.has_error_bars() && !is_allowed_over_box(&self.threshold) {
+                    return Err(Failure::Refused(format!(
+                        "the sweep needs an inertial_threshold with {OVER_BOX}"
+                    )));
+                }
                 self.with(ClassifyRows::<false> { threshold: self.threshold.clone() }, Vec::new())
             }
             SweepWork::Boundary => self.with(BoundaryRows, Vec::new()),
@@ -72,7 +79,9 @@ impl Loaded {
             SweepWork::Simulate { laws, tolerance } => {
                 let settings = Settings { tolerance: nearest_f64(tolerance), start: Start::default() };
                 // A list has one law for all its rows, or a column for them.
-                self.with(SimulateRows::<false> { law: laws.first().copied(), settings }, laws.clone())
+                let work =
+                    SimulateRows::<false> { law: laws.first().copied(), settings, box_runs: DEFAULT_RUNS };
+                self.with(work, laws.clone())
             }
         }
     }

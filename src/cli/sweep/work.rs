@@ -21,10 +21,18 @@ pub trait PointWork: RowWork + Send {
 
 impl PointWork for ClassifyRows<false> {
     fn input(&self, source: &PointSource, point: &Varying, _law: EvolutionLaw) -> Self::Input {
-        let found = classify_quickly(&source.double_double(point), &self.threshold)
-            .unwrap_or_else(|| classify(&source.exact(point), &self.threshold));
+        let at_point = || {
+            classify_quickly(&source.double_double(point), &self.threshold)
+                .unwrap_or_else(|| classify(&source.exact(point), &self.threshold))
+        };
+        let region = source.region(point);
+        let found = region.and_then(|region| Found::over(&region, &self.threshold));
         // The scene's units are checked once, not at each point.
-        Classified { found: Found::Point(found), derived: None, warnings: Vec::new() }
+        Classified {
+            found: found.unwrap_or_else(|| Found::Point(at_point())),
+            derived: None,
+            warnings: Vec::new(),
+        }
     }
 }
 
@@ -43,7 +51,7 @@ impl PointWork for AsymptoteRows {
 
 impl PointWork for SimulateRows<false> {
     fn input(&self, source: &PointSource, point: &Varying, law: EvolutionLaw) -> Self::Input {
-        (source.exact(point), None, law)
+        (source.exact(point), source.region(point), law)
     }
 }
 

@@ -15,6 +15,14 @@ pub struct Measured {
     pub relative_error: f64,
 }
 
+impl Measured {
+    /// The value and its absolute error.
+    #[must_use]
+    pub fn with_absolute_error(self) -> (f64, f64) {
+        (self.value, self.relative_error * self.value.abs())
+    }
+}
+
 /// A return to steady sliding.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RecordedDecay {

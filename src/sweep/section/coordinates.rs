@@ -1,7 +1,7 @@
 //! The coordinates of a sweep's points: each of the seven quantities is one decimal, an axis, or a span.
 
 use crate::scene::section::{Entry, Section};
-use crate::scene::{AllowedRange, Quantity};
+use crate::scene::{AllowedRange, Quantity, Uncertain};
 use crate::sweep::section::ReadParameters;
 use slipmode_core::number::Rational;
 
@@ -11,8 +11,8 @@ const MOST_AXIS_POINTS: u64 = 1_000_000;
 /// How one of the seven quantities goes through a sweep.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Coordinate {
-    /// The same at every point: the decimal as written.
-    Fixed(Rational),
+    /// The same at every point: the decimal as written, perhaps with an error bar.
+    Fixed(Uncertain),
     /// The values of a grid's axis, both ends included.
     Axis {
         /// Between which ends, and how.
@@ -90,10 +90,10 @@ fn all_seven(
 ) -> Option<[Coordinate; 7]> {
     let read = Quantity::ALL.map(|quantity| match section.optional(quantity.key()) {
         Some(entry) if entry.is_table() => coordinate_of_table(&entry, from_table),
-        Some(entry) => entry.decimal(AllowedRange::PHYSICAL).map(Coordinate::Fixed),
+        Some(entry) => entry.uncertain(AllowedRange::PHYSICAL).map(Coordinate::Fixed),
         // What is wrong with the parameters is reported already.
-        None => match parameters?.and_then(|parameters| parameters.value(quantity)) {
-            Some(value) => Some(Coordinate::Fixed(value.clone())),
+        None => match parameters?.and_then(|parameters| parameters.uncertain(quantity)) {
+            Some(value) => Some(Coordinate::Fixed(value)),
             None => {
                 let allowed = format!(
                     "a number from {}, {{ from = …, to = …, … }}, or its value in [parameters]",

@@ -1,9 +1,9 @@
 //! Sweeps as users write them, and the ways to get one wrong.
 
 use super::*;
-use crate::scene::Limits;
 use crate::scene::document::read_document;
 use crate::scene::quantity::read_parameters;
+use crate::scene::{Limits, Uncertain};
 
 const SLIDER: &str = "[parameters]\ndirect_effect = 0.004\nevolution_effect = 0.006\n\
     critical_slip_distance_m = 1e-5\nstiffness_pa_per_m = 1e7\nmass_per_area_kg_per_m2 = 1000\n";
@@ -27,7 +27,7 @@ fn a_grid_takes_what_it_does_not_state_from_the_parameters() {
     let sweep = parse(&format!("{SLIDER}[sweep]\nwork = \"classify\"\n[sweep.grid]\n{AXES}")).unwrap();
     assert_eq!((sweep.work, sweep.block_points), (SweepWork::Classify, 1 << 18));
     let SweepPoints::Grid(coordinates) = sweep.points else { panic!("a grid") };
-    assert_eq!(coordinates[0], Coordinate::Fixed(Rational::from((1, 250))));
+    assert_eq!(coordinates[0], Coordinate::Fixed(Uncertain::certain(Rational::from((1, 250)))));
     assert_eq!(coordinates.iter().map(Coordinate::points).product::<u64>(), 2000);
     assert!(matches!(&coordinates[6], Coordinate::Axis { span, .. } if span.spacing == Spacing::Linear));
 }
