@@ -127,7 +127,6 @@ enum Command {
     #[command(after_help = example("archive lab --output lab.zip"))]
     Archive(archive::Options),
     /// Checks an archive and computes it again; exits with 1 if anything differs
-    #[command(after_help = example("replay lab.zip"))]
     Replay(replay::Options),
     /// Compares two ledgers or archives, verdict by verdict; exits with 1 if they differ
     #[command(after_help = example("diff lab.zip revised.zip"))]

@@ -8,24 +8,25 @@ mod ranges;
 mod scene;
 
 use slipmode_core::friction::{OperatingPoint, Slider};
-use slipmode_core::number::Rational;
+use slipmode_core::number::{Rational, nearest_f64};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use slipmode::scene::{Limits, Problem, Quantity, check_name};
+use slipmode::scene::{Limits, Problem, Quantity, Uncertain, check_name};
 
 use crate::cli::answer::Answer;
 use crate::cli::failure::Failure;
 use crate::cli::folder::{Source, read_report_from};
 use crate::cli::inputs::given_json;
-use crate::cli::options::{Arguments, QUANTITIES, SliderOptions};
+use crate::cli::options::{Arguments, QUANTITIES, SliderOptions, option_of};
 use crate::cli::output::OutputFolder;
 use crate::cli::progress::Progress;
 use crate::cli::tree::{Files, listing};
 
 use files::folder_files;
 pub use ranges::Ranges;
-use scene::Typed;
+use ranges::{OwnRange, USUAL, usual};
+use scene::{Own, Typed};
 
 /// Options of `new`.
 #[derive(Debug, Args)]
@@ -35,6 +36,12 @@ pub struct Options {
     name: String,
     #[command(flatten)]
     slider: SliderOptions,
+    /// The normal stresses of your experiments, such as [2MPa, 10MPa] [default: half a decade around --normal-stress-pa]
+    #[arg(long, value_name = "[LOW, HIGH]", allow_hyphen_values = true, conflicts_with = "paper")]
+    normal_stresses: Option<String>,
+    /// The loading velocities of your experiments, such as [1um/s, 1mm/s] [default: a decade around --loading-velocity-m-per-s]
+    #[arg(long, value_name = "[LOW, HIGH]", allow_hyphen_values = true, conflicts_with = "paper")]
+    loading_velocities: Option<String>,
     /// A folder for the claims of another paper instead: its equations and its claims, with one example of each
     #[arg(long, conflicts_with = QUANTITIES)]
     paper: bool,
@@ -73,16 +80,24 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
         let written = OutputFolder::create(&place)?;
         return options.write(written, &paper::files(&options.name), "verify", &place, Answer::default());
     }
-    let Request { typed, parameters, point } = read(options)?;
+    let Request { typed, parameters } = read(options)?;
     let place = free_place(options)?;
     let effects = Effects::of(&parameters);
-    let mut ranges = Ranges::around(&parameters).map_err(Failure::Refused)?.showing(point.as_ref());
+    let corners = Ranges::around(&parameters).map_err(Failure::Refused)?;
+    let mut ranges = typed.own.as_ref().map_or(corners, |own| Ranges::of_laboratory(&own.ranges));
     let output = OutputFolder::create(&place)?;
     let mut draft = complete(&typed, effects, &ranges, &place, *progress)?;
     while draft.has_gaps && ranges.coarsen() {
         draft = complete(&typed, effects, &ranges, &place, *progress)?;
     }
-    options.write(output, &draft.files, "report", &place, given_json(&typed.slider))
+    let ranges = typed
+        .own
+        .iter()
+        .flat_map(|own| ["normal_stresses_pa", "loading_velocities_m_per_s"].into_iter().zip(&own.ranges));
+    let inputs = ranges.fold(given_json(&typed.slider), |inputs, (key, [low, _, high])| {
+        inputs.with(key, [low, high].map(nearest_f64))
+    });
+    options.write(output, &draft.files, "report", &place, inputs)
 }
 
 /// Where the folder is to be; nothing may be there.
@@ -132,11 +147,10 @@ impl Effects {
     }
 }
 
-/// The name and the numbers as typed, and the slider and its operating point as exact values.
+/// The name and the numbers as typed, and the slider as exact values.
 struct Request {
     typed: Typed,
     parameters: Slider<Rational>,
-    point: Option<OperatingPoint<Rational>>,
 }
 
 fn read(options: &Options) -> Result<Request, Failure> {
@@ -150,10 +164,42 @@ fn read(options: &Options) -> Result<Request, Failure> {
     let or_example = |slider: SliderOptions| if is_example { slider.with_material(PAPER) } else { slider };
     let (centre, slider) = (or_example(centre), or_example(options.slider.clone()));
     let parameters = centre.slider(&mut arguments);
-    let point = centre.point(&mut arguments);
-    let (parameters, point) = arguments.finish(parameters.zip(point))?;
-    let typed = Typed { name: options.name.clone(), slider, is_example };
-    Ok(Request { typed, parameters, point })
+    let ranges = centre.point(&mut arguments).and_then(|point| own_ranges(options, point, &mut arguments));
+    let (parameters, ranges) = arguments.finish(parameters.zip(ranges))?;
+    let own = ranges.map(|ranges| Own { slider: parameters.clone(), ranges });
+    let typed = Typed { name: options.name.clone(), slider, is_example, own };
+    Ok(Request { typed, parameters })
+}
+
+/// The operating range around an operating point; `Some(None)` without one, and `None` when an option is at fault.
+fn own_ranges(
+    options: &Options,
+    point: Option<OperatingPoint<Rational>>,
+    arguments: &mut Arguments,
+) -> Option<Option<[OwnRange; 2]>> {
+    let given = [
+        ("--normal-stresses", &options.normal_stresses, Quantity::NormalStress),
+        ("--loading-velocities", &options.loading_velocities, Quantity::LoadingVelocity),
+    ];
+    let Some(OperatingPoint { normal_stress_pa, loading_velocity_m_per_s }) = point else {
+        let needs = "an operating point: --normal-stress-pa and --loading-velocity-m-per-s";
+        given.iter().for_each(|(option, text, _)| arguments.refuse_value(option, text.as_deref(), needs));
+        return Some(None);
+    };
+    let mut range = |index: usize, at: &Rational| {
+        let (option, text, quantity) = given[index];
+        let Some(text) = text else { return Some(usual(at, USUAL[index])) };
+        let read = |text: &str| Uncertain::parse(text, |number| quantity.parse(number));
+        let ends = arguments.number(option, text, read)?;
+        if ends.lower < ends.upper && (&ends.lower..=&ends.upper).contains(&at) {
+            return Some([ends.lower, at.clone(), ends.upper]);
+        }
+        let needs = Problem::Needs(format!("a range that contains {}", option_of(quantity)));
+        arguments.fault(option, Some(text), needs)
+    };
+    let ranges = [range(0, &normal_stress_pa), range(1, &loading_velocity_m_per_s)];
+    let [Some(stress), Some(velocity)] = ranges else { return None };
+    Some(Some([stress, velocity]))
 }
 
 /// A folder's files, complete.

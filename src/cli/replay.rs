@@ -20,6 +20,7 @@ use slipmode_core::number::nearest_f64;
 use crate::cli::answer::Answer;
 use crate::cli::archive::{facts, machine_free, parts};
 use crate::cli::claim::contradictions;
+use crate::cli::example;
 use crate::cli::failure::Failure;
 use crate::cli::folder::{Source, read_report_from};
 use crate::cli::input::read_file_up_to;
@@ -30,7 +31,7 @@ use watch::Watch;
 
 /// Options of `replay`.
 #[derive(Debug, Args)]
-#[command(after_help = limits_text())]
+#[command(after_help = format!("{}\n\n{}", limits_text(), example("replay lab.zip")))]
 pub struct Options {
     /// The archive
     #[arg(value_name = "FILE.zip")]

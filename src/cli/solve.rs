@@ -133,12 +133,7 @@ impl Question {
 
     /// The input that is solved for.
     fn quantity(&self) -> Quantity {
-        match self.unknown {
-            Unknown::NormalStress => Quantity::NormalStress,
-            Unknown::LoadingVelocity => Quantity::LoadingVelocity,
-            Unknown::Stiffness => Quantity::Stiffness,
-            Unknown::MassPerArea => Quantity::MassPerArea,
-        }
+        Quantity::from(self.unknown)
     }
 }
 

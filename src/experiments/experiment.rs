@@ -34,6 +34,8 @@ pub enum Requirement {
     Nothing,
     /// A slider in `[parameters]`.
     Parameters,
+    /// A slider with σ and V0.
+    OperatingPoint,
     /// A slider with b > a: no other has a critical normal stress.
     CriticalNormalStress,
 }

@@ -133,6 +133,8 @@ experiments! {
     Tolerance, tolerance: x::tolerance::ToleranceSection;
     /// Slip modes on a (V, σ) grid against the simplified map of the asymptotes.
     Zones, zones: x::zones::ZonesSection;
+    /// The slip mode of the operating point, what leaves it, and which error bar decides it.
+    OperatingPoint, operating_point: x::operating_point::OperatingPointSection;
     /// Slip modes of a slider under its own weight, over velocity and K/M.
     OwnWeight, own_weight: x::own_weight::OwnWeightSection;
     /// The nonlinear slider on a (V, σ) grid.

@@ -71,7 +71,12 @@ pub(super) fn read_experiment<E: Experiment>(
             (Requirement::CriticalNormalStress, Some(Some(parameters))) => {
                 (!parameters.slider.has_transition()).then_some(Problem::NoCriticalNormalStress)
             }
-            (Requirement::Parameters | Requirement::CriticalNormalStress, _) => None,
+            (Requirement::OperatingPoint, Some(Some(parameters))) => {
+                let needs =
+                    || Problem::Needs("normal_stress_pa and loading_velocity_m_per_s in [parameters]".into());
+                parameters.point().is_none().then(needs)
+            }
+            (_, _) => None,
         };
         problem.map(|problem| entry.refuse::<()>(problem));
         E::read(entry)

@@ -2,9 +2,12 @@
 
 use crate::claims::{DecidedFor, Entry, Ledger, Verdict};
 use crate::experiments::Outcome;
-use crate::experiments::operating_point::operating_point_words;
+use crate::experiments::operating_point::{
+    operating_point_words, range_words, what_decides_words, what_leaves_words,
+};
 use crate::experiments::simulations::range_of_velocities;
 use crate::experiments::tolerance::accuracy_of_asymptotes;
+use crate::experiments::trajectories::own_run_words;
 use crate::report::AnswerView;
 use crate::scene::{InAnswer, Question, Source, Subject};
 use slipmode_plot::table::escape_markdown;
@@ -12,6 +15,13 @@ use slipmode_plot::table::escape_markdown;
 /// What the report finds, the question of the report first.
 pub(super) fn answer(question: Question, ledger: &Ledger, outcome: &Outcome) -> Vec<AnswerView> {
     let paper: Vec<&Entry> = ledger.of(Source::Paper).collect();
+    let sentence =
+        |words: fn(&Outcome) -> Option<String>| words(outcome).map(|text| AnswerView::new(text, []));
+    let point = sentence(operating_point_words);
+    if question == Question::OperatingPoint && point.is_some() {
+        let own = [range_words, what_leaves_words, what_decides_words, own_run_words].map(sentence);
+        return [point].into_iter().chain(own).chain([counts(&paper)]).flatten().collect();
+    }
     let others = Source::ALL.into_iter().filter(|source| *source != Source::Paper);
     let others: Vec<_> =
         others.map(|source| of_source(source, &ledger.of(source).collect::<Vec<_>>())).collect();
@@ -22,9 +32,8 @@ pub(super) fn answer(question: Question, ledger: &Ledger, outcome: &Outcome) -> 
     }
     let worst = entering(InAnswer::Formulas).map(|entry| &entry.id);
     let formulas = accuracy_of_asymptotes(outcome).map(|text| AnswerView::new(text, worst));
-    let validity = range_of_velocities(outcome).map(|text| AnswerView::new(text, []));
+    let validity = sentence(range_of_velocities);
     let claims = [counts(&paper), right(ledger, &paper)];
-    let point = operating_point_words(outcome).map(|text| AnswerView::new(text, []));
     let error_bars = error_bars_words(ledger).map(|text| AnswerView::new(text, []));
     let rest = [
         error_bars,
@@ -34,7 +43,9 @@ pub(super) fn answer(question: Question, ledger: &Ledger, outcome: &Outcome) -> 
     .into_iter()
     .chain(others);
     let ordered: Vec<Option<AnswerView>> = match question {
-        Question::Claims => claims.into_iter().chain([formulas]).chain(rest).collect(),
+        Question::Claims | Question::OperatingPoint => {
+            claims.into_iter().chain([formulas]).chain(rest).collect()
+        }
         Question::Formulas => [point, formulas, validity].into_iter().chain(claims).chain(rest).collect(),
     };
     ordered.into_iter().flatten().collect()

@@ -8,7 +8,7 @@ use super::blocks::{BlockKind, Piece, pieces};
 use super::catalogue::{Catalogue, anchors, faults, group_anchor};
 use super::claim_html::{chip, claim_page};
 use super::markdown::Prose;
-use super::page_style::{SCRIPT, content_policy, style_sheet};
+use super::page_style::{OWN_STYLE, SCRIPT, content_policy, style_sheet};
 use super::parts::{anchor, lead, runs, title};
 use super::templates::Templates;
 use super::view::{
@@ -58,7 +58,9 @@ impl<'a> Page<'a> {
         let changes: Vec<Value> = view.changes.iter().filter_map(|change| self.change(change)).collect();
         let verdicts: Vec<Value> = view.cards.iter().map(|card| self.tiles(card)).collect();
         let [before, after] = runs(&view.chapters);
+        let (of_paper, after) = after.into_iter().partition(|run| run[0].part == Some(Part::Paper));
         let (parts, later_parts) = (self.parts(before)?, self.parts(after)?);
+        let paper = self.parts(of_paper)?.pop();
         let groups = self.groups()?;
         let picture_html = self.picture()?;
         let appendix_html = self.appendix()?;
@@ -67,7 +69,8 @@ impl<'a> Page<'a> {
             "command": view.provenance.command,
             "inputs": view.provenance.inputs,
         });
-        let style_css = style_sheet(&self.prose.mathematics.style_rules());
+        let own = if paper.is_some() { OWN_STYLE } else { "" };
+        let style_css = style_sheet(&format!("{}{own}", self.prose.mathematics.style_rules()));
         Ok(json!({
             "title": view.title,
             "subtitle": view.subtitle,
@@ -82,6 +85,7 @@ impl<'a> Page<'a> {
             "groups": groups,
             "picture_html": picture_html,
             "later_parts": later_parts,
+            "paper": paper,
             "script_js": SCRIPT,
             "appendix_html": appendix_html,
             "provenance": provenance,

@@ -7,6 +7,9 @@ use base64::prelude::BASE64_STANDARD;
 
 const STYLE: &str = include_str!("../../templates/style.css");
 
+/// Rules of a page about one's own slider: its values stand below the answer, beside the map.
+pub(crate) const OWN_STYLE: &str = include_str!("../../templates/own.css");
+
 /// The page's script: sorting, finding and reading out, over what the page shows without it.
 pub(crate) const SCRIPT: &str = include_str!("../../templates/page.js");
 

@@ -17,6 +17,7 @@ pub(crate) fn title(part: Part) -> &'static str {
         Part::SolutionVerification => "Solution verification: the numerical error of these runs",
         Part::Speed => "Speed",
         Part::Appendix => "Appendices",
+        Part::Paper => "What of the paper holds for this slider",
     }
 }
 
@@ -35,6 +36,9 @@ pub(crate) fn lead(part: Part) -> &'static str {
         }
         Part::Speed => "What do the results cost? Work is compared with error by counts and by times.",
         Part::Appendix => "What supports the report.",
+        Part::Paper => {
+            "Which claims and formulas of the paper hold for this slider? The verdicts, the formulas with their errors, all runs, and the ledger of claims."
+        }
     }
 }
 

@@ -10,9 +10,13 @@ use super::symbols::set_symbols;
 use slipmode_plot::table::{escape_markdown, printable};
 
 /// Templates of the page, and of the results of a verification. Every one is escaped for HTML, whatever its name.
-const HTML: [(&str, &str); 12] = [
+const HTML: [(&str, &str); 16] = [
     ("report.html", include_str!("../../templates/report.html")),
     ("part.html", include_str!("../../templates/part.html")),
+    ("verdicts.html", include_str!("../../templates/verdicts.html")),
+    ("ledger.html", include_str!("../../templates/ledger.html")),
+    ("appendix.html", include_str!("../../templates/appendix.html")),
+    ("paper.html", include_str!("../../templates/paper.html")),
     ("contents.html", include_str!("../../templates/contents.html")),
     ("chip.html", include_str!("../../templates/chip.html")),
     ("claim.html", include_str!("../../templates/claim.html")),
@@ -26,9 +30,11 @@ const HTML: [(&str, &str); 12] = [
 ];
 
 /// Templates of the Markdown report. Every one is escaped for Markdown.
-const MARKDOWN: [(&str, &str); 4] = [
+const MARKDOWN: [(&str, &str); 6] = [
     ("report.md", include_str!("../../templates/report.md")),
     ("ledger.md", include_str!("../../templates/ledger.md")),
+    ("verdicts.md", include_str!("../../templates/verdicts.md")),
+    ("claims.md", include_str!("../../templates/claims.md")),
     ("part.md", include_str!("../../templates/part.md")),
     ("claim.md", include_str!("../../templates/claim.md")),
 ];

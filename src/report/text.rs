@@ -15,6 +15,7 @@ use super::view::{
     FigureView, InputView, ReportView,
 };
 use super::{ReportError, cut_note, shown_rows};
+use crate::scene::Part;
 use slipmode_plot::table::{Table, escape_cell, escape_markdown};
 
 /// Renders the whole report as Markdown, one document that links to `figures/*.svg` and `tables/*.csv` next to it.
@@ -94,6 +95,8 @@ impl<'a> Report<'a> {
     fn context(&self) -> Result<Value, ReportError> {
         let view = self.view;
         let [before, after] = runs(&view.chapters);
+        let (of_paper, after) =
+            after.into_iter().partition::<Vec<_>, _>(|run| run[0].part == Some(Part::Paper));
         Ok(json!({
             "title": view.title,
             "subtitle": view.subtitle,
@@ -106,6 +109,7 @@ impl<'a> Report<'a> {
             "picture_md":
                 view.claims_picture.as_ref().map_or_else(String::new, |picture| self.figure(picture)),
             "later_parts": after.into_iter().map(|run| self.part(run)).collect::<Vec<_>>(),
+            "paper": of_paper.first().map(|run| self.part(run)),
             "appendix_md": self.appendix(),
             "provenance": self.provenance(),
             "environment": view.environment.iter().map(fact).collect::<Vec<_>>(),

@@ -19,6 +19,8 @@ slipmode_algebra::named! {
         Speed = "speed",
         /// What supports the report.
         Appendix = "appendix",
+        /// What of the paper holds for the report's own slider: folded at the end, with the verdicts and the ledger.
+        Paper = "paper",
     }
 }
 

@@ -6,6 +6,7 @@ use crate::scene::{AllowedRange, Problem, Uncertain};
 use slipmode_core::friction::{OperatingPoint, Parameters, Slider};
 use slipmode_core::number::Rational;
 use slipmode_core::stability::ParameterBox;
+use slipmode_core::stability::inverse::Unknown;
 
 /// One of the seven inputs of the spring-slider, in the order of the command line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -24,6 +25,17 @@ pub enum Quantity {
     NormalStress,
     /// V0, m/s.
     LoadingVelocity,
+}
+
+impl From<Unknown> for Quantity {
+    fn from(unknown: Unknown) -> Self {
+        match unknown {
+            Unknown::NormalStress => Self::NormalStress,
+            Unknown::LoadingVelocity => Self::LoadingVelocity,
+            Unknown::Stiffness => Self::Stiffness,
+            Unknown::MassPerArea => Self::MassPerArea,
+        }
+    }
 }
 
 impl Quantity {

@@ -9,5 +9,7 @@ slipmode_algebra::named! {
         Claims = "claims",
         /// Which formula may be used for this slider.
         Formulas = "formulas",
+        /// What the slider does at its operating point.
+        OperatingPoint = "operating-point",
     }
 }

@@ -63,6 +63,7 @@ fn new_run_and_explore_name_what_they_wrote() {
         "name": "lab", "paper": false, "direct_effect": 0.004, "evolution_effect": 0.006,
         "critical_slip_distance_m": [8e-6, 1.2e-5], "stiffness_pa_per_m": 1e7, "mass_per_area_kg_per_m2": 1000.0,
         "normal_stress_pa": 1e5, "loading_velocity_m_per_s": 1e-3,
+        "normal_stresses_pa": [32e3, 320e3], "loading_velocities_m_per_s": [1e-4, 1e-2],
     });
     assert_eq!((&own["inputs"], &own["next"]), (&inputs, &json!("slipmode report lab")));
     place.write("s.toml", format!("{SCENE}[boundary]\npoints = 3\ndigits = 20\n"));

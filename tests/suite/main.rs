@@ -49,6 +49,7 @@ mod hostile;
 mod independent;
 mod joss_paper;
 mod json;
+mod laboratories;
 mod locked_packages;
 mod messages;
 mod metadata;

@@ -466,7 +466,12 @@ fn collect(folder: &Path, prefix: &str, files: &mut BTreeMap<String, Vec<u8>>) {
 fn listed(place: &Workplace, command: &str) -> BTreeSet<String> {
     let help = place.run([command, "--help"]).expect_success();
     let first_word = |line: &str| -> Option<String> {
+        let indented = line;
         let line = line.trim_start();
+        // Deeper lines go on with what an option does.
+        if indented.len() - line.len() > 6 {
+            return None;
+        }
         let line = line
             .strip_prefix('-')
             .filter(|rest| !rest.starts_with('-'))

@@ -25,7 +25,7 @@ const INTRODUCTION: Chapter = Chapter {
 const WEAKENING: &[Chapter] = &[
     INTRODUCTION,
     map(include_str!("../../../templates/new/map-weakening.md")),
-    formulas(include_str!("../../../templates/new/formulas-weakening.md")),
+    formulas(formulas_prose(Effects::Weakening)),
     Chapter {
         id: "frequency",
         title: "Frequency",
@@ -39,7 +39,7 @@ const WEAKENING: &[Chapter] = &[
 const NEVER_UNSTABLE: &[Chapter] = &[
     INTRODUCTION,
     map(include_str!("../../../templates/new/map-stable.md")),
-    formulas(include_str!("../../../templates/new/formulas-stable.md")),
+    formulas(formulas_prose(Effects::Neutral)),
     simulations(include_str!("../../../templates/new/simulations-stable.md")),
     slip_modes(include_str!("../../../templates/new/slip-modes-stable.md")),
 ];
@@ -60,19 +60,57 @@ const fn simulations(prose: &'static str) -> Chapter {
     Chapter { id: "simulations", title: "Simulations", prose }
 }
 
+/// The files for a slider with an operating point, by their path in the folder; [`ERROR_BARS`] for values that have some.
+const LABORATORY: [(&str, &str); 6] = [
+    ("report.toml", include_str!("../../../templates/new/laboratory/report.toml")),
+    ("prose/introduction.md", include_str!("../../../templates/new/laboratory/introduction.md")),
+    ("prose/changes.md", include_str!("../../../templates/new/laboratory/changes.md")),
+    (ERROR_BARS, include_str!("../../../templates/new/laboratory/error-bars.md")),
+    ("prose/runs.md", include_str!("../../../templates/new/laboratory/runs.md")),
+    ("prose/comparison.md", include_str!("../../../templates/new/laboratory/comparison.md")),
+];
+
+const ERROR_BARS: &str = "prose/error-bars.md";
+
+fn laboratory_files(typed: &Typed, effects: Effects) -> Files {
+    let files = LABORATORY.into_iter().chain([("prose/formulas.md", formulas_prose(effects))]);
+    let mut files: Files = files.map(|(path, text)| (path.into(), filled(text, typed, effects))).collect();
+    if !typed.slider.is_uncertain() {
+        files.remove(ERROR_BARS);
+        let without = |report: &str| {
+            let chapters: Vec<&str> = report.split("\n\n").collect();
+            chapters
+                .into_iter()
+                .filter(|chapter| !chapter.contains("error-bars.md"))
+                .collect::<Vec<_>>()
+                .join("\n\n")
+        };
+        files.entry("report.toml".into()).and_modify(|report| *report = without(report));
+    }
+    files
+}
+
+const fn formulas_prose(effects: Effects) -> &'static str {
+    match effects {
+        Effects::Weakening => include_str!("../../../templates/new/formulas-weakening.md"),
+        _ => include_str!("../../../templates/new/formulas-stable.md"),
+    }
+}
+
 /// Every file but `claims.toml`.
 pub fn folder_files(typed: &Typed, effects: Effects, ranges: &Ranges) -> Files {
+    let shared = [
+        ("equations.toml".into(), EQUATIONS.to_string()),
+        (format!("scenes/{}.toml", typed.name), scene_text(typed, effects, ranges)),
+    ];
+    if typed.own.is_some() {
+        return laboratory_files(typed, effects).into_iter().chain(shared).collect();
+    }
     let chapters = if effects == Effects::Weakening { WEAKENING } else { NEVER_UNSTABLE };
     let prose = chapters
         .iter()
         .map(|chapter| (format!("prose/{}.md", chapter.id), filled(chapter.prose, typed, effects)));
-    let scene = (format!("scenes/{}.toml", typed.name), scene_text(typed, effects, ranges));
-    let rest = [
-        ("report.toml".into(), report_text(&typed.name, chapters)),
-        ("equations.toml".into(), EQUATIONS.to_string()),
-        scene,
-    ];
-    prose.chain(rest).collect()
+    prose.chain([("report.toml".into(), report_text(&typed.name, chapters))]).chain(shared).collect()
 }
 
 fn report_text(name: &str, chapters: &[Chapter]) -> String {
@@ -104,6 +142,9 @@ fn filled(prose: &str, typed: &Typed, effects: Effects) -> String {
         ("{d}", typed.in_si(Quantity::CriticalSlipDistance)),
         ("{k}", typed.in_si(Quantity::Stiffness)),
         ("{m}", typed.in_si(Quantity::MassPerArea)),
+        ("{s}", typed.in_si(Quantity::NormalStress)),
+        ("{v}", typed.in_si(Quantity::LoadingVelocity)),
+        ("{claim}", if effects == Effects::Weakening { "\n[[claim:N1]]\n" } else { "" }.into()),
     ];
     values.into_iter().fold(prose.to_string(), |text, (key, value)| text.replace(key, &value))
 }

@@ -1,22 +1,38 @@
-//! The part of the (V, σ) plane that a slider's report shows: all corners of its boundary, in whole decades.
+//! The part of the (V, σ) plane that a slider's report shows: all corners of its boundary, in whole decades, or the range around its
+//! operating point.
 
 use slipmode_core::friction::{OperatingPoint, Slider};
-use slipmode_core::number::{Ball, Rational, nearest_f64};
+use slipmode_core::number::format::{Side, round_digits, rounded};
+use slipmode_core::number::{Ball, Rational, nearest_f64, parse_decimal};
 use slipmode_core::stability::{Arc, asymptote};
 
 /// Two powers of ten.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Decades {
     /// The exponent of the lower end.
-    pub from: i32,
+    pub from: f64,
     /// The exponent of the upper end, greater than `from`.
-    pub to: i32,
+    pub to: f64,
 }
 
 impl Decades {
-    /// The two powers.
+    /// The two ends.
     pub fn ends(self) -> (f64, f64) {
-        (libm::exp10(f64::from(self.from)), libm::exp10(f64::from(self.to)))
+        (libm::exp10(self.from), libm::exp10(self.to))
+    }
+
+    /// The two ends as decimals: powers of ten, or two digits, rounded outward.
+    pub fn decimals(self) -> [String; 2] {
+        [(self.from, Side::Below), (self.to, Side::Above)].map(|(exponent, side)| {
+            let is_whole = exponent == exponent.round();
+            if is_whole { format!("1e{exponent}") } else { rounded(libm::exp10(exponent), 2, side) }
+        })
+    }
+
+    /// From a value to another one, with half a decade on either side.
+    fn around([low, high]: [&Rational; 2]) -> Self {
+        let [low, high] = [low, high].map(|value| libm::log10(nearest_f64(value)));
+        Self { from: low - ROOM, to: high + ROOM }
     }
 
     fn meets(self, other: Self) -> bool {
@@ -29,8 +45,23 @@ impl Decades {
     }
 }
 
+/// Three ascending values of one quantity in SI: the ends of the operating range, and the operating point.
+pub type OwnRange = [Rational; 3];
+
+/// Decades of normal stress and of loading velocity on either side of an operating point, where no range is given.
+pub const USUAL: [f64; 2] = [0.5, 1.0];
+
+/// The range of so many decades on either side of a value, its ends with two digits.
+pub fn usual(value: &Rational, decades: f64) -> OwnRange {
+    let end = |exponent: f64| {
+        let end = round_digits(nearest_f64(value) * libm::exp10(exponent), 2);
+        parse_decimal(&end).unwrap_or_else(|_| value.clone())
+    };
+    [end(-decades), value.clone(), end(decades)]
+}
+
 /// The axes of the maps and of the grid of simulations.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ranges {
     /// Loading velocities of the maps, m/s.
     pub velocity: Decades,
@@ -45,16 +76,19 @@ pub struct Ranges {
 }
 
 /// Decades of the loading velocities of most laboratories, m/s: 1 um/s to 1 mm/s.
-const LABORATORY: Decades = Decades { from: -6, to: -3 };
+const LABORATORY: Decades = Decades { from: -6.0, to: -3.0 };
 
 /// Decades beyond which coordinates are refused: the limits of a scene with room for the widest map.
 const FARTHEST: f64 = 250.0;
 
-/// Decades between an operating point and the edge of a map, at least.
-const ROOM: f64 = 0.25;
+/// Decades between an operating point and the edge of a map that shows all corners, at least.
+const LEAST_ROOM: f64 = 0.25;
+
+/// Decades between an operating range and the edge of a map.
+const ROOM: f64 = 0.5;
 
 /// Decades above the lower corner that are shown when there is no upper one.
-const WITHOUT_UPPER_CORNER: i32 = 2;
+const WITHOUT_UPPER_CORNER: f64 = 2.0;
 
 /// Points of a simulated axis at most.
 const MOST_SIMULATED: i32 = 13;
@@ -75,16 +109,15 @@ impl Ranges {
         let (high_stress, high_velocity) = if has_upper {
             corner(parameters, Arc::Upper)?
         } else {
-            let up = f64::from(WITHOUT_UPPER_CORNER);
-            (low_stress + up, low_velocity + up)
+            (low_stress + WITHOUT_UPPER_CORNER, low_velocity + WITHOUT_UPPER_CORNER)
         };
-        let (low_velocity, high_velocity) = (whole(low_velocity.floor()), whole(high_velocity.ceil()));
-        let (low_stress, high_stress) = (whole(low_stress.floor()), whole(high_stress.ceil()));
-        let velocity = Decades { from: low_velocity - 2, to: high_velocity + 1 };
+        let (low_velocity, high_velocity) = (low_velocity.floor(), high_velocity.ceil());
+        let (low_stress, high_stress) = (low_stress.floor(), high_stress.ceil());
+        let velocity = Decades { from: low_velocity - 2.0, to: high_velocity + 1.0 };
         Ok(Self {
             velocity: if velocity.meets(LABORATORY) { velocity.with(LABORATORY) } else { velocity },
-            stress: Decades { from: low_stress - 1, to: high_stress + 1 },
-            simulated_velocity: Decades { from: low_velocity - 1, to: high_velocity + 1 },
+            stress: Decades { from: low_stress - 1.0, to: high_stress + 1.0 },
+            simulated_velocity: Decades { from: low_velocity - 1.0, to: high_velocity + 1.0 },
             simulated_stress: Decades { from: low_stress, to: high_stress },
             points_less: 0,
         })
@@ -96,11 +129,19 @@ impl Ranges {
         let Some(point) = point else { return self };
         let around = |value: &Rational| {
             let decade = libm::log10(nearest_f64(value));
-            Decades { from: whole((decade - ROOM).floor()), to: whole((decade + ROOM).ceil()) }
+            Decades { from: (decade - LEAST_ROOM).floor(), to: (decade + LEAST_ROOM).ceil() }
         };
         self.velocity = self.velocity.with(around(&point.loading_velocity_m_per_s));
         self.stress = self.stress.with(around(&point.normal_stress_pa));
         self
+    }
+
+    /// The axes that show an operating range, for the maps and for the simulations.
+    #[must_use]
+    pub fn of_laboratory([[low_stress, _, high_stress], [slow, _, fast]]: &[OwnRange; 2]) -> Self {
+        let stress = Decades::around([low_stress, high_stress]);
+        let velocity = Decades::around([slow, fast]);
+        Self { velocity, stress, simulated_velocity: velocity, simulated_stress: stress, points_less: 0 }
     }
 
     /// Takes a point from each simulated axis; false when enough were taken.
@@ -112,7 +153,9 @@ impl Ranges {
 
     /// Points of the simulated axes, along V and along σ: three a decade where that is no more than a modest grid.
     pub fn simulated_points(&self) -> (i32, i32) {
-        let points = |axis: Decades| (3 * (axis.to - axis.from) + 1).min(MOST_SIMULATED) - self.points_less;
+        let points = |axis: Decades| {
+            (whole((3.0 * (axis.to - axis.from)).round()) + 1).min(MOST_SIMULATED) - self.points_less
+        };
         (points(self.simulated_velocity), points(self.simulated_stress))
     }
 }
@@ -148,21 +191,21 @@ mod tests {
     #[test]
     fn the_papers_slider_is_shown_where_the_paper_shows_it() {
         let ranges = Ranges::around(&slider("0.004", "0.006", "1e7")).unwrap();
-        assert_eq!(ranges.velocity, Decades { from: -6, to: -1 });
-        assert_eq!(ranges.stress, Decades { from: 2, to: 7 });
+        assert_eq!(ranges.velocity, Decades { from: -6.0, to: -1.0 });
+        assert_eq!(ranges.stress, Decades { from: 2.0, to: 7.0 });
         assert_eq!(ranges.simulated_points(), (13, 10));
     }
 
     #[test]
     fn equal_effects_have_no_upper_corner_and_near_ones_a_far_one() {
         let equal = Ranges::around(&slider("0.005", "0.005", "1e7")).unwrap();
-        assert_eq!(equal.stress, Decades { from: 2, to: 7 });
+        assert_eq!(equal.stress, Decades { from: 2.0, to: 7.0 });
         let near = Ranges::around(&slider("0.005", "0.0050000001", "1e7")).unwrap();
-        assert!(near.stress.to > 15 && near.simulated_points().1 == MOST_SIMULATED);
+        assert!(near.stress.to > 15.0 && near.simulated_points().1 == MOST_SIMULATED);
     }
 
     #[test]
-    fn maps_show_the_operating_point_and_usual_velocities() {
+    fn maps_show_the_operating_point() {
         let ranges = Ranges::around(&slider("0.004", "0.006", "1e7")).unwrap();
         let point = |stress: &str, velocity: &str| {
             let [normal_stress_pa, loading_velocity_m_per_s] =
@@ -171,12 +214,24 @@ mod tests {
         };
         assert_eq!(ranges.showing(Some(&point("1e5", "1e-3"))), ranges);
         let far = ranges.showing(Some(&point("5e9", "1e-7")));
-        assert_eq!((far.velocity, far.stress), (Decades { from: -8, to: -1 }, Decades { from: 2, to: 10 }));
+        assert_eq!(far.velocity, Decades { from: -8.0, to: -1.0 });
+        assert_eq!(far.stress, Decades { from: 2.0, to: 10.0 });
         assert_eq!(far.simulated_points(), ranges.simulated_points());
+    }
+
+    #[test]
+    fn maps_show_the_operating_range_and_usual_velocities() {
+        let [stress, velocity] = [("5e6", USUAL[0]), ("1e-5", USUAL[1])]
+            .map(|(value, decades)| usual(&parse_decimal(value).unwrap(), decades));
+        assert_eq!([&stress[0], &stress[2]].map(nearest_f64), [1.6e6, 1.6e7]);
+        let ranges = Ranges::of_laboratory(&[stress, velocity]);
+        assert_eq!(ranges.stress.decimals(), ["500000", "5.1e7"]);
+        assert_eq!(ranges.velocity.decimals(), ["3.1e-7", "0.00032"]);
+        assert_eq!(ranges.simulated_points(), (10, 7));
         // A slider whose corners lie at 1 cm/s and faster, and one far from any laboratory.
         let fast = Ranges::around(&slider("0.004", "0.006", "1e13")).unwrap();
-        assert_eq!((fast.velocity.from, fast.velocity.to), (-6, 2));
-        assert!(Ranges::around(&slider("0.004", "0.006", "1e25")).unwrap().velocity.from > 0);
+        assert_eq!((fast.velocity.from, fast.velocity.to), (-6.0, 2.0));
+        assert!(Ranges::around(&slider("0.004", "0.006", "1e25")).unwrap().velocity.from > 0.0);
     }
 
     #[test]

@@ -2,10 +2,12 @@
 
 use slipmode::scene::cited;
 use slipmode::scene::{Quantity, Uncertain, with_unit};
-use slipmode_core::number::format::exact_text;
+use slipmode_core::friction::Slider;
+use slipmode_core::number::format::{exact_text, round_digits};
+use slipmode_core::number::{Rational, nearest_f64};
 
 use crate::cli::new::Effects;
-use crate::cli::new::ranges::{Decades, Ranges};
+use crate::cli::new::ranges::{Decades, OwnRange, Ranges};
 use crate::cli::options::SliderOptions;
 
 /// What was typed, valid.
@@ -17,6 +19,8 @@ pub struct Typed {
     pub slider: SliderOptions,
     /// Whether the numbers are the paper's because none were given.
     pub is_example: bool,
+    /// The slider with its operating range, where an operating point was given.
+    pub own: Option<Own>,
 }
 
 impl Typed {
@@ -55,12 +59,22 @@ pub fn scene_text(typed: &Typed, effects: Effects, ranges: &Ranges) -> String {
             "# With finer grids, a run next to the boundary failed, and claims about every run need all runs.\n"
         }
     };
-    let sections = [
+    let head = [
         format!(
             "# Computations for this slider. Delete a section to leave out its computation. Every key is checked.\n# \
                 Decimals are exact: 0.004 is 1/250. All units are SI.\nname = \"{name}\"\ntitle = \"{name}\"\n"
         ),
         parameters(typed),
+    ]
+    .join("\n");
+    if let Some(own) = &typed.own {
+        let parts =
+            [("{map}", map), ("{points}", own.points()), ("{coarser}", coarser.into()), ("{runs}", runs)];
+        let rest = parts.iter().fold(LABORATORY.to_owned(), |text, (key, part)| text.replace(key, part));
+        return cited(&format!("{head}{rest}"));
+    }
+    let sections = [
+        head,
         format!(
             "# max Im(s) and stability at every point of a grid of loading velocity and normal stress.\n# The ranges \
                 contain the corners of all asymptotes; you may choose others.\n[map]\n{map}"
@@ -108,12 +122,14 @@ fn parameters(typed: &Typed) -> String {
 
 fn frequency(effects: Effects, velocity: Decades) -> String {
     match effects {
-        Effects::Weakening => format!(
+        Effects::Weakening => {
+            let [from, to] = velocity.decimals();
+            format!(
             "# max Im(s) along lines of constant normal stress, in units of the critical one ({{critical-normal-stress}}).\n\
              [frequency]\nnormal_stress_over_critical = [\"1/3\", 1, 3]\n\
-             loading_velocity_m_per_s = {{ from = 1e{}, to = 1e{}, points = 121 }}\n",
-            velocity.from, velocity.to
-        ),
+             loading_velocity_m_per_s = {{ from = {from}, to = {to}, points = 121 }}\n"
+            )
+        }
         Effects::Neutral | Effects::Strengthening => {
             "# [frequency] is left out: it needs the critical normal stress of {critical-normal-stress}, which exists for a < b only.\n".into()
         }
@@ -121,11 +137,56 @@ fn frequency(effects: Effects, velocity: Decades) -> String {
 }
 
 fn rectangle(velocity: Decades, stress: Decades, (columns, rows): (i32, i32)) -> String {
+    let ([slow, fast], [low, high]) = (velocity.decimals(), stress.decimals());
     format!(
-        "loading_velocity_m_per_s = {{ from = 1e{}, to = 1e{}, points = {columns} }}\n\
-         normal_stress_pa = {{ from = 1e{}, to = 1e{}, points = {rows} }}\n",
-        velocity.from, velocity.to, stress.from, stress.to
+        "loading_velocity_m_per_s = {{ from = {slow}, to = {fast}, points = {columns} }}\n\
+         normal_stress_pa = {{ from = {low}, to = {high}, points = {rows} }}\n"
     )
+}
+
+/// The sections of a scene about an operating point.
+const LABORATORY: &str = include_str!("../../../templates/new/laboratory/scene.toml");
+
+/// A slider with its operating range.
+#[derive(Debug)]
+pub struct Own {
+    /// The slider.
+    pub slider: Slider<Rational>,
+    /// Normal stresses and loading velocities.
+    pub ranges: [OwnRange; 2],
+}
+
+/// How far the load point moves in a run, in D_c, and how many natural periods a run has, at least.
+const RUN: [f64; 2] = [100.0, 10.0];
+
+impl Own {
+    /// The points of `[trajectories]`: the operating point, and those with one coordinate at an end of its range.
+    fn points(&self) -> String {
+        let [[low, stress, high], [slow, velocity, fast]] = &self.ranges;
+        let points = [
+            ("operating-point", stress, velocity),
+            ("lower-stress", low, velocity),
+            ("higher-stress", high, velocity),
+            ("slower", stress, slow),
+            ("faster", stress, fast),
+        ];
+        points.into_iter().map(|(id, stress, velocity)| self.point(id, stress, velocity)).collect()
+    }
+
+    fn point(&self, id: &str, stress: &Rational, velocity: &Rational) -> String {
+        let slider = self.slider.map(nearest_f64);
+        let at = slider.at(nearest_f64(stress), nearest_f64(velocity));
+        // A cycle of stick-slip is longer in proportion to K_c/K.
+        let cycles = (at.critical_stiffness_quasi_static() / slider.stiffness_pa_per_m).max(1.0);
+        let natural = std::f64::consts::TAU / slider.natural_angular_frequency_per_s();
+        let duration = (RUN[0] * cycles / at.rate_per_s()).max(RUN[1] * natural);
+        let [stress, velocity] = [stress, velocity].map(|value| toml_number(&exact_text(value)));
+        let duration = round_digits(duration, 2);
+        format!(
+            "[[trajectories.point]]\nid = \"{id}\"\nnormal_stress_pa = {stress}\nloading_velocity_m_per_s = {velocity}\n\
+             laws = [\"slip\", \"aging\"]\nduration_s = {duration}\n"
+        )
+    }
 }
 
 /// A number as typed: bare where TOML has it as a number, otherwise between quotes, which scenes read alike.

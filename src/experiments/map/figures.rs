@@ -12,7 +12,7 @@ use crate::scene::cited;
 use slipmode_core::number::nearest_f64;
 use slipmode_core::stability::Arc;
 use slipmode_core::stability::boundary::BoundaryPoint;
-use slipmode_plot::figure::{Axis, Caption, ColourScale, HeatMap, Line};
+use slipmode_plot::figure::{Axis, Caption, ColourScale, HeatMap, Line, LineRole};
 
 pub(crate) const FIGURES: &[FigureMaker] = &[
     FigureMaker::new("fig-1", &[Need::Map, Need::Boundary], &["boundary"], |outcome| {
@@ -54,12 +54,31 @@ pub(crate) fn theory_lines(
     x: &Axis,
     y: &Axis,
 ) -> Vec<Line> {
+    let mut lines = known_lines(scene, boundary, x, y);
+    let formulas = scene.slider().map_or_else(Vec::new, |slider| asymptote_lines(slider, x, y));
+    // The transition is drawn above the formulas.
+    let above = lines.iter().position(|line| line.role == LineRole::Transition).unwrap_or(lines.len());
+    lines.splice(above..above, formulas);
+    lines
+}
+
+/// The exact lines with their error bands, those alone that may cross the map.
+pub(crate) fn known_lines(scene: &SceneOutcome, boundary: &BoundaryOutcome, x: &Axis, y: &Axis) -> Vec<Line> {
     let Some(parameters) = scene.slider() else { return Vec::new() };
     let mut lines = error_bands(scene, x, y);
     lines.extend(boundary_lines(&boundary.points));
-    lines.extend(asymptote_lines(parameters, x, y));
     lines.extend(transition_line(parameters, x, y));
+    lines.retain(|line| may_cross(line, x, y));
     lines
+}
+
+/// Whether the rectangle around a piece of a line meets a map.
+fn may_cross(line: &Line, x: &Axis, y: &Axis) -> bool {
+    let meets = |axis: &Axis, one: f64, next: f64| one.min(next) <= axis.max && one.max(next) >= axis.min;
+    line.points.windows(2).any(|piece| {
+        let [one, next] = [piece[0], piece[1]];
+        meets(x, one.0, next.0) && meets(y, one.1, next.1)
+    })
 }
 
 /// Where the boundary and the transition lie for the values within the scene's error bars.

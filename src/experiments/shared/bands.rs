@@ -3,6 +3,7 @@
 
 use rayon::prelude::*;
 
+use crate::scene::Quantity;
 use slipmode_core::number::Rational;
 use slipmode_core::stability::ParameterBox;
 use slipmode_core::stability::inverse::{SolutionRange, Target, Unknown, is_nowhere, solve_over_box};
@@ -54,10 +55,10 @@ impl BandOf {
     #[must_use]
     pub fn ranges(self, region: &ParameterBox, unknown: Unknown, known: &Rational) -> Vec<SolutionRange> {
         let other = match unknown {
-            Unknown::NormalStress => Unknown::LoadingVelocity,
-            _ => Unknown::NormalStress,
+            Unknown::NormalStress => Quantity::LoadingVelocity,
+            _ => Quantity::NormalStress,
         };
-        let region = other.within(region.clone(), [known.clone(), known.clone()]);
+        let region = region.clone().with_ends(other as usize, [known.clone(), known.clone()]);
         region.map_or_else(Vec::new, |region| solve_over_box(&region, unknown, &self.target()))
     }
 }
@@ -65,8 +66,8 @@ impl BandOf {
 /// The box with V0 and σ from the first pair to the second one.
 fn over(region: &ParameterBox, [from, to]: [[Rational; 2]; 2]) -> Option<ParameterBox> {
     let ([slow, low], [fast, high]) = (from, to);
-    let region = Unknown::LoadingVelocity.within(region.clone(), [slow, fast])?;
-    Unknown::NormalStress.within(region, [low, high])
+    let region = region.clone().with_ends(Quantity::LoadingVelocity as usize, [slow, fast])?;
+    region.with_ends(Quantity::NormalStress as usize, [low, high])
 }
 
 /// The bands as areas of a map with so many columns and rows of cells.

@@ -2,12 +2,14 @@
 
 pub(crate) mod curves;
 pub(crate) mod figures;
+pub(crate) mod own_runs;
 pub(crate) mod phase_portraits;
 pub(crate) mod run;
 pub(crate) mod section;
 pub(crate) mod tables;
 pub(crate) mod thinning;
 
+pub use own_runs::own_run_words;
 pub use run::{Course, DRAWING_TOLERANCE, Moment, TrajectoryRun, trajectories};
 pub use section::{TrajectoriesSection, TrajectoryPoint};
 
@@ -16,8 +18,9 @@ use slipmode_core::number::nearest_f64;
 
 impl Experiment for TrajectoriesSection {
     type Outcome = Vec<TrajectoryRun>;
-    const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
-    const FIGURES: &'static [&'static [FigureMaker]] = &[figures::FIGURES, phase_portraits::FIGURES];
+    const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES, own_runs::TABLES];
+    const FIGURES: &'static [&'static [FigureMaker]] =
+        &[figures::FIGURES, phase_portraits::FIGURES, own_runs::FIGURES];
 
     fn work(&self) -> Work {
         let runs = self.points.iter().map(|point| point.laws.len()).sum::<usize>();

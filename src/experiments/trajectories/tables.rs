@@ -23,11 +23,11 @@ fn runs<'c>(context: &'c Context) -> impl Iterator<Item = &'c TrajectoryRun> {
     context.outcome.each(|scene| &scene.trajectories).flat_map(|(_, runs)| runs)
 }
 
-/// A value with the digits that its relative error leaves certain.
-fn certain(value: f64, relative_error: f64) -> Cell {
+/// A value with the digits that its relative error leaves certain, no more than so many.
+pub(super) fn certain(value: f64, relative_error: f64, most: usize) -> Cell {
     let digits = -libm::log10(relative_error);
     let digits = if digits >= 1.0 { libm::floor(digits) as usize } else { 1 };
-    value.cell(digits.min(MOST_DIGITS))
+    value.cell(digits.min(most))
 }
 
 fn finite(relative: Option<f64>) -> Option<f64> {
@@ -50,18 +50,22 @@ fn modes(context: &Context) -> Option<Table> {
         })
         .digits("period_theory_s", "2π/max Im(s), theory", "s", MOST_DIGITS, period_by_theory)
         .number("period_s", "Period, simulation", "s", |run| {
-            found(run).and_then(|found| Some(certain(found.period_s?, found.period_relative_error?)))
+            found(run)
+                .and_then(|found| Some(certain(found.period_s?, found.period_relative_error?, MOST_DIGITS)))
         })
         .digits("period_relative_error", "Its error", "", 2, |run| finite(found(run)?.period_relative_error))
         .number("peak_over_loading_velocity", "Peak velocity / V_l", "", |run| {
             let velocity = nearest_f64(&run.point.loading_velocity_m_per_s);
-            found(run).map(|found| certain(found.peak_velocity_m_per_s / velocity, found.peak_relative_error))
+            found(run).map(|found| {
+                certain(found.peak_velocity_m_per_s / velocity, found.peak_relative_error, MOST_DIGITS)
+            })
         })
         .digits("peak_relative_error", "Its error", "", 2, |run| {
             finite(Some(found(run)?.peak_relative_error))
         })
         .number("stress_drop_pa", "Stress drop", "Pa", |run| {
-            found(run).map(|found| certain(found.stress_drop_pa, found.stress_drop_relative_error))
+            found(run)
+                .map(|found| certain(found.stress_drop_pa, found.stress_drop_relative_error, MOST_DIGITS))
         })
         .digits("stress_drop_relative_error", "Its error", "", 2, |run| {
             finite(Some(found(run)?.stress_drop_relative_error))

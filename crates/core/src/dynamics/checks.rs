@@ -250,3 +250,21 @@ fn two_returns_that_differ_by_the_errors_of_a_rough_run_are_not_one_cycle() {
     assert_eq!((loose.1, tight.1), (1, 1));
     assert!((loose.0 / tight.0 - 1.0).abs() < 1e-4, "{loose:?} {tight:?}");
 }
+
+#[test]
+fn a_minimum_between_two_long_steps_is_seen() {
+    // A loose run of this slider had none, and the stated error of the least velocity was 4e293 decades.
+    let values = [
+        "0.008870117593700483",
+        "0.012819614851638503",
+        "7.818812755934857e-6",
+        "2e9",
+        "2400",
+        "5e6",
+        "1e-5",
+    ];
+    let parameters =
+        crate::friction::Parameters::from(values.map(|text| crate::number::parse_decimal(text).unwrap()));
+    let found = crate::dynamics::simulate(&parameters, EvolutionLaw::Slip, &Options::at(1e-8)).unwrap();
+    assert!(found.minimum_velocity_log10_error < 1e-6, "{found:?}");
+}

@@ -1,7 +1,7 @@
 //! One return: from one upward crossing of V = V_l to the next.
 
 use super::events::{Mark, candidates, move_to, state_at};
-use super::stepper::Stepper;
+use super::stepper::{Stepper, velocity_slopes};
 use super::{Failure, Integrator, Scalar, State};
 
 /// Below this size of (x, y, ζ) a trajectory that no longer crosses V = V_l has come to rest in steady sliding.
@@ -78,12 +78,22 @@ pub(super) fn return_above<R: Scalar, M: Stepper<R> + Clone>(
         lowest_stress: start[2].clone(),
         end: start,
     };
-    loop {
+    let mut last_slope = None;
+    'steps: loop {
         if run.arrest() {
             // The velocity is least where the slow motion begins, or later.
-            orbit.note(Mark::Trough, &run.state().clone());
+            orbit.note(Mark::Trough, run.state());
+            last_slope = None;
         }
         run.advance(None)?;
+        let slope = |theta| velocity_slopes(run.method().polynomial(), &R::from(theta)).0.to_f64();
+        let [first, last] = [0, 1].map(slope).map(Some);
+        // The polynomials of two long steps may differ so much in slope that neither has the extreme between them.
+        match (last_slope, first) {
+            (Some(..0.0), Some(0.0..)) => orbit.note(Mark::Trough, run.step_start()),
+            (Some(0.0..), Some(..0.0)) => orbit.note(Mark::Peak, run.step_start()),
+            _ => {}
+        }
         for candidate in candidates(run).into_iter().flatten() {
             if candidate.mark != Mark::Rise {
                 orbit.note(candidate.mark, &state_at(run, candidate));
@@ -93,8 +103,9 @@ pub(super) fn return_above<R: Scalar, M: Stepper<R> + Clone>(
                 return Ok((orbit.finish(run, ReturnEnd::Crossing), ReturnEnd::Crossing));
             }
             run.take_back();
-            break;
+            continue 'steps;
         }
+        last_slope = last;
         if size_of(run.state()) < least_size {
             return Ok((orbit.finish(run, ReturnEnd::AtRest), ReturnEnd::AtRest));
         }
@@ -127,21 +138,15 @@ fn follow_down_to<R: Scalar, M: Stepper<R>>(
 
 impl<R: Scalar> Return<R> {
     fn note(&mut self, mark: Mark, state: &State<R>) {
-        let raise = |record: &mut R, value: &R| {
-            if *value > *record {
-                *record = value.clone();
-            }
+        let (record, value, is_largest) = match mark {
+            Mark::Peak => (&mut self.peak, &state[0], true),
+            Mark::Trough => (&mut self.trough, &state[0], false),
+            Mark::Fall => (&mut self.lowest_stress, &state[2], false),
+            Mark::Rise => (&mut self.highest_stress, &state[2], true),
         };
-        let lower = |record: &mut R, value: &R| {
-            if *value < *record {
-                *record = value.clone();
-            }
-        };
-        match mark {
-            Mark::Peak => raise(&mut self.peak, &state[0]),
-            Mark::Trough => lower(&mut self.trough, &state[0]),
-            Mark::Fall => lower(&mut self.lowest_stress, &state[2]),
-            Mark::Rise => raise(&mut self.highest_stress, &state[2]),
+        let is_new = if is_largest { value > record } else { value < record };
+        if is_new {
+            *record = value.clone();
         }
     }
 

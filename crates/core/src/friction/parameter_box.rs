@@ -37,6 +37,14 @@ impl ParameterBox {
         Self::new(point.clone(), point)
     }
 
+    /// The box with other ends of a parameter, by its place in a, b, D_c, K, M, σ, V0; `None` unless 0 < lower ≤ upper.
+    #[must_use]
+    pub fn with_ends(mut self, parameter: usize, [lower, upper]: [Rational; 2]) -> Option<Self> {
+        let is_valid = lower > 0 && lower <= upper;
+        (self.lower[parameter], self.upper[parameter]) = (lower, upper);
+        is_valid.then_some(self)
+    }
+
     /// The middle of each parameter.
     #[must_use]
     pub fn middle(&self) -> Parameters<Rational> {

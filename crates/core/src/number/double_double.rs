@@ -71,14 +71,13 @@ impl Dd {
     #[must_use]
     #[expect(clippy::disallowed_methods, reason = "short integers are converted exactly")]
     pub fn from_rational(value: &Rational) -> Self {
-        let [numerator, denominator] = [value.numer(), value.denom()];
         // Integers that are 64-bit numbers, so small that the quotient's remainder has neither overflow nor underflow.
         let is_short = |integer: &Integer| {
             let bits = integer.significant_bits();
             bits < 400 && bits - integer.find_one(0).unwrap_or(0) <= 53
         };
-        if is_short(numerator) && is_short(denominator) {
-            let [numerator, denominator] = [numerator.to_f64(), denominator.to_f64()];
+        if is_short(value.numer()) && is_short(value.denom()) {
+            let [numerator, denominator] = [value.numer(), value.denom()].map(Integer::to_f64);
             let hi = numerator / denominator;
             return Self { hi, lo: (-hi).mul_add(denominator, numerator) / denominator };
         }

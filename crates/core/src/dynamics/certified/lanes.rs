@@ -90,7 +90,8 @@ pub(super) fn product<const L: usize>(a: &[Lanes<L>], b: &[Lanes<L>], k: usize) 
             let (a_mid, a_rad, b_mid, b_rad) = (am_lane[l], ar_lane[l], b.mid[l], b.rad[l]);
             mid[l] += am * b_mid + a_mid * bm;
             size[l] += am.abs() * b_mid.abs() + a_mid.abs() * bm.abs();
-            rad[l] += am.abs() * b_rad + ar * (b_mid.abs() + b_rad) + a_mid.abs() * br + a_rad * (bm.abs() + br);
+            rad[l] +=
+                am.abs() * b_rad + ar * (b_mid.abs() + b_rad) + a_mid.abs() * br + a_rad * (bm.abs() + br);
         }
     }
     let units = (2 * k + 4) as f64 * UNIT;

@@ -18,7 +18,7 @@ use std::cmp::Ordering;
 use rug::Rational;
 use thiserror::Error;
 
-use crate::friction::{ParameterBox, Parameters};
+use crate::friction::Parameters;
 use crate::number::{Ball, bits_for_digits};
 use crate::roots::discriminant;
 use crate::stability::Arc;
@@ -52,15 +52,6 @@ impl Unknown {
             Self::NormalStress => 5,
             Self::LoadingVelocity => 6,
         }
-    }
-
-    /// The box with other ends of this parameter, or `None` unless 0 < lower ≤ upper.
-    #[must_use]
-    pub fn within(self, mut region: ParameterBox, [lower, upper]: [Rational; 2]) -> Option<ParameterBox> {
-        let is_valid = lower > 0 && lower <= upper;
-        let parameter = self.parameter();
-        (region.lower[parameter], region.upper[parameter]) = (lower, upper);
-        is_valid.then_some(region)
     }
 }
 

@@ -95,7 +95,7 @@ impl Axis<'_> {
     fn sought(&self, [low, high]: [f64; 2]) -> Sought {
         let region = Rational::from_f64(low)
             .zip(Rational::from_f64(high))
-            .and_then(|(low, high)| self.unknown.within(self.region.clone(), [low, high]));
+            .and_then(|(low, high)| self.region.clone().with_ends(self.unknown.parameter(), [low, high]));
         region.map_or(Sought::Unknown, |region| sought_over(&region, self.target))
     }
 

@@ -1,0 +1,49 @@
+//! The map of slip modes around an operating point, and the point on other maps.
+
+use super::words::point_of;
+use crate::experiments::map::figures::known_lines;
+use crate::experiments::shared::axes::axes;
+use crate::experiments::shared::map_readout::readout;
+use crate::experiments::trajectories::curves::point_marks;
+use crate::experiments::zones::figures::present_zones;
+use crate::experiments::{Figure, FigureMaker, Need, Outcome, SceneOutcome};
+use slipmode_core::number::nearest_f64;
+use slipmode_plot::figure::{Axis, Caption, PointMark, Side, ZoneMap};
+
+const NEEDS: &[Need] = &[Need::OperatingPoint, Need::Map, Need::Boundary];
+
+pub(crate) const FIGURES: &[FigureMaker] = &[FigureMaker::new("operating-map", NEEDS, &[], operating_map)];
+
+const TITLE: &str = "Slip modes around the operating point";
+const CAPTION: &str = "Slip modes of the middle values, decided exactly at every point, within the operating range and half a decade around it. Bands: where the lines lie for the values within the error bars. A line that is not drawn does not cross this range.";
+const DESCRIPTION: &str = "Map of the slip modes over loading velocity and normal stress, with the operating point, the points of the runs, and the lines between the modes that cross it.";
+
+fn operating_map(outcome: &Outcome) -> Option<Figure> {
+    let scene = outcome.scenes.iter().find(|scene| scene.operating_point.is_some())?;
+    let (map, boundary) = (scene.map.as_ref()?, scene.boundary.as_ref()?);
+    let (x, y) = axes(map)?;
+    let modes = map.values.iter().map(|point| point.slip_mode);
+    let runs = point_marks(scene, "", |id| id.replace('-', " "), Side::Right);
+    let marks =
+        if runs.is_empty() { operating_point_mark(scene, &x, &y).into_iter().collect() } else { runs };
+    let zones = ZoneMap {
+        caption: Caption::new("operating-map", TITLE, DESCRIPTION),
+        zones: present_zones(modes, map.loading_velocity_m_per_s.len(), &x, &y),
+        lines: known_lines(scene, boundary, &x, &y),
+        marks,
+        labels: Vec::new(),
+        x,
+        y,
+    };
+    Some(Figure::own(&zones.caption, CAPTION, zones.svg_with(Some(&readout(map, boundary)))))
+}
+
+/// The scene's operating point as a mark on a map, its name towards the middle; none when the scene states none, or outside of the axes.
+pub(crate) fn operating_point_mark(scene: &SceneOutcome, x: &Axis, y: &Axis) -> Option<PointMark> {
+    let point = point_of(scene)?;
+    let place = (nearest_f64(&point.loading_velocity_m_per_s), nearest_f64(&point.normal_stress_pa));
+    let is_inside = (x.min..=x.max).contains(&place.0) && (y.min..=y.max).contains(&place.1);
+    let is_right = place.0 > (x.min * x.max).sqrt();
+    let side = if is_right { Side::Left } else { Side::Right };
+    is_inside.then(|| PointMark::new("operating point", place, side))
+}

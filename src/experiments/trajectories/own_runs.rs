@@ -1,0 +1,135 @@
+//! The runs of a laboratory's own points, each with both laws: a table, a figure and a sentence.
+
+use crate::experiments::operating_point::reach::{in_words, is_within_reach};
+use crate::experiments::shared::cells::DigitColumns;
+use crate::experiments::trajectories::TrajectoryRun;
+use crate::experiments::trajectories::curves::{linear_axis, runs_of, series, stress_unit};
+use crate::experiments::trajectories::figures::place_words;
+use crate::experiments::trajectories::tables::certain;
+use crate::experiments::{Context, Figure, FigureMaker, Need, Outcome, SceneOutcome, TableMaker};
+use crate::scene::Quantity;
+use slipmode_core::dynamics::{Behaviour, Simulation};
+use slipmode_core::friction::EvolutionLaw;
+use slipmode_plot::figure::{Axis, Caption, Panel, Panels, Reference};
+use slipmode_plot::table::Table;
+
+pub(crate) const TABLES: &[TableMaker] =
+    &[TableMaker { id: "own-runs", needs: &[Need::Trajectories], make: runs }];
+
+pub(crate) const FIGURES: &[FigureMaker] =
+    &[FigureMaker::new("own-runs", &[Need::Trajectories], &["own-runs", "trajectories"], |outcome| {
+        panels(outcome.scenes.iter().find(|scene| scene.trajectories.is_some())?)
+    })];
+
+const DESCRIPTION: &str = "A panel for each point: shear stress against time with both evolution laws. Stick-slip is a sawtooth of slow loading and sudden drops; a run that ends in steady sliding settles at zero.";
+const CAPTION: &str = "Shear stress relative to steady sliding, against time, from steady sliding at a tenth of the loading velocity, middle values. The headings have the slip mode by theory. Curves are converged, drawn to half a pixel.";
+const NOTE: &str = "From steady sliding at a tenth of the loading velocity, middle values. Period and stress drop are those of the limit cycle; a run without them ends in steady sliding. The digits are those that the estimated error leaves certain (converged).";
+
+/// The laws in the order in which scenes name them.
+const LAWS: [EvolutionLaw; 2] = [EvolutionLaw::Slip, EvolutionLaw::Aging];
+/// Digits of a result, at most.
+const DIGITS: usize = 3;
+/// Height of a panel.
+const HEIGHT: f64 = 120.0;
+
+/// The runs of every point of a scene, the laws of a point together.
+fn by_point(scene: &SceneOutcome) -> Vec<&[TrajectoryRun]> {
+    let all = scene.trajectories.as_deref().unwrap_or_default();
+    all.chunk_by(|one, next| one.point.id == next.point.id).collect()
+}
+
+/// The limit cycle that a run ends on.
+fn cycle(run: &TrajectoryRun) -> Option<&Simulation> {
+    run.simulation.as_ref().ok().filter(|found| found.behaviour == Behaviour::Periodic)
+}
+
+fn runs(context: &Context) -> Option<Table> {
+    let points = context.outcome.scenes.iter().flat_map(by_point);
+    let mut table = Table::of("own-runs", "Simulated at the operating point and around it", points)
+        .note(NOTE)
+        .text("point", "Point", |runs| runs[0].point.id.replace('-', " "))
+        .digits("normal_stress_pa", "Normal stress σ", "Pa", DIGITS, |runs| &runs[0].point.normal_stress_pa)
+        .digits("loading_velocity_m_per_s", "Loading velocity V_l", "m/s", DIGITS, |runs| {
+            &runs[0].point.loading_velocity_m_per_s
+        })
+        .text("slip_mode", "Slip mode, theory", |runs| runs[0].theory.slip_mode.words());
+    for law in LAWS {
+        let word = law.as_str();
+        let of = move |runs: &[TrajectoryRun]| runs.iter().position(|run| run.law == law);
+        let cell = move |runs: &[TrajectoryRun], value: fn(&Simulation) -> Option<(f64, f64)>| {
+            let (value, error) = of(runs).and_then(|at| value(cycle(&runs[at])?))?;
+            Some(certain(value, error, DIGITS))
+        };
+        table = table
+            .number(&format!("period_{word}_s"), &format!("Period, {word} law"), "s", move |runs| {
+                cell(runs, |found| found.period_s.zip(found.period_relative_error))
+            })
+            .number(
+                &format!("stress_drop_{word}_pa"),
+                &format!("Stress drop, {word} law"),
+                "Pa",
+                move |runs| {
+                    cell(runs, |found| Some((found.stress_drop_pa, found.stress_drop_relative_error)))
+                },
+            );
+    }
+    Some(table.table())
+}
+
+fn panels(scene: &SceneOutcome) -> Option<Figure> {
+    let figure = Panels {
+        caption: Caption::new("own-runs", "Runs at the operating point and around it", DESCRIPTION),
+        columns: 2,
+        height: HEIGHT,
+        panels: by_point(scene).into_iter().filter_map(panel).collect(),
+    };
+    (!figure.panels.is_empty()).then(|| Figure::own(&figure.caption, CAPTION, figure.svg()))
+}
+
+fn panel(runs: &[TrajectoryRun]) -> Option<Panel> {
+    let moments = || runs.iter().flat_map(|run| run.course.iter().flat_map(|course| &course.moments));
+    let (unit, size) = stress_unit(moments().map(|moment| moment.stress_change_pa));
+    let last = moments().map(|moment| moment.time_s).reduce(f64::max)?;
+    let line = |run: &TrajectoryRun| {
+        series(format!("{} law", run.law.as_str()), run, |moment| {
+            (moment.time_s, moment.stress_change_pa / size)
+        })
+    };
+    let name = runs[0].point.id.replace('-', " ");
+    Some(Panel {
+        heading: vec![format!("**{name}**"), runs[0].theory.slip_mode.words().into(), place_words(&runs[0])],
+        x: Axis::linear("Time", "s", 0.0, last),
+        y: linear_axis("Δ*τ*", unit, moments().map(|moment| moment.stress_change_pa / size))?,
+        series: runs.iter().map(line).collect(),
+        references: vec![Reference::Horizontal { at: 0.0, label: String::new() }],
+    })
+}
+
+/// What the runs at the first scene's own operating point do; `None` when none is there.
+#[must_use]
+pub fn own_run_words(outcome: &Outcome) -> Option<String> {
+    let (scene, point) =
+        outcome.scenes.iter().find_map(|scene| Some((scene, scene.scene.parameters.as_ref()?.point()?)))?;
+    let is_there = |run: &&TrajectoryRun| {
+        [&run.point.normal_stress_pa, &run.point.loading_velocity_m_per_s]
+            == [&point.normal_stress_pa, &point.loading_velocity_m_per_s]
+    };
+    let there = LAWS.into_iter().flat_map(|law| runs_of(scene, "", law)).filter(is_there);
+    let found: Vec<String> = there.filter_map(run_words).collect();
+    (!found.is_empty()).then(|| format!("Simulated at this point: {}.", found.join("; ")))
+}
+
+fn run_words(run: &TrajectoryRun) -> Option<String> {
+    let found = run.simulation.as_ref().ok()?;
+    let law = run.law.as_str();
+    let Some((cycle, period)) = cycle(run).and_then(|cycle| Some((cycle, cycle.period_s?))) else {
+        return Some(format!("with the {law} law, a return to steady sliding ({})", found.slip_mode.words()));
+    };
+    let peak = match is_within_reach(Quantity::LoadingVelocity, cycle.peak_velocity_m_per_s) {
+        true => format!("slip at up to {}", in_words(cycle.peak_velocity_m_per_s, "m/s")),
+        false => "slip at velocities out of reach".into(),
+    };
+    let (mode, period) = (cycle.slip_mode.words(), in_words(period, "s"));
+    let drop = in_words(cycle.stress_drop_pa, "Pa");
+    Some(format!("with the {law} law, {mode} every {period}, with a stress drop of {drop} and {peak}"))
+}
