@@ -72,6 +72,9 @@ const LABORATORY: [(&str, &str); 6] = [
 
 const ERROR_BARS: &str = "prose/error-bars.md";
 
+/// Places the claim that compares the runs with theory, where a transition exists.
+const CLAIM: &str = include_str!("../../../templates/new/laboratory/claim.md");
+
 fn laboratory_files(typed: &Typed, effects: Effects) -> Files {
     let files = LABORATORY.into_iter().chain([("prose/formulas.md", formulas_prose(effects))]);
     let mut files: Files = files.map(|(path, text)| (path.into(), filled(text, typed, effects))).collect();
@@ -144,7 +147,7 @@ fn filled(prose: &str, typed: &Typed, effects: Effects) -> String {
         ("{m}", typed.in_si(Quantity::MassPerArea)),
         ("{s}", typed.in_si(Quantity::NormalStress)),
         ("{v}", typed.in_si(Quantity::LoadingVelocity)),
-        ("{claim}", if effects == Effects::Weakening { "\n[[claim:N1]]\n" } else { "" }.into()),
+        ("{claim}", if effects == Effects::Weakening { CLAIM } else { "" }.into()),
     ];
     values.into_iter().fold(prose.to_string(), |text, (key, value)| text.replace(key, &value))
 }
