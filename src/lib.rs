@@ -19,6 +19,7 @@ pub mod comparison;
 pub mod csv;
 pub mod experiments;
 pub mod explorer;
+pub mod fitting;
 pub mod report;
 pub mod scene;
 pub mod sweep;

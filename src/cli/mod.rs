@@ -16,6 +16,7 @@ mod diff;
 mod environment;
 mod explore;
 mod failure;
+mod fit;
 mod folder;
 mod input;
 mod inputs;
@@ -93,6 +94,9 @@ enum Command {
     /// Simulates the nonlinear slider: mode, peak velocity, period and stress drop with their errors
     #[command(after_help = example("simulate SLIDER -s 5MPa -v 10um/s --law aging"))]
     Simulate(simulate::Options),
+    /// Fits a, b, D_c and more to a record of velocity steps, with 95 % intervals
+    #[command(after_help = example("fit record.csv -s 5MPa -k 2e9"))]
+    Fit(fit::Options),
     /// Computes one shard of a scene's sweep, block by block, into a folder; also plans the sweep and writes scripts for Slurm
     #[command(after_help = example("sweep sweep.toml --out blocks"))]
     Sweep(sweep::Options),
@@ -231,6 +235,7 @@ fn dispatch(command: Command, progress: Progress) -> Result<(), Failure> {
         Command::Boundary(options) => boundary::run(&options),
         Command::Solve(options) => solve::run(&options, &progress),
         Command::Simulate(options) => simulate::run(&options, &progress),
+        Command::Fit(options) => fit::run(&options, &progress),
         Command::Sweep(options) => sweep::run(&options, &progress),
         Command::Merge(options) => merge::run(&options),
         Command::Compare(options) => compare::run(&options, progress),

@@ -9,6 +9,8 @@ mod name;
 mod recording;
 mod row_work;
 mod rows;
+mod samples;
+mod step_record;
 mod wanted;
 mod work;
 
@@ -18,5 +20,6 @@ pub use header::{Header, is_named};
 pub use recording::read_recording;
 pub use row_work::{Cells, Remark, RowWork};
 pub use rows::{Block, Input, Row, RowReader};
+pub use step_record::read_step_record;
 pub use wanted::misnamed;
 pub use work::{Counts, Work, Worked};

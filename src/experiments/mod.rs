@@ -5,6 +5,7 @@ pub mod certificates;
 pub mod effect_ratio_sweep;
 mod experiment;
 mod figures;
+pub mod fit;
 pub mod frequency;
 pub mod linear_regime;
 pub mod map;

@@ -3,10 +3,12 @@
 use std::cmp::Ordering;
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use crate::experiments::SceneOutcome;
 use crate::experiments::certificates::Stored;
 use crate::experiments::swept::Swept;
+use crate::fitting::StepRecord;
 use slipmode_core::friction::Slider;
 use slipmode_core::number::Rational;
 
@@ -75,4 +77,6 @@ pub struct References {
     pub swept: BTreeMap<String, Swept>,
     /// Certificates by the name of their file.
     pub certificates: BTreeMap<String, Vec<Stored>>,
+    /// Records of velocity steps by the name of their file.
+    pub records: BTreeMap<String, Arc<StepRecord>>,
 }

@@ -151,6 +151,8 @@ experiments! {
     NearTransition, near_transition: x::near_transition::NearTransitionSection;
     /// Certificates of runs.
     Certificates, certificates: x::certificates::CertificatesSection;
+    /// Friction parameters of a record of velocity steps.
+    Fit, fit: x::fit::FitSection;
     /// Sweeps that ran elsewhere.
     Swept, swept: x::swept::SweptSection;
     /// The critical stiffness at given normal stresses.

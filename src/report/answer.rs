@@ -2,6 +2,7 @@
 
 use crate::claims::{DecidedFor, Entry, Ledger, Verdict};
 use crate::experiments::Outcome;
+use crate::experiments::fit::fit_words;
 use crate::experiments::operating_point::{
     operating_point_words, range_words, what_decides_words, what_leaves_words,
 };
@@ -19,7 +20,8 @@ pub(super) fn answer(question: Question, ledger: &Ledger, outcome: &Outcome) -> 
         |words: fn(&Outcome) -> Option<String>| words(outcome).map(|text| AnswerView::new(text, []));
     let point = sentence(operating_point_words);
     if question == Question::OperatingPoint && point.is_some() {
-        let own = [range_words, what_leaves_words, what_decides_words, own_run_words].map(sentence);
+        let own =
+            [range_words, what_leaves_words, what_decides_words, own_run_words, fit_words].map(sentence);
         return [point].into_iter().chain(own).chain([counts(&paper)]).flatten().collect();
     }
     let others = Source::ALL.into_iter().filter(|source| *source != Source::Paper);

@@ -85,6 +85,9 @@ pub enum CsvProblem {
     /// A row that is not the one that a scene's grid has there, in words.
     #[error("{0}")]
     OffGrid(String),
+    /// A record that cannot be fitted, in words.
+    #[error("{0}")]
+    Record(String),
     /// A row with fewer or more cells than the header.
     #[error("{found} cells, where the header has {wanted}{}", if .found > .wanted { " (do decimals have commas? then put them between quotation marks, or separate columns by semicolons, and add --decimal ,)" } else { "" })]
     CellCount {

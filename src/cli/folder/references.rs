@@ -1,6 +1,10 @@
 //! The files that scenes and reports name: what sweeps that ran elsewhere came to, and what was measured apart.
 
+use std::io::Cursor;
+use std::sync::Arc;
+
 use slipmode::archive::sha256_hex;
+use slipmode::csv::{Dialect, Input, RowReader, read_step_record};
 use slipmode::experiments::certificates::{CertificateFile, Stored, StoredFiles};
 use slipmode::experiments::swept::{Swept, SweptEntry, read_swept};
 use slipmode::experiments::{References, Scene};
@@ -27,6 +31,14 @@ impl Reader {
                 let found = self.certificates(entry, &mut files, folder);
                 references.certificates.extend(found.map(|found| (entry.name.clone(), found)));
             }
+        }
+        for section in scenes.iter().filter_map(|scene| scene.fit.as_ref()) {
+            let found = self.read(&format!("{folder}{}.csv", section.record), |name, bytes, _| {
+                let reader = Box::new(Cursor::new(bytes.to_vec()));
+                let input = Input { name: name.into(), reader, size: Some(bytes.len() as u64) };
+                read_step_record(RowReader::new(input, Dialect::default()), None)
+            });
+            references.records.extend(found.map(|found| (section.record.clone(), Arc::new(found))));
         }
         references
     }

@@ -158,6 +158,13 @@ impl<'m, R: Scalar, M: Stepper<R>> Integrator<'m, R, M> {
         self.method.restart();
     }
 
+    /// Continues from a state with another model: the clock and the proposed step stay.
+    pub fn continue_with(&mut self, model: &'m Model<R>, state: State<R>) {
+        self.model = model;
+        self.state = state;
+        self.method.restart();
+    }
+
     /// Begins a new cycle at V = V_l, where the run stands up to rounding: x is 0, the clock is at zero.
     pub fn begin_cycle(&mut self) {
         self.state[0] = R::from(0);

@@ -63,6 +63,7 @@ mod decay;
 mod dense_matrix;
 mod deviations;
 mod double_double_exp;
+mod driven;
 mod edge_law;
 #[doc(hidden)]
 pub mod events;
@@ -85,6 +86,7 @@ mod return_map;
 mod scalar;
 mod search;
 mod section_return;
+mod sensitivity;
 mod simulation;
 mod smooth_decay;
 mod start;
@@ -102,6 +104,7 @@ pub use cycle_family::{CycleFamily, Member};
 pub use cycle_fold::Fold;
 #[doc(hidden)]
 pub use deviations::oscillation_of_small_deviations;
+pub use driven::{DRIVEN_PARAMETERS, Driven, DrivenControl, DrivenSlider, Piece, drive};
 pub use edge_law::{EdgeOrbit, edge_orbit};
 pub use failure::Failure;
 #[doc(hidden)]

@@ -4,6 +4,8 @@
 //! x' = (ζ − φ(x, y)) e^{−x} / η      ζ' = κ (1 − e^x)      y' = −e^x (x + y)  or  e^{−y} − e^x
 //! ```
 //!
+//! V_l is the velocity of the load point; where that changes, V_l is a reference and the 1 in ζ' its velocity over V_l.
+//!
 //! φ is the friction: x + βy for eq 1. Differences from 1 are formed by e^x − 1 directly, so that a perturbation of steady
 //! sliding keeps its digits however small it is, and steady sliding itself is a fixed point without any rounding.
 
@@ -51,6 +53,8 @@ pub struct Model<R> {
     inverse_inertia: R,
     /// What the regularised friction of steady sliding at V_l exceeds μ0 by, in units of a; ζ and φ are counted from there.
     steady_excess: R,
+    /// What the velocity of the load point exceeds V_l by, in units of V_l.
+    loading_excess: R,
 }
 
 /// Where e^{−x} stops growing. Down there V/V_l is below 1e-286 and x is slaved to ζ − βy: it lags by η e^x x', which is no more
@@ -81,7 +85,14 @@ impl<R: Scalar> Model<R> {
             Balance::Regularised(reference) => regularised_friction(&R::from(0), reference).0,
             Balance::Inertial => R::from(0),
         };
-        Self { groups, law, balance, inverse_inertia, steady_excess }
+        Self { groups, law, balance, inverse_inertia, steady_excess, loading_excess: R::from(0) }
+    }
+
+    /// The same slider while its load point moves at another velocity than the V_l that it is counted in, in units of V_l.
+    #[must_use]
+    pub fn loaded_at(mut self, velocity_ratio: R) -> Self {
+        self.loading_excess = velocity_ratio - R::from(1);
+        self
     }
 
     /// η, κ and β.
@@ -160,7 +171,8 @@ impl<R: Scalar> Model<R> {
             EvolutionLaw::Slip => -(e.velocity.clone() * (state[0].clone() + &state[1])),
             EvolutionLaw::Aging => e.healing_excess.clone() - &e.velocity_excess,
         };
-        let stress_rate = -(self.groups.stiffness_group.clone() * &e.velocity_excess);
+        let excess = self.loading_excess.clone() - &e.velocity_excess;
+        let stress_rate = self.groups.stiffness_group.clone() * excess;
         let stiffness = self.inverse_momentum(&e.velocity);
         ([self.imbalance(state) * &stiffness, state_rate, stress_rate], stiffness)
     }

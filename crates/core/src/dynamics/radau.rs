@@ -49,6 +49,11 @@ impl<R: Scalar, const S: usize> Radau<R, S> {
         }
     }
 
+    /// The increments of the stages of the last trial, and the constants of the method.
+    pub(super) const fn last_stages(&self) -> (&[State<R>; S], &Collocation<R, S>) {
+        (&self.stages, &self.constants)
+    }
+
     /// Starts Newton's iteration on the last polynomial: extrapolated over a new step, interpolated for a repeated one.
     fn predict(&mut self, h: &R) {
         let rewound = std::mem::take(&mut self.rewound);

@@ -1,0 +1,144 @@
+//! `slipmode fit`: a, b, D_c and more from a record of velocity steps, with intervals, and a report on what follows.
+
+mod view;
+
+use std::path::PathBuf;
+
+use clap::Args;
+use slipmode::csv::read_step_record;
+use slipmode::experiments::fit::fit_picture;
+use slipmode::fitting::{FitFailure, Fits, Given, StepRecord};
+use slipmode::scene::{Problem, Quantity};
+use slipmode_core::friction::{EvolutionLaw, OperatingPoint};
+use slipmode_core::number::format::shortest;
+use slipmode_core::number::{Rational, nearest_f64, parse_decimal};
+
+use crate::cli::dialect::DialectOptions;
+use crate::cli::failure::Failure;
+use crate::cli::input::{fault_of, open_csv};
+use crate::cli::options::{Arguments, option_of};
+use crate::cli::output::Output;
+use crate::cli::progress::Progress;
+use crate::cli::words::law_of_word;
+
+/// Options of `fit`.
+#[derive(Debug, Args)]
+pub struct Options {
+    /// The record, one sample per row; `-` reads standard input
+    ///
+    /// Columns: time_s; load_point_displacement_m or load_point_velocity_m_per_s; shear_stress_pa or friction; optionally
+    /// normal_stress_pa. Another unit may stand behind a name, as in load_point_displacement_um. A velocity or a normal stress holds
+    /// until the next row; a displacement is linear between rows. The record begins with steady sliding and has one or more steps of
+    /// velocity. Limits: 20 to 200 000 rows.
+    #[arg(value_name = "RECORD.csv")]
+    record: PathBuf,
+    /// The evolution law: `slip` (eq 3), `aging` (eq 2), or `both`, which reports the one that fits better
+    #[arg(long, value_name = "LAW", default_value = "both", allow_hyphen_values = true)]
+    law: String,
+    /// σ, for a record without the column normal_stress_pa
+    #[arg(short = 's', long, value_name = "S", allow_hyphen_values = true)]
+    normal_stress_pa: Option<String>,
+    /// K, shear stress per slip [default: fitted]
+    #[arg(short = 'k', long, value_name = "K", allow_hyphen_values = true)]
+    stiffness_pa_per_m: Option<String>,
+    /// M, moving mass per area of contact [default: no inertia]
+    #[arg(short = 'm', long, value_name = "M", allow_hyphen_values = true)]
+    mass_per_area_kg_per_m2: Option<String>,
+    /// Also fit a change of the friction in proportion to the displacement of the load point
+    #[arg(long)]
+    drift: bool,
+    /// V0 at which the slip mode is stated, where M is given [default: the velocity before the first step]
+    #[arg(
+        short = 'v',
+        long,
+        value_name = "V",
+        requires = "mass_per_area_kg_per_m2",
+        allow_hyphen_values = true
+    )]
+    loading_velocity_m_per_s: Option<String>,
+    #[command(flatten)]
+    dialect: DialectOptions,
+    /// One JSON object instead of text
+    #[arg(long)]
+    json: bool,
+    /// Also write the record as CSV with the fitted friction and the residuals; `-` is standard output, instead of text
+    #[arg(short, long, value_name = "OUT.csv")]
+    output: Option<PathBuf>,
+    /// Also draw the record, the fit and the residuals
+    #[arg(long, value_name = "OUT.svg")]
+    svg: Option<PathBuf>,
+}
+
+/// What was requested, valid.
+struct Request {
+    laws: Vec<EvolutionLaw>,
+    given: Given,
+    normal_stress_pa: Option<f64>,
+    loading_velocity_m_per_s: Option<f64>,
+}
+
+/// Runs the command.
+///
+/// # Errors
+/// When the arguments or the record are at fault, nothing fits the record, or an output cannot be written.
+pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
+    let request = options.read()?;
+    let [csv, svg] = Output::create_both([options.output.as_deref(), options.svg.as_deref()])?;
+    let rows = open_csv(&options.record, options.dialect.dialect())?;
+    let record = read_step_record(rows, request.normal_stress_pa)?;
+    let fits = progress.spinner("fitting", || Fits::of(&record, &request.laws, &request.given));
+    let no_fit = |failure: FitFailure| fault_of(&options.record, Problem::Fit(failure.to_string()));
+    let fits = fits.map_err(|failure| Failure::Input(vec![no_fit(failure)]))?;
+    let answer = view::answer(&record, &fits, request.point(&record));
+    csv.map_or(Ok(()), |output| output.finish(view::rows(&record, &fits.best)))?;
+    svg.map_or(Ok(()), |output| output.finish(fit_picture(&record, &fits)))?;
+    answer.print_beside(options.json, options.output.as_deref())
+}
+
+impl Options {
+    fn read(&self) -> Result<Request, Failure> {
+        let mut arguments = Arguments::default();
+        let laws = match self.law.as_str() {
+            "both" => Some(vec![EvolutionLaw::Slip, EvolutionLaw::Aging]),
+            word => arguments.number("--law", word, law_of_word).map(|law| vec![law]),
+        };
+        let mut number = |text: &Option<String>, quantity: Quantity| {
+            let Some(text) = text else { return Some(None) };
+            let value = arguments.measured(&option_of(quantity), text, quantity.unit());
+            value.map(|value| Some(nearest_f64(&value)))
+        };
+        let values = [
+            number(&self.normal_stress_pa, Quantity::NormalStress),
+            number(&self.stiffness_pa_per_m, Quantity::Stiffness),
+            number(&self.mass_per_area_kg_per_m2, Quantity::MassPerArea),
+            number(&self.loading_velocity_m_per_s, Quantity::LoadingVelocity),
+        ];
+        arguments.refuse_stream("--output", self.output.as_deref().filter(|_| self.json), "the object");
+        arguments.refuse_stream("--svg", self.svg.as_deref(), "something else");
+        let [Some(stress), Some(stiffness), Some(mass), Some(velocity)] = values else {
+            return arguments.finish(None);
+        };
+        let request = laws.map(|laws| Request {
+            given: Given {
+                law: laws[0],
+                stiffness_pa_per_m: stiffness,
+                mass_per_area_kg_per_m2: mass,
+                has_drift: self.drift,
+            },
+            laws,
+            normal_stress_pa: stress,
+            loading_velocity_m_per_s: velocity,
+        });
+        arguments.finish(request)
+    }
+}
+
+impl Request {
+    /// σ at the start of the record, and the requested V0 or the velocity before the first step.
+    fn point(&self, record: &StepRecord) -> OperatingPoint<Rational> {
+        let velocity = self.loading_velocity_m_per_s.unwrap_or_else(|| record.reference_velocity_m_per_s());
+        let [normal_stress_pa, loading_velocity_m_per_s] = [record.normal_stress_pa, velocity]
+            .map(|value| parse_decimal(&shortest(value)).unwrap_or_default());
+        OperatingPoint { normal_stress_pa, loading_velocity_m_per_s }
+    }
+}

@@ -1,0 +1,112 @@
+//! The answer of `fit`, and its rows.
+
+use std::fmt::Write;
+
+use serde_json::{Map, Value, json};
+use slipmode::fitting::{Estimate, Fit, Fits, SAMPLES, StepRecord, advice, comparison_words, sampled_modes};
+use slipmode_core::friction::OperatingPoint;
+use slipmode_core::number::format::{round_digits, shortest};
+use slipmode_core::number::{Rational, nearest_f64};
+use slipmode_core::stability::InertialThreshold;
+
+use crate::cli::answer::Answer;
+
+/// States the fitted values with their intervals, the noise, and what the record cannot tell.
+pub fn answer(record: &StepRecord, fits: &Fits, point: OperatingPoint<Rational>) -> Answer {
+    let fit = &fits.best;
+    let given = &fit.given;
+    let inputs = json!({
+        "normal_stress_pa": record.normal_stress_pa,
+        "reference_velocity_m_per_s": record.reference_velocity_m_per_s(),
+        "stiffness_pa_per_m": given.stiffness_pa_per_m,
+        "mass_per_area_kg_per_m2": given.mass_per_area_kg_per_m2,
+        "drift": given.has_drift,
+    });
+    let mut answer = Answer::to(inputs).item("law", "evolution law", given.law.as_str());
+    for estimate in &fit.estimates {
+        answer = answer.and(estimated(estimate));
+    }
+    let noise = &fit.residuals;
+    let mut correlations = Map::new();
+    for (i, j, correlation) in fit.correlations() {
+        let pair = [i, j].map(|index| fit.estimates[index].parameter.as_str()).join(",");
+        correlations.insert(pair, correlation.into());
+    }
+    let answer = answer
+        .with("correlations", Value::Object(correlations))
+        .with("residual_standard_deviation", noise.standard_deviation)
+        .named("noise of the friction", &round_digits(noise.standard_deviation, 3))
+        .note("(standard deviation of the residuals)")
+        .with("residual_autocorrelation", noise.autocorrelation)
+        .with("variance_inflation", noise.inflation)
+        .with("points_per_slip_distance", fit.samples_per_slip_distance)
+        .named("samples within D_c", &round_digits(fit.samples_per_slip_distance, 3))
+        .note("(after the step that has the fewest)")
+        .item("rows", "rows", record.rows() as u64)
+        .with("runs", fit.runs);
+    let sentences = advice(fit, record);
+    let lines: String = sentences.iter().map(|sentence| format!("{sentence}\n")).collect();
+    answer.and(comparison(fits)).and(modes(fit, &point)).with("remarks", sentences).text(&lines)
+}
+
+fn estimated(estimate: &Estimate) -> Answer {
+    let parameter = estimate.parameter;
+    let [low, high] = estimate.ends;
+    let object =
+        json!({ "value": estimate.value, "error": estimate.standard_error, "low": low, "high": high });
+    let [value, range] = estimate.words();
+    Answer::default()
+        .with(parameter.as_str(), object)
+        .named(parameter.symbol(), &value)
+        .note(&format!("(95 %: {range})"))
+}
+
+/// How the other law compares.
+fn comparison(fits: &Fits) -> Answer {
+    let (Some(other), Some(found)) = (&fits.other, fits.comparison()) else { return Answer::default() };
+    let part = Answer::default()
+        .with("other_law", other.given.law.as_str())
+        .with("other_residual_standard_deviation", other.residuals.standard_deviation)
+        .with("log_likelihood_ratio", found.log_likelihood_ratio)
+        .with("vuong", found.vuong);
+    Answer::default().part("law_comparison", part).text(&format!("{}\n", comparison_words(&found)))
+}
+
+/// The slip modes that follow, where the mass is known.
+fn modes(fit: &Fit, point: &OperatingPoint<Rational>) -> Answer {
+    let Some(found) = sampled_modes(fit, point, &InertialThreshold::default()) else {
+        return Answer::default();
+    };
+    let share = |count: u32| f64::from(count) / f64::from(SAMPLES);
+    let parts = found
+        .iter()
+        .map(|(mode, count)| Answer::default().with("mode", mode.as_str()).with("share", share(*count)));
+    let words: Vec<String> = found
+        .iter()
+        .map(|(mode, count)| format!("{} {} %", mode.words(), round_digits(100.0 * share(*count), 3)))
+        .collect();
+    let [stress, velocity] =
+        [&point.normal_stress_pa, &point.loading_velocity_m_per_s].map(|value| shortest(nearest_f64(value)));
+    Answer::default()
+        .list("slip_modes", parts)
+        .with("slip_modes_at", json!({ "normal_stress_pa": nearest_f64(&point.normal_stress_pa), "loading_velocity_m_per_s": nearest_f64(&point.loading_velocity_m_per_s) }))
+        .named("slip mode", &words.join(", "))
+        .note(&format!("(at {stress} Pa and {velocity} m/s; sampled, {SAMPLES} sliders with these errors and correlations)"))
+}
+
+/// The columns of the rows.
+const HEADER: &str = "time_s,load_point_displacement_m,friction,fitted_friction,residual\n";
+
+/// The record with the fitted friction, as CSV. The normal stress of friction is that of each row.
+pub fn rows(record: &StepRecord, fit: &Fit) -> String {
+    let mut text = HEADER.to_string();
+    let samples = record.measured.times_s.iter().zip(&record.displacements_m);
+    let values = record.frictions.iter().zip(&fit.differences).zip(&record.measured.normal_stresses_pa);
+    for ((time, way), ((friction, difference), normal)) in samples.zip(values) {
+        let scale = record.normal_stress_pa / normal;
+        let [friction, fitted, residual] =
+            [*friction, friction + difference, -difference].map(|value| shortest(scale * value));
+        let _ = writeln!(text, "{},{},{friction},{fitted},{residual}", shortest(*time), shortest(*way));
+    }
+    text
+}

@@ -1,0 +1,134 @@
+//! Figures of a fit: the record with its model and residuals, and the profiles of the values.
+
+use super::run::FitOutcome;
+use crate::experiments::trajectories::curves::{extent, linear_axis};
+use crate::experiments::{Figure, FigureMaker, Need, Outcome};
+use crate::fitting::{Estimate, Fit, Fits, StepRecord};
+use slipmode_plot::figure::{Axis, Caption, Panel, Panels, Reference, Series};
+
+const NEEDS: &[Need] = &[Need::Fit];
+
+pub(crate) const FIGURES: &[FigureMaker] = &[
+    FigureMaker::new("fit-record", NEEDS, &["fit"], |outcome| {
+        let (_, found) = fitted(outcome)?;
+        let svg = fit_picture(&found.record, found.fits.as_ref().ok()?);
+        Some(Figure::own(&record_caption(), RECORD_CAPTION, svg))
+    }),
+    FigureMaker::new("fit-profiles", NEEDS, &["fit"], |outcome| {
+        let (fit, _) = fitted(outcome)?;
+        let panels = profile_panels(fit);
+        Some(Figure::own(&panels.caption, PROFILE_CAPTION, panels.svg()))
+    }),
+];
+
+const RECORD_CAPTION: &str = "Above: friction (spring stress over the normal stress at the start) against the displacement of the load point, measured and fitted. Below: measured less fitted, with one standard deviation of the noise on each side. Each step of velocity raises or lowers the friction at once by a for each unit of ln V, as far as the spring lets it; over D_c it then changes by b for each unit.";
+const RECORD_DESCRIPTION: &str = "Two charts against the displacement of the load point: the measured friction with the fitted curve, and the residuals, which scatter about zero where the model follows the record.";
+const PROFILE_CAPTION: &str = "A chart for each value: the distance from the best fit in standard errors, while this value is held and all others are fitted again. The 95 % interval is where the curve is within the lines. A straight curve means that the standard error alone gives the interval.";
+const PROFILE_DESCRIPTION: &str = "Small charts, one for each fitted value. Each has a rising curve that crosses zero at the best value and two horizontal lines at the 95 % quantile.";
+
+/// Height of the chart of the record, and of a profile.
+const HEIGHT: f64 = 190.0;
+const PROFILE_HEIGHT: f64 = 130.0;
+/// Places along the axis at which the least and the largest sample are drawn, where there are more samples.
+const PLACES: usize = 700;
+
+fn fitted(outcome: &Outcome) -> Option<(&Fit, &FitOutcome)> {
+    outcome.each(|scene| &scene.fit).find_map(|(_, found)| Some((&found.fits.as_ref().ok()?.best, found)))
+}
+
+fn record_caption() -> Caption {
+    Caption::new("fit-record", "Record and fit", RECORD_DESCRIPTION)
+}
+
+/// The record with its fit, and the residuals.
+#[must_use]
+pub fn fit_picture(record: &StepRecord, fits: &Fits) -> String {
+    let fit = &fits.best;
+    let (unit, size) = length_unit(record.displacements_m.last().copied().unwrap_or_default());
+    let ways = || record.displacements_m.iter().map(|way| way / size);
+    let of = |values: Vec<f64>| thinned(&ways().zip(values).collect::<Vec<_>>());
+    let fitted: Vec<f64> =
+        record.frictions.iter().zip(&fit.differences).map(|(one, other)| one + other).collect();
+    let residuals: Vec<f64> = fit.differences.iter().map(|difference| -difference).collect();
+    let (first, last) = extent(ways()).unwrap_or((0.0, 1.0));
+    let x = || Axis::linear("Displacement of the load point", unit, first, last);
+    let axis = |title: &str, values: &[f64]| {
+        linear_axis(title, "", values.iter().copied()).unwrap_or_else(|| Axis::linear(title, "", 0.0, 1.0))
+    };
+    let deviation = fit.residuals.standard_deviation;
+    let panels = Panels {
+        caption: record_caption(),
+        columns: 1,
+        height: HEIGHT,
+        panels: vec![
+            Panel {
+                heading: vec!["**friction**".into()],
+                x: x(),
+                y: axis("*μ*", &record.frictions),
+                series: vec![
+                    Series::of_theory("measured", of(record.frictions.clone())),
+                    Series::line(format!("fitted, {} law", fit.given.law.as_str()), of(fitted)),
+                ],
+                references: Vec::new(),
+            },
+            Panel {
+                heading: vec!["**residuals**".into()],
+                x: x(),
+                y: axis("Δ*μ*", &residuals),
+                series: vec![Series::of_theory("measured", of(residuals))],
+                references: [-deviation, 0.0, deviation]
+                    .map(|at| Reference::Horizontal { at, label: String::new() })
+                    .into(),
+            },
+        ],
+    };
+    panels.svg()
+}
+
+/// The unit in which a displacement has few digits, and its size in m.
+fn length_unit(largest: f64) -> (&'static str, f64) {
+    if largest.abs() < 2e-3 { ("µm", 1e-6) } else { ("mm", 1e-3) }
+}
+
+/// At each place along the axis the least and the largest value, in the order of the samples.
+fn thinned(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    if points.len() <= 2 * PLACES {
+        return points.to_vec();
+    }
+    let ends = |part: &[(f64, f64)]| {
+        let by = |one: &&(f64, f64), other: &&(f64, f64)| one.1.total_cmp(&other.1);
+        let mut ends: Vec<(f64, f64)> =
+            [part.iter().min_by(by), part.iter().max_by(by)].into_iter().flatten().copied().collect();
+        ends.sort_by(|one, other| one.0.total_cmp(&other.0));
+        ends
+    };
+    points.chunks(points.len().div_ceil(PLACES)).flat_map(ends).collect()
+}
+
+fn profile_panels(fit: &Fit) -> Panels {
+    let quantile = fit.residuals.half_width();
+    Panels {
+        caption: Caption::new("fit-profiles", "Profiles of the fitted values", PROFILE_DESCRIPTION),
+        columns: 2,
+        height: PROFILE_HEIGHT,
+        panels: fit.estimates.iter().filter_map(|estimate| profile_panel(estimate, quantile)).collect(),
+    }
+}
+
+fn profile_panel(estimate: &Estimate, quantile: f64) -> Option<Panel> {
+    let points: Vec<(f64, f64)> =
+        estimate.profile.iter().map(|point| (point.value, point.distance)).collect();
+    let x = linear_axis(
+        estimate.parameter.symbol(),
+        estimate.parameter.unit(),
+        points.iter().map(|point| point.0),
+    )?;
+    let y = linear_axis("Distance", "", points.iter().map(|point| point.1).chain([-quantile, quantile]))?;
+    Some(Panel {
+        heading: vec![format!("**{}**", estimate.parameter.symbol())],
+        x,
+        y,
+        series: vec![Series::marked("profile", points)],
+        references: [-quantile, quantile].map(|at| Reference::Horizontal { at, label: String::new() }).into(),
+    })
+}

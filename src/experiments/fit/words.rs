@@ -1,0 +1,62 @@
+//! What a fit says in sentences.
+
+use crate::experiments::Outcome;
+use crate::fitting::{Estimate, SAMPLES, advice, comparison_words};
+use slipmode_core::number::format::round_digits;
+
+/// Significant digits of a standard error; a value has as many decimals.
+const ERROR_DIGITS: usize = 2;
+
+/// Digits of a value down to those of its error: from two, for a value that its error exceeds, to all of a 64-bit number.
+pub(crate) fn digits(estimate: &Estimate) -> usize {
+    let ratio = (estimate.value / estimate.standard_error).abs();
+    let digits = if ratio.is_finite() && ratio > 1.0 { libm::log10(ratio).ceil() } else { 1.0 };
+    (digits as usize + ERROR_DIGITS - 1).clamp(ERROR_DIGITS, 16)
+}
+
+/// A rounded value with its unit.
+#[must_use]
+pub fn in_digits(value: f64, digits: usize, unit: &str) -> String {
+    format!("{} {unit}", round_digits(value, digits)).trim_end().to_string()
+}
+
+impl Estimate {
+    /// The value with its error and its interval: `0.0081 ± 0.0002` and `0.0077 to 0.0085`.
+    #[must_use]
+    pub fn words(&self) -> [String; 2] {
+        let digits = digits(self);
+        let end = |end: Option<f64>| end.map_or_else(|| "no bound".into(), |end| round_digits(end, digits));
+        let error = round_digits(self.standard_error, ERROR_DIGITS);
+        let value = format!("{} ± {error} {}", round_digits(self.value, digits), self.parameter.unit());
+        [value.trim_end().to_string(), format!("{} to {}", end(self.ends[0]), end(self.ends[1]))]
+    }
+}
+
+/// What the record of the first scene with a fit gives; `None` when no scene has one.
+#[must_use]
+pub fn fit_words(outcome: &Outcome) -> Option<String> {
+    let (_, found) = outcome.each(|scene| &scene.fit).next()?;
+    let fits = match &found.fits {
+        Ok(fits) => fits,
+        Err(failure) => return Some(format!("The record gives no friction parameters: {failure}.")),
+    };
+    let fit = &fits.best;
+    let values = fit.estimates.iter().map(|estimate| {
+        let [value, range] = estimate.words();
+        format!("{} = {value} (95 %: {range})", estimate.parameter.symbol())
+    });
+    let values = values.collect::<Vec<_>>().join(", ");
+    let mut sentences = vec![format!("With the {} law the record gives {values}.", fit.given.law.as_str())];
+    sentences.extend(fits.comparison().map(|comparison| comparison_words(&comparison)));
+    if let Some(modes) = &found.modes {
+        let share = |count: u32| round_digits(100.0 * f64::from(count) / f64::from(SAMPLES), 3);
+        let modes: Vec<String> =
+            modes.iter().map(|(mode, count)| format!("{} {} %", mode.words(), share(*count))).collect();
+        sentences.push(format!(
+            "Of {SAMPLES} sliders with these errors and correlations: {} at the operating point (sampled).",
+            modes.join(", ")
+        ));
+    }
+    sentences.extend(advice(fit, &found.record));
+    Some(sentences.join(" "))
+}

@@ -1,0 +1,356 @@
+//! A fit: the best values of a law, their errors and correlations, and how the other law compares.
+
+use nalgebra::DMatrix;
+use rayon::prelude::*;
+
+use super::least_squares::{Minimum, covariance, minimise};
+use super::parameter::{Parameter, Point};
+use super::problem::{FitProblem, Given};
+use super::profile::{ProfilePoint, Profiler};
+use super::record::StepRecord;
+use super::residuals::Residuals;
+use super::start::starts;
+use slipmode_core::friction::EvolutionLaw;
+use thiserror::Error;
+
+/// A fitted parameter in SI.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Estimate {
+    /// Which one.
+    pub parameter: Parameter,
+    /// The best value.
+    pub value: f64,
+    /// One standard error, from the curvature at the best value.
+    pub standard_error: f64,
+    /// The ends of the 95 % interval by profile likelihood; none where the record sets no bound.
+    pub ends: [Option<f64>; 2],
+    /// The ends that the curvature at the best value alone gives.
+    pub quadratic_ends: [f64; 2],
+    /// The profile.
+    pub profile: Vec<ProfilePoint>,
+}
+
+/// What a record gives.
+#[derive(Debug, Clone)]
+pub struct Fit {
+    /// What was known.
+    pub given: Given,
+    /// The fitted parameters.
+    pub estimates: Vec<Estimate>,
+    /// Where they are, with what was given, as coordinates of the search.
+    pub point: Point,
+    /// The covariance of their coordinates, with the noise; its order is that of the estimates.
+    pub covariance: DMatrix<f64>,
+    /// The noise.
+    pub residuals: Residuals,
+    /// Model less record at every sample, in friction.
+    pub differences: Vec<f64>,
+    /// The sum of their squares.
+    pub cost: f64,
+    /// Samples within the first D_c of the load point's way after a step, the fewest of all steps.
+    pub samples_per_slip_distance: f64,
+    /// Runs of the slider that the fit made with derivatives.
+    pub runs: usize,
+}
+
+/// Why there is no fit.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum FitFailure {
+    /// No friction parameters follow the record at all.
+    #[error("no friction parameters reproduce the record: {0}")]
+    NoMinimum(&'static str),
+    /// The record fits far better with the sign of its friction reversed.
+    #[error(
+        "the friction falls where the velocity of the load point rises, and the other way round: is the sign of the stress or of the displacement reversed?"
+    )]
+    WrongSign,
+    /// The record does not determine all parameters.
+    #[error(
+        "the record does not determine {0} together; give the stiffness, or record more samples after a step"
+    )]
+    Undetermined(String),
+    /// A parameter that no material has.
+    #[error("the best {symbol} is {value:.3e}, outside of {low:e} to {high:e}: is a column in another unit?")]
+    Absurd {
+        /// The parameter's symbol.
+        symbol: &'static str,
+        /// Its value.
+        value: f64,
+        /// The smallest and the largest that are taken for possible.
+        low: f64,
+        /// The largest.
+        high: f64,
+    },
+}
+
+/// Two laws on the same record.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LawComparison {
+    /// The law that fits better.
+    pub better: EvolutionLaw,
+    /// ln of the likelihood of the better law over that of the other, for independent samples.
+    pub log_likelihood_ratio: f64,
+    /// The same in units of its own standard deviation (Vuong 1989): beyond 1.96 the record tells the laws apart.
+    pub vuong: f64,
+}
+
+/// The fits of a record.
+#[derive(Debug, Clone)]
+pub struct Fits {
+    /// That of the law that fits better.
+    pub best: Fit,
+    /// That of the other law, where it was requested and has one.
+    pub other: Option<Fit>,
+}
+
+impl Fits {
+    /// Fits these laws to a record; what else is known is the same for all of them.
+    ///
+    /// # Errors
+    /// As [`fit`], when no law has a fit: the reason of the first one.
+    pub fn of(record: &StepRecord, laws: &[EvolutionLaw], given: &Given) -> Result<Self, FitFailure> {
+        let found: Vec<Result<Fit, FitFailure>> =
+            laws.par_iter().map(|law| fit(record, &Given { law: *law, ..*given })).collect();
+        let failure = found.iter().find_map(|found| found.as_ref().err()).cloned();
+        let mut fits: Vec<Fit> = found.into_iter().flatten().collect();
+        fits.sort_by(|one, other| one.cost.total_cmp(&other.cost));
+        let mut fits = fits.into_iter();
+        let none = || failure.unwrap_or(FitFailure::NoMinimum("no law was requested"));
+        Ok(Self { best: fits.next().ok_or_else(none)?, other: fits.next() })
+    }
+
+    /// How the two laws compare, where both have a fit.
+    #[must_use]
+    pub fn comparison(&self) -> Option<LawComparison> {
+        self.other.as_ref().map(|other| self.best.compared_with(other))
+    }
+}
+
+/// Fits of one law, restarted from better points that profiles meet, at most this often.
+const RESTARTS: usize = 3;
+/// A record that is this many times nearer to the model with its sign reversed has the wrong sign.
+const SIGN_FACTOR: f64 = 4.0;
+/// What a and b, and D_c, can be: friction beyond these has never been measured.
+const POSSIBLE_EFFECT: [f64; 2] = [1e-5, 0.5];
+const POSSIBLE_DISTANCE_M: [f64; 2] = [1e-9, 0.1];
+
+/// Fits the parameters that are not given to a record.
+///
+/// # Errors
+/// When no parameters follow the record, its sign is reversed, or it does not determine them.
+fn fit(record: &StepRecord, given: &Given) -> Result<Fit, FitFailure> {
+    let problem = FitProblem { record, given };
+    let free = given.free();
+    let starts = starts(problem);
+    if is_reversed(problem, starts.first().map(|start| start.1)) {
+        return Err(FitFailure::WrongSign);
+    }
+    let mut runs = 0;
+    let mut best: Option<Minimum> = None;
+    for (start, _) in &starts {
+        let Some(found) = minimise(problem, start, &free) else { continue };
+        runs += found.runs;
+        if best.as_ref().is_none_or(|best| found.cost < best.cost) {
+            best = Some(found);
+        }
+    }
+    let mut best = best.ok_or(FitFailure::NoMinimum("no search from the values read off the record ends"))?;
+    for _ in 0..RESTARTS {
+        match complete(problem, &best, &free, &mut runs)? {
+            Completed::Fit(fit) => return Ok(*fit),
+            Completed::Better(point) => {
+                let found = minimise(problem, &point, &free).filter(|found| found.cost < best.cost);
+                best = found.ok_or(FitFailure::NoMinimum("the sum of squares has no definite minimum"))?;
+            }
+        }
+    }
+    Err(FitFailure::NoMinimum("the sum of squares has no definite minimum"))
+}
+
+/// Whether the model is far nearer to the record with all changes of friction reversed.
+fn is_reversed(problem: FitProblem<'_>, cost: Option<f64>) -> bool {
+    let before = problem.record.frictions[0];
+    let mirrored = problem.record.frictions.iter().map(|friction| 2.0 * before - friction).collect();
+    let record = problem.record.with_frictions(mirrored);
+    let reversed = starts(FitProblem { record: &record, ..problem });
+    reversed.first().is_some_and(|(_, other)| cost.is_none_or(|cost| cost > SIGN_FACTOR * other))
+}
+
+enum Completed {
+    Fit(Box<Fit>),
+    Better(Point),
+}
+
+/// Errors, intervals and correlations at a minimum; or a point where the sum of squares is smaller.
+fn complete(
+    problem: FitProblem<'_>,
+    minimum: &Minimum,
+    free: &[Parameter],
+    runs: &mut usize,
+) -> Result<Completed, FitFailure> {
+    check_possible(&minimum.point, free)?;
+    let residuals = Residuals::of(&minimum.evaluated.residuals, free.len());
+    let symbols = || free.iter().map(|parameter| parameter.symbol()).collect::<Vec<_>>().join(", ");
+    let covariance =
+        covariance(&minimum.evaluated, free).ok_or_else(|| FitFailure::Undetermined(symbols()))?;
+    let profiler = Profiler { problem, minimum, free, covariance: &covariance, residuals: &residuals };
+    let mut estimates = Vec::new();
+    for (index, parameter) in free.iter().enumerate() {
+        let profile = profiler.profile(index);
+        *runs += profile.points.len();
+        if let Some(point) = profile.better {
+            return Ok(Completed::Better(point));
+        }
+        let coordinate = minimum.point[*parameter as usize];
+        let value = parameter.value(coordinate);
+        let error = residuals.standard_deviation * (residuals.inflation * covariance[(index, index)]).sqrt();
+        let half_width = residuals.half_width() / residuals.inflation.sqrt() * error;
+        estimates.push(Estimate {
+            parameter: *parameter,
+            value,
+            standard_error: if parameter.is_logarithmic() { value * error } else { error },
+            ends: profile.ends.map(|end| end.map(|end| parameter.value(end))),
+            quadratic_ends: [-1.0, 1.0].map(|side| parameter.value(coordinate + side * half_width)),
+            profile: profile.points,
+        });
+    }
+    let variance = residuals.standard_deviation * residuals.standard_deviation * residuals.inflation;
+    let distance =
+        Parameter::CriticalSlipDistance.value(minimum.point[Parameter::CriticalSlipDistance as usize]);
+    Ok(Completed::Fit(Box::new(Fit {
+        given: *problem.given,
+        estimates,
+        point: minimum.point,
+        covariance: covariance * variance,
+        residuals,
+        differences: minimum.evaluated.residuals.clone(),
+        cost: minimum.cost,
+        samples_per_slip_distance: samples_per_slip_distance(problem.record, distance),
+        runs: *runs,
+    })))
+}
+
+fn check_possible(point: &Point, free: &[Parameter]) -> Result<(), FitFailure> {
+    for parameter in free {
+        let [low, high] = match parameter {
+            Parameter::DirectEffect => POSSIBLE_EFFECT,
+            Parameter::CriticalSlipDistance => POSSIBLE_DISTANCE_M,
+            _ => continue,
+        };
+        let value = parameter.value(point[*parameter as usize]);
+        if !(low..=high).contains(&value) {
+            return Err(FitFailure::Absurd { symbol: parameter.symbol(), value, low, high });
+        }
+    }
+    Ok(())
+}
+
+/// Samples within the first D_c of the load point's way after a step: the fewest of all steps.
+fn samples_per_slip_distance(record: &StepRecord, distance_m: f64) -> f64 {
+    let mut last = record.reference_velocity_m_per_s();
+    let mut fewest = f64::INFINITY;
+    for (samples, piece) in record.piece_samples() {
+        let velocity = piece.load_point_velocity_m_per_s;
+        if (velocity - last).abs() > 0.02 * last.abs() {
+            let origin = record.displacements_m[samples.start];
+            let within = samples
+                .clone()
+                .skip(1)
+                .take_while(|sample| (record.displacements_m[*sample] - origin).abs() <= distance_m);
+            let way = (record.displacements_m[samples.end] - origin).abs();
+            // A piece shorter than D_c has as many as if it went on.
+            fewest = fewest.min(within.count() as f64 * (distance_m / way).max(1.0));
+        }
+        last = velocity;
+    }
+    fewest
+}
+
+impl Fit {
+    /// The estimate of a parameter, where it was fitted.
+    #[must_use]
+    pub fn estimate(&self, parameter: Parameter) -> Option<&Estimate> {
+        self.estimates.iter().find(|estimate| estimate.parameter == parameter)
+    }
+
+    /// The correlation of each pair of estimates, by their indices.
+    pub fn correlations(&self) -> impl Iterator<Item = (usize, usize, f64)> {
+        let covariance = &self.covariance;
+        let correlation =
+            |i: usize, j: usize| covariance[(i, j)] / (covariance[(i, i)] * covariance[(j, j)]).sqrt();
+        let pairs =
+            (0..self.estimates.len()).flat_map(move |i| (i + 1..self.estimates.len()).map(move |j| (i, j)));
+        pairs.map(move |(i, j)| (i, j, correlation(i, j)))
+    }
+
+    /// Compares this fit with that of another law on the same record.
+    #[must_use]
+    pub fn compared_with(&self, other: &Self) -> LawComparison {
+        let (better, worse) = if self.cost <= other.cost { (self, other) } else { (other, self) };
+        let rows = self.differences.len() as f64;
+        // Each law has its own variance, that of the maximum likelihood.
+        let variance = |fit: &Self| fit.cost / rows;
+        let log_likelihood = |difference: f64, variance: f64| {
+            -0.5 * (difference * difference / variance + libm::log(variance))
+        };
+        let ratios: Vec<f64> = better
+            .differences
+            .iter()
+            .zip(&worse.differences)
+            .map(|(one, two)| log_likelihood(*one, variance(better)) - log_likelihood(*two, variance(worse)))
+            .collect();
+        let sum: f64 = ratios.iter().sum();
+        let spread = ratios.iter().map(|ratio| (ratio - sum / rows) * (ratio - sum / rows)).sum::<f64>();
+        let inflation = better.residuals.inflation;
+        let vuong = if spread > 0.0 { sum / (spread * inflation).sqrt() } else { 0.0 };
+        LawComparison { better: better.given.law, log_likelihood_ratio: sum, vuong }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fitting::record::fixtures::record;
+    use slipmode_core::dynamics::DrivenSlider;
+
+    fn slider(law: EvolutionLaw) -> DrivenSlider {
+        DrivenSlider {
+            direct_effect: 0.008,
+            evolution_effect: 0.012,
+            critical_slip_distance_m: 1e-5,
+            stiffness_pa_per_m: 2e10,
+            reference_friction: 0.6,
+            mass_per_area_kg_per_m2: None,
+            law,
+        }
+    }
+
+    fn given(law: EvolutionLaw) -> Given {
+        Given { law, stiffness_pa_per_m: None, mass_per_area_kg_per_m2: None, has_drift: false }
+    }
+
+    #[test]
+    fn a_record_without_noise_gives_its_parameters_back() {
+        for law in EvolutionLaw::ALL {
+            let found = fit(&record(&slider(law), 1e-9, 1200), &given(law)).unwrap();
+            for (estimate, wanted) in found.estimates.iter().zip([0.008, 0.012, 1e-5, 2e10, 0.6]) {
+                assert!((estimate.value / wanted - 1.0).abs() < 1e-5, "{law:?} {estimate:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn estimates_are_within_their_errors_and_the_right_law_wins() {
+        let record = record(&slider(EvolutionLaw::Aging), 3e-4, 1200);
+        let [aging, slip] =
+            [EvolutionLaw::Aging, EvolutionLaw::Slip].map(|law| fit(&record, &given(law)).unwrap());
+        for (estimate, wanted) in aging.estimates.iter().zip([0.008, 0.012, 1e-5, 2e10, 0.6]) {
+            let [low, high] = estimate.ends.map(Option::unwrap);
+            assert!((estimate.value - wanted).abs() < 4.0 * estimate.standard_error, "{estimate:?}");
+            assert!(low < estimate.value && estimate.value < high);
+        }
+        assert!((aging.residuals.standard_deviation / 3e-4 - 1.0).abs() < 0.1);
+        let comparison = slip.compared_with(&aging);
+        assert!(comparison.better == EvolutionLaw::Aging && comparison.vuong > 1.96, "{comparison:?}");
+    }
+}

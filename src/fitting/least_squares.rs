@@ -1,0 +1,103 @@
+//! The least sum of squares over some coordinates, by the method of Levenberg and Marquardt.
+
+use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
+use nalgebra::storage::Owned;
+use nalgebra::{DMatrix, DVector, Dyn};
+
+use super::parameter::{Parameter, Point};
+use super::problem::{Evaluated, FINE, FitProblem, sum_of_squares};
+
+/// A minimum.
+#[derive(Debug, Clone)]
+pub struct Minimum {
+    /// Where it is.
+    pub point: Point,
+    /// The residuals there with their derivatives.
+    pub evaluated: Evaluated,
+    /// The sum of their squares.
+    pub cost: f64,
+    /// Runs that the search made.
+    pub runs: usize,
+}
+
+/// Relative change of the sum of squares and of the coordinates, and cosine of residuals and derivatives, below which a search ends.
+const TOLERANCE: f64 = 1e-11;
+/// Runs of a search for each coordinate, at most.
+const PATIENCE: usize = 40;
+
+/// Searches the least sum of squares over these parameters; the others stay. None where the start has no run or the search does not end.
+pub fn minimise(problem: FitProblem<'_>, start: &Point, free: &[Parameter]) -> Option<Minimum> {
+    let evaluated = problem.evaluate(start, FINE, true)?;
+    if free.is_empty() {
+        let cost = sum_of_squares(&evaluated.residuals);
+        return Some(Minimum { point: *start, evaluated, cost, runs: 1 });
+    }
+    let search = Search { problem, free, point: *start, evaluated: Some(evaluated) };
+    let method = LevenbergMarquardt::new().with_tol(TOLERANCE).with_patience(PATIENCE);
+    let (search, report) = method.minimize(search);
+    let evaluated = search.evaluated?;
+    let cost = sum_of_squares(&evaluated.residuals);
+    let is_done = report.termination.was_successful()
+        // The rounding of the runs is reached.
+        || matches!(report.termination, levenberg_marquardt::TerminationReason::NoImprovementPossible(_));
+    is_done.then_some(Minimum { point: search.point, evaluated, cost, runs: report.number_of_evaluations })
+}
+
+/// A search in progress.
+struct Search<'r> {
+    problem: FitProblem<'r>,
+    free: &'r [Parameter],
+    point: Point,
+    evaluated: Option<Evaluated>,
+}
+
+/// The residual of every sample where the slider has no run: the step is then refused.
+const WITHOUT_RUN: f64 = 1e6;
+
+impl LeastSquaresProblem<f64, Dyn, Dyn> for Search<'_> {
+    type ResidualStorage = Owned<f64, Dyn>;
+    type JacobianStorage = Owned<f64, Dyn, Dyn>;
+    type ParameterStorage = Owned<f64, Dyn>;
+
+    fn set_params(&mut self, values: &DVector<f64>) {
+        for (parameter, value) in self.free.iter().zip(values.iter()) {
+            self.point[*parameter as usize] = *value;
+        }
+        self.evaluated = self.problem.evaluate(&self.point, FINE, true);
+    }
+
+    fn params(&self) -> DVector<f64> {
+        DVector::from_iterator(
+            self.free.len(),
+            self.free.iter().map(|parameter| self.point[*parameter as usize]),
+        )
+    }
+
+    fn residuals(&self) -> Option<DVector<f64>> {
+        Some(match &self.evaluated {
+            Some(evaluated) => DVector::from_column_slice(&evaluated.residuals),
+            None => DVector::from_element(self.problem.record.rows(), WITHOUT_RUN),
+        })
+    }
+
+    fn jacobian(&self) -> Option<DMatrix<f64>> {
+        let rows = &self.evaluated.as_ref()?.derivatives;
+        Some(DMatrix::from_fn(rows.len(), self.free.len(), |row, column| {
+            rows[row][self.free[column] as usize]
+        }))
+    }
+}
+
+/// The inverse of the normal equations over some parameters: the covariance for residuals of variance 1. None where it is singular.
+pub fn covariance(evaluated: &Evaluated, free: &[Parameter]) -> Option<DMatrix<f64>> {
+    let entry = |one: Parameter, other: Parameter| -> f64 {
+        evaluated.derivatives.iter().map(|row| row[one as usize] * row[other as usize]).sum()
+    };
+    let normal = DMatrix::from_fn(free.len(), free.len(), |i, j| entry(free[i], free[j]));
+    // Scaled to a unit diagonal, so that the units of the parameters do not matter.
+    let scale: Vec<f64> = (0..free.len()).map(|i| normal[(i, i)].sqrt()).collect();
+    let scaled = DMatrix::from_fn(free.len(), free.len(), |i, j| normal[(i, j)] / (scale[i] * scale[j]));
+    let inverse = scaled.cholesky()?.inverse();
+    let covariance = DMatrix::from_fn(free.len(), free.len(), |i, j| inverse[(i, j)] / (scale[i] * scale[j]));
+    covariance.iter().all(|entry| entry.is_finite()).then_some(covariance)
+}

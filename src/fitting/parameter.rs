@@ -1,0 +1,91 @@
+//! What is fitted.
+
+use slipmode_core::dynamics::{DRIVEN_PARAMETERS, DrivenSlider};
+use slipmode_core::friction::EvolutionLaw;
+
+slipmode_algebra::named! {
+    /// A parameter of a fit.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    pub enum Parameter {
+        /// a of eq 1.
+        DirectEffect = "direct_effect",
+        /// b of eq 1.
+        EvolutionEffect = "evolution_effect",
+        /// D_c of eqs 1-3, m.
+        CriticalSlipDistance = "critical_slip_distance_m",
+        /// K of eq 4, Pa/m.
+        Stiffness = "stiffness_pa_per_m",
+        /// μ0 of eq 1, at the velocity before the first step.
+        ReferenceFriction = "reference_friction",
+        /// A change of the friction in proportion to the displacement of the load point, 1/m.
+        Drift = "drift_per_m",
+    }
+}
+
+/// How many parameters there are.
+pub const PARAMETERS: usize = 6;
+
+/// Values of all parameters as the search has them: the logarithms of a, b, D_c and K, then μ0 and the drift.
+pub type Point = [f64; PARAMETERS];
+
+impl Parameter {
+    /// Whether the search has the logarithm: the value is positive.
+    #[must_use]
+    pub const fn is_logarithmic(self) -> bool {
+        (self as usize) < 4
+    }
+
+    /// The value for a coordinate of the search.
+    #[must_use]
+    pub fn value(self, coordinate: f64) -> f64 {
+        if self.is_logarithmic() { libm::exp(coordinate) } else { coordinate }
+    }
+
+    /// The coordinate of a value.
+    #[must_use]
+    pub fn coordinate(self, value: f64) -> f64 {
+        if self.is_logarithmic() { libm::log(value) } else { value }
+    }
+
+    /// Its symbol.
+    #[must_use]
+    pub const fn symbol(self) -> &'static str {
+        match self {
+            Self::DirectEffect => "a",
+            Self::EvolutionEffect => "b",
+            Self::CriticalSlipDistance => "D_c",
+            Self::Stiffness => "K",
+            Self::ReferenceFriction => "mu_0",
+            Self::Drift => "drift",
+        }
+    }
+
+    /// Its unit; empty for pure numbers.
+    #[must_use]
+    pub const fn unit(self) -> &'static str {
+        match self {
+            Self::CriticalSlipDistance => "m",
+            Self::Stiffness => "Pa/m",
+            Self::Drift => "1/m",
+            Self::DirectEffect | Self::EvolutionEffect | Self::ReferenceFriction => "",
+        }
+    }
+}
+
+/// The slider of a point.
+#[must_use]
+pub fn slider(point: &Point, mass_per_area_kg_per_m2: Option<f64>, law: EvolutionLaw) -> DrivenSlider {
+    let value = |parameter: Parameter| parameter.value(point[parameter as usize]);
+    DrivenSlider {
+        direct_effect: value(Parameter::DirectEffect),
+        evolution_effect: value(Parameter::EvolutionEffect),
+        critical_slip_distance_m: value(Parameter::CriticalSlipDistance),
+        stiffness_pa_per_m: value(Parameter::Stiffness),
+        reference_friction: value(Parameter::ReferenceFriction),
+        mass_per_area_kg_per_m2,
+        law,
+    }
+}
+
+// The derivatives of a run are by the coordinates before the drift, in their order.
+const _: () = assert!(DRIVEN_PARAMETERS + 1 == PARAMETERS);

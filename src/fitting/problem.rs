@@ -1,0 +1,99 @@
+//! The residuals of a record at a point, with their derivatives.
+
+use super::parameter::{PARAMETERS, Parameter, Point, slider};
+use super::record::StepRecord;
+use slipmode_core::dynamics::{DrivenControl, drive};
+use slipmode_core::friction::EvolutionLaw;
+
+/// What is known and what is fitted.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Given {
+    /// The evolution law.
+    pub law: EvolutionLaw,
+    /// K, Pa/m; fitted where it is absent.
+    pub stiffness_pa_per_m: Option<f64>,
+    /// M, kg/m²; a slider without inertia where it is absent.
+    pub mass_per_area_kg_per_m2: Option<f64>,
+    /// Whether a linear drift is fitted.
+    pub has_drift: bool,
+}
+
+impl Given {
+    /// The parameters that are fitted.
+    #[must_use]
+    pub fn free(&self) -> Vec<Parameter> {
+        let is_free = |parameter: &Parameter| match parameter {
+            Parameter::Stiffness => self.stiffness_pa_per_m.is_none(),
+            Parameter::Drift => self.has_drift,
+            _ => true,
+        };
+        Parameter::ALL.into_iter().filter(is_free).collect()
+    }
+}
+
+/// Permitted local error of a run that a minimum is found on, and of one that starts are compared on.
+pub const FINE: f64 = 1e-9;
+pub const COARSE: f64 = 1e-4;
+/// Most steps of a run: a slider that is stable next to its transition needs a few hundred.
+const MOST_STEPS: u64 = 20_000;
+/// Coordinates beyond this are no friction, and make no run.
+const FARTHEST: f64 = 60.0;
+
+/// A record with what is known of its slider.
+#[derive(Debug, Clone, Copy)]
+pub struct FitProblem<'r> {
+    /// The record.
+    pub record: &'r StepRecord,
+    /// What is known.
+    pub given: &'r Given,
+}
+
+/// Model less record at every sample, and the derivatives by all coordinates.
+#[derive(Debug, Clone)]
+pub struct Evaluated {
+    /// Differences in friction.
+    pub residuals: Vec<f64>,
+    /// Their derivatives; empty where none were requested.
+    pub derivatives: Vec<[f64; PARAMETERS]>,
+}
+
+impl FitProblem<'_> {
+    /// The residuals at a point; none where the slider has no run through the record in a permitted number of steps.
+    pub fn evaluate(&self, point: &Point, local_tolerance: f64, with_derivatives: bool) -> Option<Evaluated> {
+        if point.iter().take(4).any(|coordinate| coordinate.is_nan() || coordinate.abs() > FARTHEST) {
+            return None;
+        }
+        let slider = slider(point, self.given.mass_per_area_kg_per_m2, self.given.law);
+        let control = DrivenControl { local_tolerance, most_steps: MOST_STEPS, with_derivatives };
+        let record = self.record;
+        let driven = drive(&slider, &record.pieces, &record.times_s, control).ok()?;
+        let drift = point[Parameter::Drift as usize];
+        let samples = driven.iter().zip(record.frictions.iter().zip(&record.displacements_m));
+        let residual = |(driven, (friction, way)): (&slipmode_core::dynamics::Driven, (&f64, &f64))| {
+            driven.friction + drift * way - friction
+        };
+        let residuals: Vec<f64> = samples.map(residual).collect();
+        if !residuals.iter().all(|residual| residual.is_finite()) {
+            return None;
+        }
+        let row = |(driven, way): (&slipmode_core::dynamics::Driven, &f64)| {
+            let [a, b, d, k, reference] = driven.derivatives;
+            [a, b, d, k, reference, *way]
+        };
+        let derivatives = match with_derivatives {
+            true => driven.iter().zip(&record.displacements_m).map(row).collect(),
+            false => Vec::new(),
+        };
+        Some(Evaluated { residuals, derivatives })
+    }
+
+    /// The sum of squared residuals at a point, from a coarse run.
+    pub fn coarse_cost(&self, point: &Point) -> Option<f64> {
+        Some(sum_of_squares(&self.evaluate(point, COARSE, false)?.residuals))
+    }
+}
+
+/// Σ r².
+pub fn sum_of_squares(residuals: &[f64]) -> f64 {
+    residuals.iter().map(|residual| residual * residual).sum()
+}

@@ -1,0 +1,181 @@
+//! A record: the spring stress at given times while the load point moves in steps of velocity.
+
+use super::load_path::LoadPath;
+use super::record_faults::{RecordFault, faults};
+use slipmode_core::dynamics::Piece;
+
+/// How the load point moves.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Load {
+    /// Its displacement at each time, m, with the size of the last digits that are written; linear from one to the next.
+    Displacement(Vec<f64>, f64),
+    /// Its velocity from each time to the next, m/s.
+    Velocity(Vec<f64>),
+}
+
+/// A record that a fit can use.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StepRecord {
+    /// Times since the first sample, s.
+    pub times_s: Vec<f64>,
+    /// Displacements of the load point since the first sample, m.
+    pub displacements_m: Vec<f64>,
+    /// Spring stress over the normal stress of the first sample.
+    pub frictions: Vec<f64>,
+    /// Normal stress of the first sample, Pa.
+    pub normal_stress_pa: f64,
+    /// Pieces of constant velocity and normal stress.
+    pub pieces: Vec<Piece>,
+    /// The sample at which each piece ends.
+    pub piece_ends: Vec<usize>,
+    /// By how much the pieces miss the displacement of the load point, m, at most.
+    pub resolution_m: f64,
+    /// The record as it was given.
+    pub measured: Measured,
+}
+
+/// What was measured at each time.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Measured {
+    /// Times, s, increasing.
+    pub times_s: Vec<f64>,
+    /// The load point.
+    pub load: Load,
+    /// Spring stress, Pa.
+    pub stresses_pa: Vec<f64>,
+    /// Normal stress from each time to the next, Pa.
+    pub normal_stresses_pa: Vec<f64>,
+}
+
+/// The rounding of a displacement that was computed with 64-bit numbers, relative to the largest.
+const ROUNDING: f64 = 1e-14;
+
+impl StepRecord {
+    /// Makes a record of what was measured.
+    ///
+    /// # Errors
+    /// All that keeps the record from being fitted.
+    pub fn new(measured: Measured) -> Result<Self, Vec<RecordFault>> {
+        let normal_stresses_pa = &measured.normal_stresses_pa;
+        let start = measured.times_s.first().copied().unwrap_or_default();
+        let times_s: Vec<f64> = measured.times_s.iter().map(|time| time - start).collect();
+        let (displacements_m, resolution_m) = measured.load.displacements(&times_s);
+        let normal_stress_pa = normal_stresses_pa.first().copied().unwrap_or(1.0);
+        let frictions = measured.stresses_pa.iter().map(|stress| stress / normal_stress_pa).collect();
+        let pairs = measured.stresses_pa.iter().zip(normal_stresses_pa);
+        let ratios: Vec<f64> = pairs.map(|(stress, normal)| stress / normal).collect();
+        let path = (times_s.len() > 1).then(|| LoadPath::through(&times_s, &displacements_m, resolution_m));
+        let found = faults(&times_s, &ratios, path.as_ref());
+        let Some(path) = path.filter(|_| found.is_empty()) else { return Err(found) };
+        let (pieces, piece_ends) = pieces(&times_s, &path, normal_stresses_pa);
+        let resolution_m = path.resolution_m;
+        Ok(Self {
+            times_s,
+            displacements_m,
+            frictions,
+            normal_stress_pa,
+            pieces,
+            piece_ends,
+            resolution_m,
+            measured,
+        })
+    }
+
+    /// The same record with other stresses, given as [`Self::frictions`].
+    #[must_use]
+    pub fn with_frictions(&self, frictions: Vec<f64>) -> Self {
+        Self { frictions, ..self.clone() }
+    }
+
+    /// The number of samples.
+    #[must_use]
+    pub fn rows(&self) -> usize {
+        self.times_s.len()
+    }
+
+    /// The velocity of the load point before the first step, m/s.
+    #[must_use]
+    pub fn reference_velocity_m_per_s(&self) -> f64 {
+        self.pieces[0].load_point_velocity_m_per_s
+    }
+
+    /// The samples of each piece, each sample in one piece.
+    pub fn piece_samples(&self) -> impl Iterator<Item = (std::ops::Range<usize>, &Piece)> {
+        let starts = [0].into_iter().chain(self.piece_ends.iter().copied());
+        starts.zip(&self.piece_ends).map(|(start, end)| start..*end).zip(&self.pieces)
+    }
+}
+
+impl Load {
+    /// Displacements since the first sample, and how exact they are.
+    fn displacements(&self, times_s: &[f64]) -> (Vec<f64>, f64) {
+        let (displacements, written) = match self {
+            Self::Displacement(values, resolution_m) => {
+                let start = values.first().copied().unwrap_or_default();
+                (values.iter().map(|value| value - start).collect::<Vec<_>>(), *resolution_m)
+            }
+            Self::Velocity(velocities) => {
+                let mut way = 0.0;
+                let steps = times_s.windows(2).zip(velocities).map(|(pair, velocity)| {
+                    way += velocity * (pair[1] - pair[0]);
+                    way
+                });
+                ([0.0].into_iter().chain(steps).collect(), 0.0)
+            }
+        };
+        let largest = displacements.iter().fold(0.0f64, |largest, value| largest.max(value.abs()));
+        (displacements, written.max(ROUNDING * largest))
+    }
+}
+
+/// The pieces of the path, cut wherever the normal stress changes.
+fn pieces(times_s: &[f64], path: &LoadPath, normal_stresses_pa: &[f64]) -> (Vec<Piece>, Vec<usize>) {
+    let mut pieces: Vec<Piece> = Vec::new();
+    let mut ends = Vec::new();
+    let mut start = 0;
+    for (end, velocity) in path.ends.iter().zip(&path.velocities_m_per_s) {
+        for sample in start..*end {
+            let is_last = sample + 1 == *end;
+            if is_last || normal_stresses_pa[sample + 1] != normal_stresses_pa[sample] {
+                ends.push(sample + 1);
+                pieces.push(Piece {
+                    until_s: times_s[sample + 1],
+                    load_point_velocity_m_per_s: *velocity,
+                    normal_stress_pa: normal_stresses_pa[sample],
+                });
+            }
+        }
+        start = *end;
+    }
+    (pieces, ends)
+}
+
+#[cfg(test)]
+pub(super) mod fixtures {
+    use super::*;
+    use slipmode_core::dynamics::{DrivenControl, DrivenSlider, drive};
+    use slipmode_core::number::split_mix::SplitMix64;
+
+    /// A record of this slider with three steps and normally distributed noise, made of twelve uniform numbers.
+    pub fn record(slider: &DrivenSlider, noise: f64, rows: u32) -> StepRecord {
+        let times: Vec<f64> = (0..rows).map(|row| 120.0 * f64::from(row) / f64::from(rows - 1)).collect();
+        let velocity = |time: &f64| match time {
+            ..30.0 => 1e-6,
+            30.0..60.0 => 1e-5,
+            60.0..90.0 => 2e-6,
+            _ => 1e-5,
+        };
+        let load = Load::Velocity(times.iter().map(velocity).collect());
+        // Any record without faults, for its pieces.
+        let stresses = times.iter().map(|time| 5e6 * (0.6 + 1e-4 * time)).collect();
+        let normal_stresses_pa = vec![5e6; times.len()];
+        let path =
+            StepRecord::new(Measured { times_s: times, load, stresses_pa: stresses, normal_stresses_pa })
+                .unwrap();
+        let control = DrivenControl { local_tolerance: 1e-11, most_steps: 100_000, with_derivatives: false };
+        let driven = drive(slider, &path.pieces, &path.times_s, control).unwrap();
+        let mut random = SplitMix64(7);
+        let mut normal = || (0..12).map(|_| random.unit()).sum::<f64>() - 6.0;
+        path.with_frictions(driven.iter().map(|driven| driven.friction + noise * normal()).collect())
+    }
+}

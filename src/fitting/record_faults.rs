@@ -1,0 +1,172 @@
+//! What keeps a record from being fitted, found before any fit.
+
+use super::load_path::LoadPath;
+
+/// Something wrong with a record.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct RecordFault {
+    /// The sample, counted from 0; none for the whole record.
+    pub sample: Option<usize>,
+    /// What is at fault, and what is wanted, in words.
+    pub reason: String,
+}
+
+/// Fewest samples.
+const LEAST_SAMPLES: usize = 20;
+/// The smallest ratio of velocities that counts as a step.
+const LEAST_RATIO: f64 = 1.02;
+/// Largest ratio of spring stress to normal stress that is taken for friction.
+const LARGEST_FRICTION: f64 = 5.0;
+/// Equal extreme values in a row that a saturated sensor gives: a share of all samples, and at least this many.
+const CLIPPED_SHARE: f64 = 0.02;
+const CLIPPED: usize = 8;
+/// A gap is this many times as long as the usual distance of the samples before and after it.
+const GAP: f64 = 10.0;
+/// Samples on each side that say what is usual.
+const NEIGHBOURS: usize = 8;
+/// Stick-slip: this many sudden drops in a piece of constant velocity, each of this share of the range of the whole record.
+const EVENTS: usize = 5;
+const EVENT_SHARE: f64 = 0.4;
+
+/// All faults of a record; the ratios are those of spring stress to normal stress.
+pub fn faults(times_s: &[f64], ratios: &[f64], path: Option<&LoadPath>) -> Vec<RecordFault> {
+    let whole = |reason: String| vec![RecordFault { sample: None, reason }];
+    let Some(path) = path.filter(|_| times_s.len() >= LEAST_SAMPLES) else {
+        return whole(format!("{} samples (wanted: at least {LEAST_SAMPLES})", times_s.len()));
+    };
+    let mut found = Vec::new();
+    found.extend(velocity_fault(path));
+    found.extend(friction_fault(ratios));
+    found.extend(clipped(ratios));
+    found.extend(gap(times_s));
+    if found.is_empty() {
+        found.extend(events(ratios, path));
+    }
+    found
+}
+
+fn velocity_fault(path: &LoadPath) -> Option<RecordFault> {
+    let velocities = &path.velocities_m_per_s;
+    let first = velocities[0];
+    let fault = |sample, reason: String| Some(RecordFault { sample, reason });
+    if first <= 0.0 {
+        return fault(
+            Some(0),
+            format!(
+                "the load point moves at {first:.3e} m/s at the start (wanted: steady sliding at a positive velocity before the first step)"
+            ),
+        );
+    }
+    let fastest = velocities.iter().fold(first, |fastest, velocity| fastest.max(*velocity));
+    let slowest = velocities.iter().fold(first, |slowest, velocity| slowest.min(*velocity));
+    if slowest < -0.1 * fastest {
+        return fault(
+            None,
+            format!(
+                "the load point moves backward, at {slowest:.3e} m/s (wanted: forward motion; is the sign of the displacement reversed?)"
+            ),
+        );
+    }
+    if fastest < LEAST_RATIO * slowest {
+        return fault(
+            None,
+            format!(
+                "no velocity step: the load point moves at {slowest:.6e} to {fastest:.6e} m/s (wanted: a step by a factor of at least {LEAST_RATIO})"
+            ),
+        );
+    }
+    None
+}
+
+fn friction_fault(ratios: &[f64]) -> Option<RecordFault> {
+    let sample = ratios.iter().position(|ratio| ratio.abs() > LARGEST_FRICTION)?;
+    let reason = format!(
+        "the friction is {:.4e} (wanted: at most {LARGEST_FRICTION} in size); are shear stress and normal stress in the units of their columns?",
+        ratios[sample]
+    );
+    Some(RecordFault { sample: Some(sample), reason })
+}
+
+/// A sensor at the end of its range repeats its largest or smallest value.
+fn clipped(ratios: &[f64]) -> Option<RecordFault> {
+    let most = CLIPPED.max((CLIPPED_SHARE * ratios.len() as f64) as usize);
+    let largest = ratios.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let smallest = ratios.iter().copied().fold(f64::INFINITY, f64::min);
+    let mut start = 0;
+    for run in ratios.chunk_by(|one, other| one == other) {
+        let is_extreme = run[0] == largest || run[0] == smallest;
+        if is_extreme && run.len() >= most {
+            let reason = format!(
+                "{} samples in a row have the {} friction {}: the sensor seems saturated (wanted: a record within its range)",
+                run.len(),
+                if run[0] == largest { "largest" } else { "smallest" },
+                slipmode_core::number::format::shortest(run[0]),
+            );
+            return Some(RecordFault { sample: Some(start), reason });
+        }
+        start += run.len();
+    }
+    None
+}
+
+/// A distance of two samples that is far longer than those before and those after.
+fn gap(times_s: &[f64]) -> Option<RecordFault> {
+    let steps: Vec<f64> = times_s.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    let usual = |range: std::ops::Range<usize>| {
+        let mut near = steps[range].to_vec();
+        near.sort_by(f64::total_cmp);
+        near.get(near.len() / 2).copied()
+    };
+    (1..steps.len().saturating_sub(1)).find_map(|index| {
+        let before = usual(index.saturating_sub(NEIGHBOURS)..index)?;
+        let after = usual(index + 1..(index + 1 + NEIGHBOURS).min(steps.len()))?;
+        let usual_s = before.max(after);
+        (steps[index] > GAP * usual_s).then(|| RecordFault {
+            sample: Some(index + 1),
+            reason: format!(
+                "a gap of {:.4e} s, where samples are {usual_s:.4e} s apart (wanted: a record without gaps)",
+                steps[index]
+            ),
+        })
+    })
+}
+
+/// Drops within pieces of constant velocity: a friction law whose steady sliding is stable has none.
+fn events(ratios: &[f64], path: &LoadPath) -> Option<RecordFault> {
+    let range = |values: &[f64]| {
+        let largest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        largest - values.iter().copied().fold(f64::INFINITY, f64::min)
+    };
+    let least = EVENT_SHARE * range(ratios);
+    let starts = [0].into_iter().chain(path.ends.iter().copied());
+    starts.zip(&path.ends).find_map(|(start, end)| {
+        let drops = drops(&ratios[start..=*end], least);
+        (drops >= EVENTS).then(|| RecordFault {
+            sample: Some(start),
+            reason: format!(
+                "{drops} drops of the friction at constant velocity from here on: stick-slip (wanted: sliding that becomes steady after each step)"
+            ),
+        })
+    })
+}
+
+/// How often values fall by at least this much and rise by it again.
+fn drops(values: &[f64], least: f64) -> usize {
+    let [mut top, mut bottom] = [values[0]; 2];
+    let (mut count, mut is_down) = (0, false);
+    for value in values {
+        if is_down {
+            bottom = bottom.min(*value);
+            if value - bottom >= least {
+                (is_down, top) = (false, *value);
+            }
+        } else {
+            top = top.max(*value);
+            if top - value >= least {
+                (is_down, bottom) = (true, *value);
+                count += 1;
+            }
+        }
+    }
+    count
+}

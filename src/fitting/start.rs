@@ -1,0 +1,140 @@
+//! Where a search begins: values read off the record, and the best of a grid around them.
+
+use super::parameter::{Parameter, Point};
+use super::problem::FitProblem;
+use super::record::StepRecord;
+
+/// What can be read off a record.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Readings {
+    /// Friction before the first step.
+    before: f64,
+    /// a − b: change of the steady friction per ln V.
+    rate_dependence: f64,
+    /// The largest excursion of friction in the direction of a step, per ln V.
+    direct: f64,
+    /// The steepest rise of friction per displacement of the load point after a step, 1/m.
+    slope_per_m: f64,
+    /// Displacement from one sample to the next after the steps, and the longest piece after a step, m.
+    distances_m: [f64; 2],
+}
+
+/// Shares of a piece at its end that count as steady.
+const STEADY_SHARE: f64 = 0.15;
+/// Factors of the direct effect and of the slope that are tried: a soft or slow record shows less than all of them.
+const DIRECT_FACTORS: [f64; 4] = [1.0, 1.4, 2.2, 4.0];
+const SLOPE_FACTORS: [f64; 4] = [1.0, 2.0, 5.0, 15.0];
+/// Values of D_c that are tried.
+const DISTANCES: u32 = 12;
+/// Starts that are searched from.
+const STARTS: usize = 4;
+
+/// The best starts of a grid, the best one first, each with its sum of squares.
+pub fn starts(problem: FitProblem<'_>) -> Vec<(Point, f64)> {
+    let Some(readings) = Readings::of(problem.record) else { return Vec::new() };
+    let mut found: Vec<(Point, f64)> = readings
+        .grid(problem)
+        .into_iter()
+        .filter_map(|point| Some((point, problem.coarse_cost(&point)?)))
+        .collect();
+    found.sort_by(|one, other| one.1.total_cmp(&other.1));
+    found.truncate(STARTS);
+    found
+}
+
+impl Readings {
+    fn of(record: &StepRecord) -> Option<Self> {
+        let levels: Vec<f64> =
+            record.piece_samples().map(|(samples, _)| steady(&record.frictions[samples])).collect();
+        let reference = record.reference_velocity_m_per_s();
+        let logs: Vec<Option<f64>> = record
+            .pieces
+            .iter()
+            .map(|piece| log_ratio(piece.load_point_velocity_m_per_s, reference))
+            .collect();
+        let [mut product, mut square] = [0.0; 2];
+        for ((samples, _), (level, log)) in record.piece_samples().zip(levels.iter().zip(&logs)) {
+            // Longer pieces are nearer to steady sliding at their end.
+            let Some(log) = log else { continue };
+            let weight = record.times_s[samples.end] - record.times_s[samples.start];
+            product += weight * log * (level - levels[0]);
+            square += weight * log * log;
+        }
+        let mut readings = Self {
+            before: levels[0],
+            rate_dependence: if square > 0.0 { product / square } else { 0.0 },
+            direct: 0.0,
+            slope_per_m: 0.0,
+            distances_m: [f64::INFINITY, 0.0],
+        };
+        for (index, (samples, _)) in record.piece_samples().enumerate().skip(1) {
+            let Some(log) = logs[index].zip(logs[index - 1]).map(|(one, other)| one - other) else {
+                continue;
+            };
+            readings.read_step(record, samples, levels[index - 1], log);
+        }
+        (readings.direct > 0.0 && readings.distances_m[1] > 0.0).then_some(readings)
+    }
+
+    /// What one step shows: the samples after it, the level before it, and the logarithm of the ratio of velocities.
+    fn read_step(&mut self, record: &StepRecord, samples: std::ops::Range<usize>, level: f64, log: f64) {
+        if log.abs() < 0.05 {
+            return;
+        }
+        let origin = record.displacements_m[samples.start];
+        let way = |sample: usize| (record.displacements_m[sample] - origin).abs();
+        let excursion = |sample: usize| (record.frictions[sample] - level) * log.signum();
+        let after = samples.start + 1..samples.end + 1;
+        let Some(peak) = after.clone().max_by(|one, other| excursion(*one).total_cmp(&excursion(*other)))
+        else {
+            return;
+        };
+        self.direct = self.direct.max(excursion(peak) / log.abs());
+        // The first sample beyond half of the peak: between two samples noise would make any slope.
+        let risen = after.clone().find(|sample| excursion(*sample) >= 0.5 * excursion(peak));
+        if let Some(risen) = risen.filter(|risen| way(*risen) > 0.0) {
+            self.slope_per_m = self.slope_per_m.max(excursion(risen) / way(risen));
+        }
+        let length = way(samples.end);
+        let spacing = length / after.len() as f64;
+        self.distances_m = [self.distances_m[0].min(spacing), self.distances_m[1].max(length)];
+    }
+
+    /// The points of the grid.
+    fn grid(&self, problem: FitProblem<'_>) -> Vec<Point> {
+        let weight = problem.record.normal_stress_pa;
+        let stiffnesses: Vec<f64> = match problem.given.stiffness_pa_per_m {
+            Some(stiffness) => vec![stiffness],
+            None => SLOPE_FACTORS.iter().map(|factor| factor * self.slope_per_m * weight).collect(),
+        };
+        let [shortest, longest] = [0.5 * self.distances_m[0], 0.5 * self.distances_m[1]].map(libm::log);
+        let distance =
+            |index: u32| shortest + (longest - shortest) * f64::from(index) / f64::from(DISTANCES - 1);
+        let mut points = Vec::new();
+        for factor in DIRECT_FACTORS {
+            let direct = factor * self.direct.max(1.05 * self.rate_dependence);
+            // b > 0, whatever the noise makes of the steady levels.
+            let evolution = (direct - self.rate_dependence).max(0.05 * direct);
+            for stiffness in &stiffnesses {
+                for index in 0..DISTANCES {
+                    let logs = [direct, evolution, 1.0, *stiffness].map(libm::log);
+                    points.push([logs[0], logs[1], distance(index), logs[3], self.before, 0.0]);
+                }
+            }
+        }
+        debug_assert!(Parameter::CriticalSlipDistance as usize == 2);
+        points
+    }
+}
+
+/// The mean of the last part of a piece.
+fn steady(frictions: &[f64]) -> f64 {
+    let from = ((1.0 - STEADY_SHARE) * frictions.len() as f64) as usize;
+    let last = &frictions[from.min(frictions.len() - 1)..];
+    last.iter().sum::<f64>() / last.len() as f64
+}
+
+/// ln(V/V0); none at rest.
+fn log_ratio(velocity: f64, reference: f64) -> Option<f64> {
+    (velocity > 0.0).then(|| libm::log(velocity / reference))
+}
