@@ -1,5 +1,6 @@
 //! `slipmode fit`: a, b, D_c and more from a record of velocity steps, with intervals, and a report on what follows.
 
+mod laboratory;
 mod view;
 
 use std::path::PathBuf;
@@ -47,7 +48,7 @@ pub struct Options {
     /// Also fit a change of the friction in proportion to the displacement of the load point
     #[arg(long)]
     drift: bool,
-    /// V0 at which the slip mode is stated, where M is given [default: the velocity before the first step]
+    /// V0 at which slip modes are stated, where M is given [default: the velocity before the first step]
     #[arg(
         short = 'v',
         long,
@@ -56,6 +57,9 @@ pub struct Options {
         allow_hyphen_values = true
     )]
     loading_velocity_m_per_s: Option<String>,
+    /// Also write the folder of a report on the fitted slider, as `new` does: its name is the report's, and it must not exist
+    #[arg(long, value_name = "DIR", requires = "mass_per_area_kg_per_m2")]
+    into: Option<PathBuf>,
     #[command(flatten)]
     dialect: DialectOptions,
     /// One JSON object instead of text
@@ -89,7 +93,11 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     let fits = progress.spinner("fitting", || Fits::of(&record, &request.laws, &request.given));
     let no_fit = |failure: FitFailure| fault_of(&options.record, Problem::Fit(failure.to_string()));
     let fits = fits.map_err(|failure| Failure::Input(vec![no_fit(failure)]))?;
-    let answer = view::answer(&record, &fits, request.point(&record));
+    let point = request.point(&record);
+    let answer = view::answer(&record, &fits, &point);
+    if let Some(place) = &options.into {
+        laboratory::write(place, &record, &fits, &request.laws, &point, *progress)?;
+    }
     csv.map_or(Ok(()), |output| output.finish(view::rows(&record, &fits.best)))?;
     svg.map_or(Ok(()), |output| output.finish(fit_picture(&record, &fits)))?;
     answer.print_beside(options.json, options.output.as_deref())

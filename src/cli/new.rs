@@ -28,6 +28,8 @@ pub use ranges::Ranges;
 use ranges::{OwnRange, USUAL, usual};
 use scene::{Own, Typed};
 
+pub use scene::Fitted;
+
 /// Options of `new`.
 #[derive(Debug, Args)]
 pub struct Options {
@@ -82,14 +84,8 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     }
     let Request { typed, parameters } = read(options)?;
     let place = free_place(options)?;
-    let effects = Effects::of(&parameters);
-    let corners = Ranges::around(&parameters).map_err(Failure::Refused)?;
-    let mut ranges = typed.own.as_ref().map_or(corners, |own| Ranges::of_laboratory(&own.ranges));
     let output = OutputFolder::create(&place)?;
-    let mut draft = complete(&typed, effects, &ranges, &place, *progress)?;
-    while draft.has_gaps && ranges.coarsen() {
-        draft = complete(&typed, effects, &ranges, &place, *progress)?;
-    }
+    let files = drafted(&typed, &parameters, &place, *progress)?;
     let ranges = typed
         .own
         .iter()
@@ -97,7 +93,50 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     let inputs = ranges.fold(given_json(&typed.slider), |inputs, (key, [low, _, high])| {
         inputs.with(key, [low, high].map(nearest_f64))
     });
-    options.write(output, &draft.files, "report", &place, inputs)
+    options.write(output, &files, "report", &place, inputs)
+}
+
+/// A folder for a slider whose values were fitted, to be written at a place where nothing is.
+///
+/// # Errors
+/// When the place is taken or has no name for a report, or the slider's corners lie beyond what a scene can hold.
+pub fn write_fitted(
+    place: &Path,
+    slider: &SliderOptions,
+    fitted: Fitted,
+    progress: Progress,
+) -> Result<(), Failure> {
+    let options = Options {
+        name: place.file_name().unwrap_or_default().to_string_lossy().into_owned(),
+        slider: slider.clone(),
+        normal_stresses: None,
+        loading_velocities: None,
+        paper: false,
+        output: Some(place.to_path_buf()),
+        json: false,
+    };
+    let Request { typed, parameters } = read(&options)?;
+    let place = free_place(&options)?;
+    let output = OutputFolder::create(&place)?;
+    let typed = Typed { fitted: Some(fitted), ..typed };
+    output.commit(&drafted(&typed, &parameters, &place, progress)?)
+}
+
+/// The files of a folder with their verdicts, on a grid of simulations that has no gaps.
+fn drafted(
+    typed: &Typed,
+    parameters: &Slider<Rational>,
+    place: &Path,
+    progress: Progress,
+) -> Result<Files, Failure> {
+    let effects = Effects::of(parameters);
+    let corners = Ranges::around(parameters).map_err(Failure::Refused)?;
+    let mut ranges = typed.own.as_ref().map_or(corners, |own| Ranges::of_laboratory(&own.ranges));
+    let mut draft = complete(typed, effects, &ranges, place, progress)?;
+    while draft.has_gaps && ranges.coarsen() {
+        draft = complete(typed, effects, &ranges, place, progress)?;
+    }
+    Ok(draft.files)
 }
 
 /// Where the folder is to be; nothing may be there.
@@ -167,7 +206,7 @@ fn read(options: &Options) -> Result<Request, Failure> {
     let ranges = centre.point(&mut arguments).and_then(|point| own_ranges(options, point, &mut arguments));
     let (parameters, ranges) = arguments.finish(parameters.zip(ranges))?;
     let own = ranges.map(|ranges| Own { slider: parameters.clone(), ranges });
-    let typed = Typed { name: options.name.clone(), slider, is_example, own };
+    let typed = Typed { name: options.name.clone(), slider, is_example, own, fitted: None };
     Ok(Request { typed, parameters })
 }
 

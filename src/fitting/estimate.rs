@@ -128,6 +128,9 @@ impl Fits {
 
 /// Fits of one law, restarted from better points that profiles meet, at most this often.
 const RESTARTS: usize = 3;
+const INDEFINITE: &str = "the sum of squares has no definite minimum";
+/// The share of the spread of a record that a fit leaves, from which on the sign of the record is doubted.
+const UNEXPLAINED: f64 = 0.5;
 /// A record that is this many times nearer to the model with its sign reversed has the wrong sign.
 const SIGN_FACTOR: f64 = 4.0;
 /// What a and b, and D_c, can be: friction beyond these has never been measured.
@@ -140,40 +143,52 @@ const POSSIBLE_DISTANCE_M: [f64; 2] = [1e-9, 0.1];
 /// When no parameters follow the record, its sign is reversed, or it does not determine them.
 fn fit(record: &StepRecord, given: &Given) -> Result<Fit, FitFailure> {
     let problem = FitProblem { record, given };
-    let free = given.free();
-    let starts = starts(problem);
-    if is_reversed(problem, starts.first().map(|start| start.1)) {
+    let found = search(problem);
+    let cost = found.as_ref().map_or(f64::INFINITY, |fit| fit.cost);
+    if cost > UNEXPLAINED * spread(record) && is_reversed(problem, cost) {
         return Err(FitFailure::WrongSign);
     }
+    found
+}
+
+/// The sum of squares of the friction about its mean.
+fn spread(record: &StepRecord) -> f64 {
+    let mean = record.frictions.iter().sum::<f64>() / record.rows() as f64;
+    record.frictions.iter().map(|friction| (friction - mean) * (friction - mean)).sum()
+}
+
+/// Searches from each start, and completes the best minimum.
+fn search(problem: FitProblem<'_>) -> Result<Fit, FitFailure> {
+    let free = problem.given.free();
     let mut runs = 0;
-    let mut best: Option<Minimum> = None;
-    for (start, _) in &starts {
-        let Some(found) = minimise(problem, start, &free) else { continue };
+    let minima = starts(problem).into_iter().filter_map(|(start, _)| {
+        let found = minimise(problem, &start, &free)?;
         runs += found.runs;
-        if best.as_ref().is_none_or(|best| found.cost < best.cost) {
-            best = Some(found);
-        }
-    }
+        Some(found)
+    });
+    let best = minima.min_by(|one, other| one.cost.total_cmp(&other.cost));
     let mut best = best.ok_or(FitFailure::NoMinimum("no search from the values read off the record ends"))?;
     for _ in 0..RESTARTS {
         match complete(problem, &best, &free, &mut runs)? {
             Completed::Fit(fit) => return Ok(*fit),
             Completed::Better(point) => {
                 let found = minimise(problem, &point, &free).filter(|found| found.cost < best.cost);
-                best = found.ok_or(FitFailure::NoMinimum("the sum of squares has no definite minimum"))?;
+                best = found.ok_or(FitFailure::NoMinimum(INDEFINITE))?;
             }
         }
     }
-    Err(FitFailure::NoMinimum("the sum of squares has no definite minimum"))
+    Err(FitFailure::NoMinimum(INDEFINITE))
 }
 
 /// Whether the model is far nearer to the record with all changes of friction reversed.
-fn is_reversed(problem: FitProblem<'_>, cost: Option<f64>) -> bool {
+fn is_reversed(problem: FitProblem<'_>, cost: f64) -> bool {
     let before = problem.record.frictions[0];
     let mirrored = problem.record.frictions.iter().map(|friction| 2.0 * before - friction).collect();
     let record = problem.record.with_frictions(mirrored);
-    let reversed = starts(FitProblem { record: &record, ..problem });
-    reversed.first().is_some_and(|(_, other)| cost.is_none_or(|cost| cost > SIGN_FACTOR * other))
+    let problem = FitProblem { record: &record, ..problem };
+    let free = problem.given.free();
+    let reversed = starts(problem).into_iter().filter_map(|(start, _)| minimise(problem, &start, &free));
+    reversed.map(|found| found.cost).any(|other| cost > SIGN_FACTOR * other)
 }
 
 enum Completed {
@@ -247,23 +262,14 @@ fn check_possible(point: &Point, free: &[Parameter]) -> Result<(), FitFailure> {
 
 /// Samples within the first D_c of the load point's way after a step: the fewest of all steps.
 fn samples_per_slip_distance(record: &StepRecord, distance_m: f64) -> f64 {
-    let mut last = record.reference_velocity_m_per_s();
-    let mut fewest = f64::INFINITY;
-    for (samples, piece) in record.piece_samples() {
-        let velocity = piece.load_point_velocity_m_per_s;
-        if (velocity - last).abs() > 0.02 * last.abs() {
-            let origin = record.displacements_m[samples.start];
-            let within = samples
-                .clone()
-                .skip(1)
-                .take_while(|sample| (record.displacements_m[*sample] - origin).abs() <= distance_m);
-            let way = (record.displacements_m[samples.end] - origin).abs();
-            // A piece shorter than D_c has as many as if it went on.
-            fewest = fewest.min(within.count() as f64 * (distance_m / way).max(1.0));
-        }
-        last = velocity;
-    }
-    fewest
+    let within = |(samples, _): (std::ops::Range<usize>, f64)| {
+        let way =
+            |sample: usize| (record.displacements_m[sample] - record.displacements_m[samples.start]).abs();
+        let count = (samples.start + 1..=samples.end).take_while(|sample| way(*sample) <= distance_m).count();
+        // A stride shorter than D_c has as many as if it went on.
+        count as f64 * (distance_m / way(samples.end)).max(1.0)
+    };
+    record.strides().skip(1).map(within).fold(f64::INFINITY, f64::min)
 }
 
 impl Fit {

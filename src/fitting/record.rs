@@ -26,10 +26,8 @@ pub struct StepRecord {
     pub normal_stress_pa: f64,
     /// Pieces of constant velocity and normal stress.
     pub pieces: Vec<Piece>,
-    /// The sample at which each piece ends.
-    pub piece_ends: Vec<usize>,
-    /// By how much the pieces miss the displacement of the load point, m, at most.
-    pub resolution_m: f64,
+    /// The path of the load point.
+    pub path: LoadPath,
     /// The record as it was given.
     pub measured: Measured,
 }
@@ -67,18 +65,8 @@ impl StepRecord {
         let path = (times_s.len() > 1).then(|| LoadPath::through(&times_s, &displacements_m, resolution_m));
         let found = faults(&times_s, &ratios, path.as_ref());
         let Some(path) = path.filter(|_| found.is_empty()) else { return Err(found) };
-        let (pieces, piece_ends) = pieces(&times_s, &path, normal_stresses_pa);
-        let resolution_m = path.resolution_m;
-        Ok(Self {
-            times_s,
-            displacements_m,
-            frictions,
-            normal_stress_pa,
-            pieces,
-            piece_ends,
-            resolution_m,
-            measured,
-        })
+        let pieces = pieces(&times_s, &path, normal_stresses_pa);
+        Ok(Self { times_s, displacements_m, frictions, normal_stress_pa, pieces, path, measured })
     }
 
     /// The same record with other stresses, given as [`Self::frictions`].
@@ -99,10 +87,11 @@ impl StepRecord {
         self.pieces[0].load_point_velocity_m_per_s
     }
 
-    /// The samples of each piece, each sample in one piece.
-    pub fn piece_samples(&self) -> impl Iterator<Item = (std::ops::Range<usize>, &Piece)> {
-        let starts = [0].into_iter().chain(self.piece_ends.iter().copied());
-        starts.zip(&self.piece_ends).map(|(start, end)| start..*end).zip(&self.pieces)
+    /// The samples between two steps of velocity, the first one at the step, and the velocity of the load point there, m/s.
+    pub fn strides(&self) -> impl Iterator<Item = (std::ops::Range<usize>, f64)> {
+        let starts = [0].into_iter().chain(self.path.ends.iter().copied());
+        let velocities = self.path.velocities_m_per_s.iter().copied();
+        starts.zip(&self.path.ends).map(|(start, end)| start..*end).zip(velocities)
     }
 }
 
@@ -129,15 +118,13 @@ impl Load {
 }
 
 /// The pieces of the path, cut wherever the normal stress changes.
-fn pieces(times_s: &[f64], path: &LoadPath, normal_stresses_pa: &[f64]) -> (Vec<Piece>, Vec<usize>) {
+fn pieces(times_s: &[f64], path: &LoadPath, normal_stresses_pa: &[f64]) -> Vec<Piece> {
     let mut pieces: Vec<Piece> = Vec::new();
-    let mut ends = Vec::new();
     let mut start = 0;
     for (end, velocity) in path.ends.iter().zip(&path.velocities_m_per_s) {
         for sample in start..*end {
             let is_last = sample + 1 == *end;
             if is_last || normal_stresses_pa[sample + 1] != normal_stresses_pa[sample] {
-                ends.push(sample + 1);
                 pieces.push(Piece {
                     until_s: times_s[sample + 1],
                     load_point_velocity_m_per_s: *velocity,
@@ -147,7 +134,7 @@ fn pieces(times_s: &[f64], path: &LoadPath, normal_stresses_pa: &[f64]) -> (Vec<
         }
         start = *end;
     }
-    (pieces, ends)
+    pieces
 }
 
 #[cfg(test)]

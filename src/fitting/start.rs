@@ -1,6 +1,6 @@
 //! Where a search begins: values read off the record, and the best of a grid around them.
 
-use super::parameter::{Parameter, Point};
+use super::parameter::Point;
 use super::problem::FitProblem;
 use super::record::StepRecord;
 
@@ -27,16 +27,19 @@ const SLOPE_FACTORS: [f64; 4] = [1.0, 2.0, 5.0, 15.0];
 /// Values of D_c that are tried.
 const DISTANCES: u32 = 12;
 /// Starts that are searched from.
-const STARTS: usize = 4;
+const STARTS: usize = 5;
 
-/// The best starts of a grid, the best one first, each with its sum of squares.
+/// The best starts of a grid, at most one for each value of D_c, the best one first, each with its sum of squares.
+///
+/// Next to the best start there may be a minimum with a D_c far too short, where b only lessens a.
 pub fn starts(problem: FitProblem<'_>) -> Vec<(Point, f64)> {
     let Some(readings) = Readings::of(problem.record) else { return Vec::new() };
-    let mut found: Vec<(Point, f64)> = readings
-        .grid(problem)
-        .into_iter()
-        .filter_map(|point| Some((point, problem.coarse_cost(&point)?)))
-        .collect();
+    let mut found: Vec<(Point, f64)> = Vec::new();
+    for distance in readings.distances() {
+        let points = readings.grid(problem, distance).into_iter();
+        let costs = points.filter_map(|point| Some((point, problem.coarse_cost(&point)?)));
+        found.extend(costs.min_by(|one, other| one.1.total_cmp(&other.1)));
+    }
     found.sort_by(|one, other| one.1.total_cmp(&other.1));
     found.truncate(STARTS);
     found
@@ -45,15 +48,12 @@ pub fn starts(problem: FitProblem<'_>) -> Vec<(Point, f64)> {
 impl Readings {
     fn of(record: &StepRecord) -> Option<Self> {
         let levels: Vec<f64> =
-            record.piece_samples().map(|(samples, _)| steady(&record.frictions[samples])).collect();
+            record.strides().map(|(samples, _)| steady(&record.frictions[samples])).collect();
         let reference = record.reference_velocity_m_per_s();
-        let logs: Vec<Option<f64>> = record
-            .pieces
-            .iter()
-            .map(|piece| log_ratio(piece.load_point_velocity_m_per_s, reference))
-            .collect();
+        let logs: Vec<Option<f64>> =
+            record.strides().map(|(_, velocity)| log_ratio(velocity, reference)).collect();
         let [mut product, mut square] = [0.0; 2];
-        for ((samples, _), (level, log)) in record.piece_samples().zip(levels.iter().zip(&logs)) {
+        for ((samples, _), (level, log)) in record.strides().zip(levels.iter().zip(&logs)) {
             // Longer pieces are nearer to steady sliding at their end.
             let Some(log) = log else { continue };
             let weight = record.times_s[samples.end] - record.times_s[samples.start];
@@ -67,7 +67,7 @@ impl Readings {
             slope_per_m: 0.0,
             distances_m: [f64::INFINITY, 0.0],
         };
-        for (index, (samples, _)) in record.piece_samples().enumerate().skip(1) {
+        for (index, (samples, _)) in record.strides().enumerate().skip(1) {
             let Some(log) = logs[index].zip(logs[index - 1]).map(|(one, other)| one - other) else {
                 continue;
             };
@@ -100,29 +100,30 @@ impl Readings {
         self.distances_m = [self.distances_m[0].min(spacing), self.distances_m[1].max(length)];
     }
 
-    /// The points of the grid.
-    fn grid(&self, problem: FitProblem<'_>) -> Vec<Point> {
+    /// Logarithms of the values of D_c that are tried.
+    fn distances(&self) -> Vec<f64> {
+        let [shortest, longest] = [0.5 * self.distances_m[0], 0.5 * self.distances_m[1]].map(libm::log);
+        let part = |index: u32| f64::from(index) / f64::from(DISTANCES - 1);
+        (0..DISTANCES).map(|index| shortest + (longest - shortest) * part(index)).collect()
+    }
+
+    /// The points of the grid with this ln D_c.
+    fn grid(&self, problem: FitProblem<'_>, distance: f64) -> Vec<Point> {
         let weight = problem.record.normal_stress_pa;
         let stiffnesses: Vec<f64> = match problem.given.stiffness_pa_per_m {
             Some(stiffness) => vec![stiffness],
             None => SLOPE_FACTORS.iter().map(|factor| factor * self.slope_per_m * weight).collect(),
         };
-        let [shortest, longest] = [0.5 * self.distances_m[0], 0.5 * self.distances_m[1]].map(libm::log);
-        let distance =
-            |index: u32| shortest + (longest - shortest) * f64::from(index) / f64::from(DISTANCES - 1);
         let mut points = Vec::new();
         for factor in DIRECT_FACTORS {
             let direct = factor * self.direct.max(1.05 * self.rate_dependence);
             // b > 0, whatever the noise makes of the steady levels.
             let evolution = (direct - self.rate_dependence).max(0.05 * direct);
             for stiffness in &stiffnesses {
-                for index in 0..DISTANCES {
-                    let logs = [direct, evolution, 1.0, *stiffness].map(libm::log);
-                    points.push([logs[0], logs[1], distance(index), logs[3], self.before, 0.0]);
-                }
+                let [direct, evolution, stiffness] = [direct, evolution, *stiffness].map(libm::log);
+                points.push([direct, evolution, distance, stiffness, self.before, 0.0]);
             }
         }
-        debug_assert!(Parameter::CriticalSlipDistance as usize == 2);
         points
     }
 }

@@ -51,10 +51,10 @@ pub fn advice(fit: &Fit, record: &StepRecord) -> Vec<String> {
         ));
     }
     let distance = fit.estimate(Parameter::CriticalSlipDistance).map(|estimate| estimate.value);
-    if distance.is_some_and(|distance| record.resolution_m > 0.1 * distance) {
+    if distance.is_some_and(|distance| record.path.resolution_m > 0.1 * distance) {
         sentences.push(format!(
             "The displacement of the load point is known to {} m, more than a tenth of D_c.",
-            round_digits(record.resolution_m, 2)
+            round_digits(record.path.resolution_m, 2)
         ));
     }
     sentences

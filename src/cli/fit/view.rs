@@ -12,7 +12,7 @@ use slipmode_core::stability::InertialThreshold;
 use crate::cli::answer::Answer;
 
 /// States the fitted values with their intervals, the noise, and what the record cannot tell.
-pub fn answer(record: &StepRecord, fits: &Fits, point: OperatingPoint<Rational>) -> Answer {
+pub fn answer(record: &StepRecord, fits: &Fits, point: &OperatingPoint<Rational>) -> Answer {
     let fit = &fits.best;
     let given = &fit.given;
     let inputs = json!({
@@ -46,7 +46,7 @@ pub fn answer(record: &StepRecord, fits: &Fits, point: OperatingPoint<Rational>)
         .with("runs", fit.runs);
     let sentences = advice(fit, record);
     let lines: String = sentences.iter().map(|sentence| format!("{sentence}\n")).collect();
-    answer.and(comparison(fits)).and(modes(fit, &point)).with("remarks", sentences).text(&lines)
+    answer.and(comparison(fits)).and(modes(fit, point)).with("remarks", sentences).text(&lines)
 }
 
 fn estimated(estimate: &Estimate) -> Answer {

@@ -60,10 +60,11 @@ const fn simulations(prose: &'static str) -> Chapter {
     Chapter { id: "simulations", title: "Simulations", prose }
 }
 
-/// The files for a slider with an operating point, by their path in the folder; [`ERROR_BARS`] for values that have some.
-const LABORATORY: [(&str, &str); 6] = [
+/// The files for a slider with an operating point, by their path in the folder; [`ERROR_BARS`] for values that have some, [`FIT`] for fitted ones.
+const LABORATORY: [(&str, &str); 7] = [
     ("report.toml", include_str!("../../../templates/new/laboratory/report.toml")),
     ("prose/introduction.md", include_str!("../../../templates/new/laboratory/introduction.md")),
+    (FIT, include_str!("../../../templates/new/laboratory/fit.md")),
     ("prose/changes.md", include_str!("../../../templates/new/laboratory/changes.md")),
     (ERROR_BARS, include_str!("../../../templates/new/laboratory/error-bars.md")),
     ("prose/runs.md", include_str!("../../../templates/new/laboratory/runs.md")),
@@ -71,6 +72,9 @@ const LABORATORY: [(&str, &str); 6] = [
 ];
 
 const ERROR_BARS: &str = "prose/error-bars.md";
+const FIT: &str = "prose/fit.md";
+/// The record of velocity steps.
+const RECORD: &str = "vectors/record.csv";
 
 /// Places the claim that compares the runs with theory, where a transition exists.
 const CLAIM: &str = include_str!("../../../templates/new/laboratory/claim.md");
@@ -79,18 +83,24 @@ fn laboratory_files(typed: &Typed, effects: Effects) -> Files {
     let files = LABORATORY.into_iter().chain([("prose/formulas.md", formulas_prose(effects))]);
     let mut files: Files = files.map(|(path, text)| (path.into(), filled(text, typed, effects))).collect();
     if !typed.slider.is_uncertain() {
-        files.remove(ERROR_BARS);
-        let without = |report: &str| {
-            let chapters: Vec<&str> = report.split("\n\n").collect();
-            chapters
-                .into_iter()
-                .filter(|chapter| !chapter.contains("error-bars.md"))
-                .collect::<Vec<_>>()
-                .join("\n\n")
-        };
-        files.entry("report.toml".into()).and_modify(|report| *report = without(report));
+        remove_chapter(&mut files, ERROR_BARS);
+    }
+    match &typed.fitted {
+        Some(fitted) => _ = files.insert(RECORD.into(), fitted.record.clone()),
+        None => remove_chapter(&mut files, FIT),
     }
     files
+}
+
+/// Removes a chapter's prose, and what the report says of it.
+fn remove_chapter(files: &mut Files, prose: &str) {
+    files.remove(prose);
+    let name = prose.trim_start_matches("prose/");
+    let without = |report: &str| {
+        let kept: Vec<&str> = report.split("\n\n").filter(|chapter| !chapter.contains(name)).collect();
+        kept.join("\n\n")
+    };
+    files.entry("report.toml".into()).and_modify(|report| *report = without(report));
 }
 
 const fn formulas_prose(effects: Effects) -> &'static str {

@@ -21,6 +21,17 @@ pub struct Typed {
     pub is_example: bool,
     /// The slider with its operating range, where an operating point was given.
     pub own: Option<Own>,
+    /// The record that the values were fitted to.
+    pub fitted: Option<Fitted>,
+}
+
+/// A record of velocity steps, for a laboratory's report.
+#[derive(Debug)]
+pub struct Fitted {
+    /// The text of `[fit]`.
+    pub section: String,
+    /// The record as CSV.
+    pub record: String,
 }
 
 impl Typed {
@@ -71,7 +82,8 @@ pub fn scene_text(typed: &Typed, effects: Effects, ranges: &Ranges) -> String {
         let parts =
             [("{map}", map), ("{points}", own.points()), ("{coarser}", coarser.into()), ("{runs}", runs)];
         let rest = parts.iter().fold(LABORATORY.to_owned(), |text, (key, part)| text.replace(key, part));
-        return cited(&format!("{head}{rest}"));
+        let fitted = typed.fitted.as_ref().map_or("", |fitted| &fitted.section);
+        return cited(&format!("{head}{rest}{fitted}"));
     }
     let sections = [
         head,
