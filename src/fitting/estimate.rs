@@ -3,7 +3,7 @@
 use nalgebra::DMatrix;
 use rayon::prelude::*;
 
-use super::least_squares::{Minimum, covariance, minimise};
+use super::least_squares::{Minimum, PATIENCE, SHORT_PATIENCE, covariance, minimise};
 use super::parameter::{Parameter, Point};
 use super::problem::{FitProblem, Given};
 use super::profile::{ProfilePoint, Profiler};
@@ -69,6 +69,11 @@ pub enum FitFailure {
         "the record does not determine {0} together; give the stiffness, or record more samples after a step"
     )]
     Undetermined(String),
+    /// D_c is shorter than the samples tell, or longer than the record.
+    #[error(
+        "the record does not determine D_c: the best value is far below the way between two samples, or far beyond the way after a step"
+    )]
+    Unresolved,
     /// A parameter that no material has.
     #[error("the best {symbol} is {value:.3e}, outside of {low:e} to {high:e}: is a column in another unit?")]
     Absurd {
@@ -128,6 +133,9 @@ impl Fits {
 
 /// Fits of one law, restarted from better points that profiles meet, at most this often.
 const RESTARTS: usize = 3;
+/// Searches that go on after the short ones.
+const LONGER: usize = 3;
+const NO_END: &str = "no search from the values read off the record ends";
 const INDEFINITE: &str = "the sum of squares has no definite minimum";
 /// The share of the spread of a record that a fit leaves, from which on the sign of the record is doubted.
 const UNEXPLAINED: f64 = 0.5;
@@ -142,7 +150,7 @@ const POSSIBLE_DISTANCE_M: [f64; 2] = [1e-9, 0.1];
 /// # Errors
 /// When no parameters follow the record, its sign is reversed, or it does not determine them.
 fn fit(record: &StepRecord, given: &Given) -> Result<Fit, FitFailure> {
-    let problem = FitProblem { record, given };
+    let problem = FitProblem::new(record, given);
     let found = search(problem);
     let cost = found.as_ref().map_or(f64::INFINITY, |fit| fit.cost);
     if cost > UNEXPLAINED * spread(record) && is_reversed(problem, cost) {
@@ -160,19 +168,13 @@ fn spread(record: &StepRecord) -> f64 {
 /// Searches from each start, and completes the best minimum.
 fn search(problem: FitProblem<'_>) -> Result<Fit, FitFailure> {
     let free = problem.given.free();
-    let mut runs = 0;
-    let minima = starts(problem).into_iter().filter_map(|(start, _)| {
-        let found = minimise(problem, &start, &free)?;
-        runs += found.runs;
-        Some(found)
-    });
-    let best = minima.min_by(|one, other| one.cost.total_cmp(&other.cost));
-    let mut best = best.ok_or(FitFailure::NoMinimum("no search from the values read off the record ends"))?;
+    let mut best = best_minimum(problem, &free).ok_or(FitFailure::NoMinimum(NO_END))?;
+    let mut runs = best.runs;
     for _ in 0..RESTARTS {
         match complete(problem, &best, &free, &mut runs)? {
             Completed::Fit(fit) => return Ok(*fit),
             Completed::Better(point) => {
-                let found = minimise(problem, &point, &free).filter(|found| found.cost < best.cost);
+                let found = minimise(problem, &point, &free, PATIENCE).filter(|found| found.cost < best.cost);
                 best = found.ok_or(FitFailure::NoMinimum(INDEFINITE))?;
             }
         }
@@ -180,15 +182,36 @@ fn search(problem: FitProblem<'_>) -> Result<Fit, FitFailure> {
     Err(FitFailure::NoMinimum(INDEFINITE))
 }
 
+/// Short searches from all starts, and long ones from where the best of them end.
+fn best_minimum(problem: FitProblem<'_>, free: &[Parameter]) -> Option<Minimum> {
+    let by_cost = |one: &Minimum, other: &Minimum| one.cost.total_cmp(&other.cost);
+    let mut rough: Vec<Minimum> = starts(problem)
+        .into_iter()
+        .filter_map(|(start, _)| minimise(problem, &start, free, SHORT_PATIENCE))
+        .collect();
+    let mut runs: usize = rough.iter().map(|found| found.runs).sum();
+    rough.sort_by(by_cost);
+    let mut longer = |mut found: Minimum| {
+        for _ in 0..RESTARTS {
+            if found.is_converged {
+                return Some(found);
+            }
+            found = minimise(problem, &found.point, free, PATIENCE)?;
+            runs += found.runs;
+        }
+        None
+    };
+    let found: Vec<Minimum> = rough.into_iter().take(LONGER).filter_map(&mut longer).collect();
+    found.into_iter().min_by(by_cost).map(|found| Minimum { runs, ..found })
+}
+
 /// Whether the model is far nearer to the record with all changes of friction reversed.
 fn is_reversed(problem: FitProblem<'_>, cost: f64) -> bool {
     let before = problem.record.frictions[0];
     let mirrored = problem.record.frictions.iter().map(|friction| 2.0 * before - friction).collect();
     let record = problem.record.with_frictions(mirrored);
-    let problem = FitProblem { record: &record, ..problem };
-    let free = problem.given.free();
-    let reversed = starts(problem).into_iter().filter_map(|(start, _)| minimise(problem, &start, &free));
-    reversed.map(|found| found.cost).any(|other| cost > SIGN_FACTOR * other)
+    let problem = FitProblem::new(&record, problem.given);
+    best_minimum(problem, &problem.given.free()).is_some_and(|found| cost > SIGN_FACTOR * found.cost)
 }
 
 enum Completed {
@@ -204,6 +227,9 @@ fn complete(
     runs: &mut usize,
 ) -> Result<Completed, FitFailure> {
     check_possible(&minimum.point, free)?;
+    if problem.is_unresolved(&minimum.point) {
+        return Err(FitFailure::Unresolved);
+    }
     let residuals = Residuals::of(&minimum.evaluated.residuals, free.len());
     let symbols = || free.iter().map(|parameter| parameter.symbol()).collect::<Vec<_>>().join(", ");
     let covariance =

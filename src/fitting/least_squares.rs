@@ -1,6 +1,6 @@
 //! The least sum of squares over some coordinates, by the method of Levenberg and Marquardt.
 
-use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
+use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt, TerminationReason};
 use nalgebra::storage::Owned;
 use nalgebra::{DMatrix, DVector, Dyn};
 
@@ -18,29 +18,37 @@ pub struct Minimum {
     pub cost: f64,
     /// Runs that the search made.
     pub runs: usize,
+    /// Whether the search ended by itself.
+    pub is_converged: bool,
 }
 
 /// Relative change of the sum of squares and of the coordinates, and cosine of residuals and derivatives, below which a search ends.
 const TOLERANCE: f64 = 1e-11;
-/// Runs of a search for each coordinate, at most.
-const PATIENCE: usize = 40;
+/// Runs of a search for each coordinate, at most; and of one that only tells which start is best.
+pub const PATIENCE: usize = 60;
+pub const SHORT_PATIENCE: usize = 5;
 
-/// Searches the least sum of squares over these parameters; the others stay. None where the start has no run or the search does not end.
-pub fn minimise(problem: FitProblem<'_>, start: &Point, free: &[Parameter]) -> Option<Minimum> {
+/// Searches the least sum of squares over these parameters; the others stay. None where the start has no run.
+pub fn minimise(
+    problem: FitProblem<'_>,
+    start: &Point,
+    free: &[Parameter],
+    patience: usize,
+) -> Option<Minimum> {
     let evaluated = problem.evaluate(start, FINE, true)?;
     if free.is_empty() {
         let cost = sum_of_squares(&evaluated.residuals);
-        return Some(Minimum { point: *start, evaluated, cost, runs: 1 });
+        return Some(Minimum { point: *start, evaluated, cost, runs: 1, is_converged: true });
     }
     let search = Search { problem, free, point: *start, evaluated: Some(evaluated) };
-    let method = LevenbergMarquardt::new().with_tol(TOLERANCE).with_patience(PATIENCE);
+    let method = LevenbergMarquardt::new().with_tol(TOLERANCE).with_patience(patience);
     let (search, report) = method.minimize(search);
     let evaluated = search.evaluated?;
     let cost = sum_of_squares(&evaluated.residuals);
-    let is_done = report.termination.was_successful()
-        // The rounding of the runs is reached.
-        || matches!(report.termination, levenberg_marquardt::TerminationReason::NoImprovementPossible(_));
-    is_done.then_some(Minimum { point: search.point, evaluated, cost, runs: report.number_of_evaluations })
+    // Without a possible improvement, the rounding of the runs is reached.
+    let is_converged = report.termination.was_successful()
+        || matches!(report.termination, TerminationReason::NoImprovementPossible(_));
+    Some(Minimum { point: search.point, evaluated, cost, runs: report.number_of_evaluations, is_converged })
 }
 
 /// A search in progress.

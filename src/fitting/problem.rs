@@ -34,10 +34,13 @@ impl Given {
 /// Permitted local error of a run that a minimum is found on, and of one that starts are compared on.
 pub const FINE: f64 = 1e-9;
 pub const COARSE: f64 = 1e-4;
-/// Most steps of a run: a slider that is stable next to its transition needs a few hundred.
-const MOST_STEPS: u64 = 20_000;
+/// Most steps of a run, and for each piece of the record: a slider that is stable next to its transition needs a few hundred.
+const MOST_STEPS: u64 = 5_000;
+const STEPS_PER_PIECE: u64 = 20;
 /// Coordinates beyond this are no friction, and make no run.
 const FARTHEST: f64 = 60.0;
+/// D_c is sought from this part of the way between two samples, which a record cannot tell from zero, to this many times its longest way.
+const RESOLVED: [f64; 2] = [0.02, 100.0];
 
 /// A record with what is known of its slider.
 #[derive(Debug, Clone, Copy)]
@@ -46,6 +49,8 @@ pub struct FitProblem<'r> {
     pub record: &'r StepRecord,
     /// What is known.
     pub given: &'r Given,
+    /// The logarithms of D_c between which it is sought.
+    distances: [f64; 2],
 }
 
 /// Model less record at every sample, and the derivatives by all coordinates.
@@ -57,15 +62,33 @@ pub struct Evaluated {
     pub derivatives: Vec<[f64; PARAMETERS]>,
 }
 
-impl FitProblem<'_> {
+impl<'r> FitProblem<'r> {
+    /// What is sought for a record.
+    pub fn new(record: &'r StepRecord, given: &'r Given) -> Self {
+        let [shortest, longest] = record.ways_m();
+        let distances = [RESOLVED[0] * shortest, RESOLVED[1] * longest].map(libm::log);
+        Self { record, given, distances }
+    }
+
+    /// Whether a point is at an end of what a record can tell of D_c.
+    pub fn is_unresolved(&self, point: &Point) -> bool {
+        let distance = point[Parameter::CriticalSlipDistance as usize];
+        self.distances.iter().any(|end| (distance - end).abs() < libm::log(2.0))
+    }
+
     /// The residuals at a point; none where the slider has no run through the record in a permitted number of steps.
     pub fn evaluate(&self, point: &Point, local_tolerance: f64, with_derivatives: bool) -> Option<Evaluated> {
         if point.iter().take(4).any(|coordinate| coordinate.is_nan() || coordinate.abs() > FARTHEST) {
             return None;
         }
+        let distance = point[Parameter::CriticalSlipDistance as usize];
+        if !(self.distances[0]..=self.distances[1]).contains(&distance) {
+            return None;
+        }
         let slider = slider(point, self.given.mass_per_area_kg_per_m2, self.given.law);
-        let control = DrivenControl { local_tolerance, most_steps: MOST_STEPS, with_derivatives };
         let record = self.record;
+        let most_steps = MOST_STEPS + STEPS_PER_PIECE * record.pieces.len() as u64;
+        let control = DrivenControl { local_tolerance, most_steps, with_derivatives };
         let driven = drive(&slider, &record.pieces, &record.times_s, control).ok()?;
         let drift = point[Parameter::Drift as usize];
         let samples = driven.iter().zip(record.frictions.iter().zip(&record.displacements_m));

@@ -2,7 +2,7 @@
 
 use nalgebra::DMatrix;
 
-use super::least_squares::{Minimum, minimise};
+use super::least_squares::{Minimum, PATIENCE, minimise};
 use super::parameter::{Parameter, Point};
 use super::problem::FitProblem;
 use super::residuals::Residuals;
@@ -78,7 +78,7 @@ impl Profiler<'_> {
         for _ in 0..MOST_TRIALS {
             let start = self.predicted(index, sign * offset, &warm, inside.0);
             let Some((distance, point)) = self.distance(index, &start) else {
-                // No slider of that kind has a run: the end lies before.
+                // No slider of that kind has a run.
                 outside = (offset, f64::INFINITY);
                 offset = 0.5 * (inside.0 + offset);
                 continue;
@@ -104,8 +104,8 @@ impl Profiler<'_> {
             }
             offset = next(inside, outside, wanted).min(farthest);
         }
-        // The bracket is what is known.
-        outside.0.is_finite().then_some(best + sign * outside.0)
+        // The bracket is what is known; where nothing beyond has a run, the record sets no bound.
+        outside.1.is_finite().then_some(best + sign * outside.0)
     }
 
     /// A start with the parameter at an offset: along the valley of the quadratic, from the last point inside.
@@ -124,7 +124,7 @@ impl Profiler<'_> {
     fn distance(&self, index: usize, start: &Point) -> Option<(f64, Point)> {
         let others: Vec<Parameter> =
             self.free.iter().copied().filter(|parameter| *parameter != self.free[index]).collect();
-        let held = minimise(self.problem, start, &others)?;
+        let held = minimise(self.problem, start, &others, PATIENCE).filter(|held| held.is_converged)?;
         let variance = self.residuals.standard_deviation * self.residuals.standard_deviation;
         let increase = (held.cost - self.minimum.cost) / variance;
         let distance = if increase < -1e-3 { -1.0 } else { increase.max(0.0).sqrt() };

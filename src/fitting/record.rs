@@ -93,6 +93,23 @@ impl StepRecord {
         let velocities = self.path.velocities_m_per_s.iter().copied();
         starts.zip(&self.path.ends).map(|(start, end)| start..*end).zip(velocities)
     }
+
+    /// Spring stress over normal stress at each sample.
+    #[must_use]
+    pub fn ratios(&self) -> Vec<f64> {
+        let normal = self.measured.normal_stresses_pa.iter().map(|stress| stress / self.normal_stress_pa);
+        self.frictions.iter().zip(normal).map(|(friction, weight)| friction / weight).collect()
+    }
+
+    /// The shortest way from one sample to the next after a step, on average between two steps, and the longest way after a step, m.
+    #[must_use]
+    pub fn ways_m(&self) -> [f64; 2] {
+        let strides = self.strides().skip(1).filter(|(_, velocity)| *velocity > 0.0);
+        strides.fold([f64::INFINITY, 0.0f64], |[shortest, longest], (samples, _)| {
+            let way = (self.displacements_m[samples.end] - self.displacements_m[samples.start]).abs();
+            [shortest.min(way / samples.len() as f64), longest.max(way)]
+        })
+    }
 }
 
 impl Load {

@@ -15,19 +15,19 @@ struct Readings {
     direct: f64,
     /// The steepest rise of friction per displacement of the load point after a step, 1/m.
     slope_per_m: f64,
-    /// Displacement from one sample to the next after the steps, and the longest piece after a step, m.
-    distances_m: [f64; 2],
 }
 
 /// Shares of a piece at its end that count as steady.
 const STEADY_SHARE: f64 = 0.15;
 /// Factors of the direct effect and of the slope that are tried: a soft or slow record shows less than all of them.
 const DIRECT_FACTORS: [f64; 4] = [1.0, 1.4, 2.2, 4.0];
-const SLOPE_FACTORS: [f64; 4] = [1.0, 2.0, 5.0, 15.0];
+const SLOPE_FACTORS: [f64; 5] = [0.5, 1.0, 2.0, 5.0, 15.0];
+/// The smallest ln of a ratio of velocities that shows something.
+const LEAST_LOG: f64 = 0.05;
 /// Values of D_c that are tried.
 const DISTANCES: u32 = 12;
 /// Starts that are searched from.
-const STARTS: usize = 5;
+const STARTS: usize = 8;
 
 /// The best starts of a grid, at most one for each value of D_c, the best one first, each with its sum of squares.
 ///
@@ -35,7 +35,7 @@ const STARTS: usize = 5;
 pub fn starts(problem: FitProblem<'_>) -> Vec<(Point, f64)> {
     let Some(readings) = Readings::of(problem.record) else { return Vec::new() };
     let mut found: Vec<(Point, f64)> = Vec::new();
-    for distance in readings.distances() {
+    for distance in distances(problem.record) {
         let points = readings.grid(problem, distance).into_iter();
         let costs = points.filter_map(|point| Some((point, problem.coarse_cost(&point)?)));
         found.extend(costs.min_by(|one, other| one.1.total_cmp(&other.1)));
@@ -47,8 +47,8 @@ pub fn starts(problem: FitProblem<'_>) -> Vec<(Point, f64)> {
 
 impl Readings {
     fn of(record: &StepRecord) -> Option<Self> {
-        let levels: Vec<f64> =
-            record.strides().map(|(samples, _)| steady(&record.frictions[samples])).collect();
+        let ratios = record.ratios();
+        let levels: Vec<f64> = record.strides().map(|(samples, _)| steady(&ratios[samples])).collect();
         let reference = record.reference_velocity_m_per_s();
         let logs: Vec<Option<f64>> =
             record.strides().map(|(_, velocity)| log_ratio(velocity, reference)).collect();
@@ -65,46 +65,40 @@ impl Readings {
             rate_dependence: if square > 0.0 { product / square } else { 0.0 },
             direct: 0.0,
             slope_per_m: 0.0,
-            distances_m: [f64::INFINITY, 0.0],
         };
-        for (index, (samples, _)) in record.strides().enumerate().skip(1) {
-            let Some(log) = logs[index].zip(logs[index - 1]).map(|(one, other)| one - other) else {
-                continue;
-            };
-            readings.read_step(record, samples, levels[index - 1], log);
+        let mut velocity = reference;
+        for ((samples, after), level) in record.strides().skip(1).zip(&levels) {
+            readings.read_step((&record.times_s, &ratios), samples, *level, [velocity, after]);
+            velocity = after;
         }
-        (readings.direct > 0.0 && readings.distances_m[1] > 0.0).then_some(readings)
+        (readings.direct > 0.0 && readings.slope_per_m > 0.0).then_some(readings)
     }
 
-    /// What one step shows: the samples after it, the level before it, and the logarithm of the ratio of velocities.
-    fn read_step(&mut self, record: &StepRecord, samples: std::ops::Range<usize>, level: f64, log: f64) {
-        if log.abs() < 0.05 {
+    /// What one step shows: the samples after it, the level before it, and the velocities before and after it, m/s.
+    fn read_step(
+        &mut self,
+        (times_s, ratios): (&[f64], &[f64]),
+        samples: std::ops::Range<usize>,
+        level: f64,
+        [before, after]: [f64; 2],
+    ) {
+        let (Some(log), true) = (log_ratio(after, before), before > 0.0) else { return };
+        if log.abs() < LEAST_LOG {
             return;
         }
-        let origin = record.displacements_m[samples.start];
-        let way = |sample: usize| (record.displacements_m[sample] - origin).abs();
-        let excursion = |sample: usize| (record.frictions[sample] - level) * log.signum();
-        let after = samples.start + 1..samples.end + 1;
-        let Some(peak) = after.clone().max_by(|one, other| excursion(*one).total_cmp(&excursion(*other)))
-        else {
+        let start = samples.start;
+        let excursion = |sample: usize| (ratios[sample] - level) * log.signum();
+        let later = || start + 1..samples.end + 1;
+        let Some(peak) = later().max_by(|one, other| excursion(*one).total_cmp(&excursion(*other))) else {
             return;
         };
         self.direct = self.direct.max(excursion(peak) / log.abs());
-        // The first sample beyond half of the peak: between two samples noise would make any slope.
-        let risen = after.clone().find(|sample| excursion(*sample) >= 0.5 * excursion(peak));
-        if let Some(risen) = risen.filter(|risen| way(*risen) > 0.0) {
-            self.slope_per_m = self.slope_per_m.max(excursion(risen) / way(risen));
+        // The first sample beyond half of the peak: between two samples noise would make any slope. Until then the slider keeps its
+        // velocity, and the spring gains what the load point is ahead.
+        if let Some(risen) = later().find(|sample| excursion(*sample) >= 0.5 * excursion(peak)) {
+            let ahead = (after - before).abs() * (times_s[risen] - times_s[start]);
+            self.slope_per_m = self.slope_per_m.max(excursion(risen) / ahead);
         }
-        let length = way(samples.end);
-        let spacing = length / after.len() as f64;
-        self.distances_m = [self.distances_m[0].min(spacing), self.distances_m[1].max(length)];
-    }
-
-    /// Logarithms of the values of D_c that are tried.
-    fn distances(&self) -> Vec<f64> {
-        let [shortest, longest] = [0.5 * self.distances_m[0], 0.5 * self.distances_m[1]].map(libm::log);
-        let part = |index: u32| f64::from(index) / f64::from(DISTANCES - 1);
-        (0..DISTANCES).map(|index| shortest + (longest - shortest) * part(index)).collect()
     }
 
     /// The points of the grid with this ln D_c.
@@ -126,6 +120,13 @@ impl Readings {
         }
         points
     }
+}
+
+/// Logarithms of the values of D_c that are tried.
+fn distances(record: &StepRecord) -> Vec<f64> {
+    let [shortest, longest] = record.ways_m().map(|way| libm::log(0.5 * way));
+    let part = |index: u32| f64::from(index) / f64::from(DISTANCES - 1);
+    (0..DISTANCES).map(|index| shortest + (longest - shortest) * part(index)).collect()
 }
 
 /// The mean of the last part of a piece.
