@@ -3,7 +3,7 @@
 use nalgebra::DMatrix;
 use rayon::prelude::*;
 
-use super::least_squares::{Minimum, PATIENCE, SHORT_PATIENCE, covariance, minimise};
+use super::least_squares::{LONG, Minimum, SHORT, covariance, minimise};
 use super::parameter::{Parameter, Point};
 use super::problem::{FitProblem, Given};
 use super::profile::{ProfilePoint, Profiler};
@@ -174,7 +174,7 @@ fn search(problem: FitProblem<'_>) -> Result<Fit, FitFailure> {
         match complete(problem, &best, &free, &mut runs)? {
             Completed::Fit(fit) => return Ok(*fit),
             Completed::Better(point) => {
-                let found = minimise(problem, &point, &free, PATIENCE).filter(|found| found.cost < best.cost);
+                let found = minimise(problem, &point, &free, LONG).filter(|found| found.cost < best.cost);
                 best = found.ok_or(FitFailure::NoMinimum(INDEFINITE))?;
             }
         }
@@ -185,19 +185,17 @@ fn search(problem: FitProblem<'_>) -> Result<Fit, FitFailure> {
 /// Short searches from all starts, and long ones from where the best of them end.
 fn best_minimum(problem: FitProblem<'_>, free: &[Parameter]) -> Option<Minimum> {
     let by_cost = |one: &Minimum, other: &Minimum| one.cost.total_cmp(&other.cost);
-    let mut rough: Vec<Minimum> = starts(problem)
-        .into_iter()
-        .filter_map(|(start, _)| minimise(problem, &start, free, SHORT_PATIENCE))
-        .collect();
+    let mut rough: Vec<Minimum> =
+        starts(problem).into_iter().filter_map(|(start, _)| minimise(problem, &start, free, SHORT)).collect();
     let mut runs: usize = rough.iter().map(|found| found.runs).sum();
     rough.sort_by(by_cost);
     let mut longer = |mut found: Minimum| {
         for _ in 0..RESTARTS {
+            found = minimise(problem, &found.point, free, LONG)?;
+            runs += found.runs;
             if found.is_converged {
                 return Some(found);
             }
-            found = minimise(problem, &found.point, free, PATIENCE)?;
-            runs += found.runs;
         }
         None
     };

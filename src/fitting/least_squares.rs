@@ -5,7 +5,7 @@ use nalgebra::storage::Owned;
 use nalgebra::{DMatrix, DVector, Dyn};
 
 use super::parameter::{Parameter, Point};
-use super::problem::{Evaluated, FINE, FitProblem, sum_of_squares};
+use super::problem::{Evaluated, FINE, FitProblem, MEDIUM, sum_of_squares};
 
 /// A minimum.
 #[derive(Debug, Clone)]
@@ -24,24 +24,36 @@ pub struct Minimum {
 
 /// Relative change of the sum of squares and of the coordinates, and cosine of residuals and derivatives, below which a search ends.
 const TOLERANCE: f64 = 1e-11;
-/// Runs of a search for each coordinate, at most; and of one that only tells which start is best.
-pub const PATIENCE: usize = 60;
-pub const SHORT_PATIENCE: usize = 5;
+
+/// How long and how exactly to search.
+#[derive(Debug, Clone, Copy)]
+pub struct Effort {
+    /// Runs for each coordinate, at most.
+    patience: usize,
+    /// Permitted local error of a run.
+    local_tolerance: f64,
+}
+
+/// A search to the end.
+pub const LONG: Effort = Effort { patience: 60, local_tolerance: FINE };
+/// A search that only tells which start is best.
+pub const SHORT: Effort = Effort { patience: 5, local_tolerance: MEDIUM };
 
 /// Searches the least sum of squares over these parameters; the others stay. None where the start has no run.
 pub fn minimise(
     problem: FitProblem<'_>,
     start: &Point,
     free: &[Parameter],
-    patience: usize,
+    effort: Effort,
 ) -> Option<Minimum> {
-    let evaluated = problem.evaluate(start, FINE, true)?;
+    let evaluated = problem.evaluate(start, effort.local_tolerance, true)?;
     if free.is_empty() {
         let cost = sum_of_squares(&evaluated.residuals);
         return Some(Minimum { point: *start, evaluated, cost, runs: 1, is_converged: true });
     }
-    let search = Search { problem, free, point: *start, evaluated: Some(evaluated) };
-    let method = LevenbergMarquardt::new().with_tol(TOLERANCE).with_patience(patience);
+    let local_tolerance = effort.local_tolerance;
+    let search = Search { problem, free, local_tolerance, point: *start, evaluated: Some(evaluated) };
+    let method = LevenbergMarquardt::new().with_tol(TOLERANCE).with_patience(effort.patience);
     let (search, report) = method.minimize(search);
     let evaluated = search.evaluated?;
     let cost = sum_of_squares(&evaluated.residuals);
@@ -55,6 +67,7 @@ pub fn minimise(
 struct Search<'r> {
     problem: FitProblem<'r>,
     free: &'r [Parameter],
+    local_tolerance: f64,
     point: Point,
     evaluated: Option<Evaluated>,
 }
@@ -71,7 +84,7 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Search<'_> {
         for (parameter, value) in self.free.iter().zip(values.iter()) {
             self.point[*parameter as usize] = *value;
         }
-        self.evaluated = self.problem.evaluate(&self.point, FINE, true);
+        self.evaluated = self.problem.evaluate(&self.point, self.local_tolerance, true);
     }
 
     fn params(&self) -> DVector<f64> {

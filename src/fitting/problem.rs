@@ -31,11 +31,12 @@ impl Given {
     }
 }
 
-/// Permitted local error of a run that a minimum is found on, and of one that starts are compared on.
+/// Permitted local errors: of a run that a minimum is found on, of one in a short search, and of one that starts are compared on.
 pub const FINE: f64 = 1e-9;
+pub const MEDIUM: f64 = 1e-6;
 pub const COARSE: f64 = 1e-4;
 /// Most steps of a run, and for each piece of the record: a slider that is stable next to its transition needs a few hundred.
-const MOST_STEPS: u64 = 5_000;
+const MOST_STEPS: u64 = 3_000;
 const STEPS_PER_PIECE: u64 = 20;
 /// Coordinates beyond this are no friction, and make no run.
 const FARTHEST: f64 = 60.0;

@@ -2,7 +2,7 @@
 
 use nalgebra::DMatrix;
 
-use super::least_squares::{Minimum, PATIENCE, minimise};
+use super::least_squares::{LONG, Minimum, minimise};
 use super::parameter::{Parameter, Point};
 use super::problem::FitProblem;
 use super::residuals::Residuals;
@@ -124,7 +124,7 @@ impl Profiler<'_> {
     fn distance(&self, index: usize, start: &Point) -> Option<(f64, Point)> {
         let others: Vec<Parameter> =
             self.free.iter().copied().filter(|parameter| *parameter != self.free[index]).collect();
-        let held = minimise(self.problem, start, &others, PATIENCE).filter(|held| held.is_converged)?;
+        let held = minimise(self.problem, start, &others, LONG).filter(|held| held.is_converged)?;
         let variance = self.residuals.standard_deviation * self.residuals.standard_deviation;
         let increase = (held.cost - self.minimum.cost) / variance;
         let distance = if increase < -1e-3 { -1.0 } else { increase.max(0.0).sqrt() };

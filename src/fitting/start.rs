@@ -24,6 +24,8 @@ const DIRECT_FACTORS: [f64; 4] = [1.0, 1.4, 2.2, 4.0];
 const SLOPE_FACTORS: [f64; 5] = [0.5, 1.0, 2.0, 5.0, 15.0];
 /// The smallest ln of a ratio of velocities that shows something.
 const LEAST_LOG: f64 = 0.05;
+/// A normal stress that differs by less shifts the friction by less than a step of velocity does.
+const SAME_STRESS: f64 = 3e-3;
 /// Values of D_c that are tried.
 const DISTANCES: u32 = 12;
 /// Starts that are searched from.
@@ -68,7 +70,8 @@ impl Readings {
         };
         let mut velocity = reference;
         for ((samples, after), level) in record.strides().skip(1).zip(&levels) {
-            readings.read_step((&record.times_s, &ratios), samples, *level, [velocity, after]);
+            let stop = under_one_normal_stress(record, samples.clone());
+            readings.read_step((&record.times_s, &ratios), stop, *level, [velocity, after]);
             velocity = after;
         }
         (readings.direct > 0.0 && readings.slope_per_m > 0.0).then_some(readings)
@@ -120,6 +123,14 @@ impl Readings {
         }
         points
     }
+}
+
+/// The samples from the first one on whose normal stress is nearly that of the first one.
+fn under_one_normal_stress(record: &StepRecord, samples: std::ops::Range<usize>) -> std::ops::Range<usize> {
+    let stresses = &record.measured.normal_stresses_pa;
+    let differs = |sample: &usize| (stresses[*sample] / stresses[samples.start] - 1.0).abs() > SAME_STRESS;
+    let end = samples.clone().find(differs).unwrap_or(samples.end);
+    samples.start..end.max(samples.start + 1) - usize::from(end < samples.end)
 }
 
 /// Logarithms of the values of D_c that are tried.
