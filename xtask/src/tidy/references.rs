@@ -16,8 +16,8 @@ pub fn check_data_is_read(files: &[TextFile], paths: &[String], found: &mut Vec<
             continue;
         }
         let (folder, name) = inside.rsplit_once('/').unwrap_or(("", inside));
-        let walked = format!("golden/{folder}");
-        let is_mentioned = |text: &str| text.contains(name) || !folder.is_empty() && text.contains(&walked);
+        let walked = &path["tests/".len()..path.len() - "/".len() - name.len()];
+        let is_mentioned = |text: &str| text.contains(name) || !folder.is_empty() && text.contains(walked);
         if !sources().any(|source| is_mentioned(&source.text)) {
             let message = "no test mentions this file: read it or delete it".to_string();
             found.push(Complaint { path: path.clone(), line: 0, message });
@@ -91,7 +91,9 @@ mod tests {
     use super::*;
 
     fn paths() -> Vec<String> {
-        ["README.md", "docs/a.md", "tests/vectors/a.txt", "tests/golden/run/b.csv"].map(String::from).to_vec()
+        ["README.md", "docs/a.md", "tests/vectors/a.txt", "tests/golden/run/b.csv", "tests/data/wrong/c.csv"]
+            .map(String::from)
+            .to_vec()
     }
 
     fn links(path: &str, text: &str) -> Vec<usize> {
@@ -123,7 +125,7 @@ mod tests {
 
     #[test]
     fn test_data_has_to_be_read() {
-        assert_eq!(unread(""), ["tests/vectors/a.txt", "tests/golden/run/b.csv"]);
-        assert_eq!(unread("include_str!(\"../vectors/a.txt\"); golden(\"golden/run\")"), [""; 0]);
+        assert_eq!(unread(""), ["tests/vectors/a.txt", "tests/golden/run/b.csv", "tests/data/wrong/c.csv"]);
+        assert_eq!(unread("../vectors/a.txt, golden/run, data/wrong"), [""; 0]);
     }
 }
