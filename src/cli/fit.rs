@@ -19,6 +19,7 @@ use crate::cli::failure::Failure;
 use crate::cli::input::{fault_of, open_csv};
 use crate::cli::options::{Arguments, option_of};
 use crate::cli::output::Output;
+use crate::cli::points::print_unread;
 use crate::cli::progress::Progress;
 use crate::cli::words::law_of_word;
 
@@ -89,7 +90,8 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     let request = options.read()?;
     let [csv, svg] = Output::create_both([options.output.as_deref(), options.svg.as_deref()])?;
     let rows = open_csv(&options.record, options.dialect.dialect())?;
-    let record = read_step_record(rows, request.normal_stress_pa)?;
+    let (record, unread) = read_step_record(rows, request.normal_stress_pa)?;
+    print_unread(unread.iter().map(String::as_str));
     let fits = progress.spinner("fitting", || Fits::of(&record, &request.laws, &request.given));
     let no_fit = |failure: FitFailure| fault_of(&options.record, Problem::Fit(failure.to_string()));
     let fits = fits.map_err(|failure| Failure::Input(vec![no_fit(failure)]))?;

@@ -166,8 +166,12 @@ fn work_batch<W: RowWork>(work: &Work<W>, batch: &[Block], only_read: bool) -> V
 /// Prints how the columns are read, and which are not.
 pub fn print_columns(header: &Header) {
     header.remarks().iter().for_each(|remark| terminal::message(&format!("in SI: {remark}")));
-    let mut unread: Vec<String> =
-        header.unread().map(|name| visible(&shortened(name, LONGEST_NAME))).collect();
+    print_unread(header.unread());
+}
+
+/// Prints the names of columns that are not read.
+pub fn print_unread<'n>(names: impl Iterator<Item = &'n str>) {
+    let mut unread: Vec<String> = names.map(|name| visible(&shortened(name, LONGEST_NAME))).collect();
     if unread.is_empty() {
         return;
     }

@@ -137,11 +137,6 @@ impl Header {
     pub fn remarks(&self) -> &[String] {
         &self.remarks
     }
-
-    /// The names of the columns that nothing reads.
-    pub fn unread(&self) -> impl Iterator<Item = &str> {
-        self.unread.iter().filter_map(|position| self.names.get(*position)).map(String::as_str)
-    }
 }
 
 /// A factor of a unit, in words.
@@ -178,6 +173,11 @@ impl Header<[Option<usize>; 7]> {
 }
 
 impl<P> Header<P> {
+    /// The names of the columns that nothing reads.
+    pub fn unread(&self) -> impl Iterator<Item = &str> {
+        self.unread.iter().filter_map(|position| self.names.get(*position)).map(String::as_str)
+    }
+
     /// Where a column of this name stands; blanks around it and its case do not matter.
     pub fn position(&self, name: &str) -> Option<usize> {
         self.names.iter().position(|known| is_named(known, name))

@@ -5,7 +5,7 @@ use slipmode_core::number::nearest_f64;
 use crate::csv::rows::RowReader;
 use crate::csv::samples::{SampleCells, Samples, fault};
 use crate::csv::wanted::Wanted;
-use crate::fitting::{Load, Measured, RecordFault, StepRecord};
+use crate::fitting::{Column, Load, Measured, RecordFault, Response, StepRecord};
 use crate::scene::{CsvProblem, Faults};
 
 const TIME: Wanted = Wanted { key: "time_s", symbols: &["t"], is_optional: false };
@@ -37,11 +37,14 @@ struct Read {
     lines: Vec<usize>,
 }
 
-/// Reads a record; `normal_stress_pa` is that of a record without a column of it.
+/// Reads a record, and names the columns that are not read; `normal_stress_pa` is that of a record without a column of it.
 ///
 /// # Errors
 /// Every fault of the file, up to twenty, or all that keeps the record from being fitted.
-pub fn read_step_record(reader: RowReader, normal_stress_pa: Option<f64>) -> Result<StepRecord, Faults> {
+pub fn read_step_record(
+    reader: RowReader,
+    normal_stress_pa: Option<f64>,
+) -> Result<(StepRecord, Vec<String>), Faults> {
     let file = reader.name().to_string();
     let mut read = Read::default();
     let samples = Samples {
@@ -50,9 +53,12 @@ pub fn read_step_record(reader: RowReader, normal_stress_pa: Option<f64>) -> Res
         needs_for_errors: NEEDS_FOR_ERRORS,
         most: MOST_SAMPLES,
     };
-    let mut columns = None;
+    let (mut columns, mut unread) = (None, Vec::new());
     let faults = samples.read(reader, |cells, values| {
-        columns.get_or_insert_with(|| cells.header.positions.map(|position| position.is_some()));
+        if columns.is_none() {
+            columns = Some(cells.header.positions.map(|position| position.is_some()));
+            unread = cells.header.unread().map(str::to_string).collect();
+        }
         read.push(cells, values);
     })?;
     if !faults.is_empty() {
@@ -61,16 +67,21 @@ pub fn read_step_record(reader: RowReader, normal_stress_pa: Option<f64>) -> Res
     let whole = |key: &str, reason: String| fault(&file, None, key, CsvProblem::Record(reason).into());
     let problems = column_problems(columns.unwrap_or_default(), normal_stress_pa.is_some());
     if read.lines.is_empty() {
-        return Err(vec![whole("", "no samples".into())]);
+        return Err(vec![whole("", "no rows below the header".into())]);
     }
     if !problems.is_empty() {
         return Err(problems.into_iter().map(|(key, reason)| whole(key, reason)).collect());
     }
     let lines = read.lines.clone();
-    read.record(normal_stress_pa).map_err(|found| {
+    let record = read.record(normal_stress_pa);
+    record.map(|record| (record, unread)).map_err(|found| {
         let line = |sample: Option<usize>| sample.and_then(|sample| lines.get(sample)).copied();
-        let named = |RecordFault { sample, reason }| {
-            fault(&file, line(sample), "", CsvProblem::Record(reason).into())
+        let named = |RecordFault { sample, column, reason }| {
+            let column =
+                column.map(|column| format!("column {}", name_of(column, columns.unwrap_or_default())));
+            let row = sample.map(|sample| format!("row {}", sample + 1));
+            let key = row.into_iter().chain(column).collect::<Vec<_>>().join(", ");
+            fault(&file, line(sample), &key, CsvProblem::Record(reason).into())
         };
         found.into_iter().map(named).collect()
     })
@@ -99,6 +110,18 @@ fn column_problems(
     problems
 }
 
+/// The name of the column that has what was measured.
+fn name_of(column: Column, [_, displacement, _, stress, ..]: [bool; 6]) -> &'static str {
+    match column {
+        Column::Time => TIME.key,
+        Column::Load if displacement => DISPLACEMENT.key,
+        Column::Load => VELOCITY.key,
+        Column::Response if stress => SHEAR_STRESS.key,
+        Column::Response => FRICTION.key,
+        Column::NormalStress => NORMAL_STRESS.key,
+    }
+}
+
 impl Read {
     fn push(&mut self, cells: SampleCells<'_, 6>, values: [Option<f64>; 6]) {
         let [time, displacement, velocity, stress, friction, normal] = values;
@@ -121,12 +144,16 @@ impl Read {
         }
         if let Some(sample) = self.normal_stresses_pa.iter().position(|stress| *stress <= 0.0) {
             let reason = "the normal stress is not positive (wanted: compression is positive)".into();
-            return Err(vec![RecordFault { sample: Some(sample), reason }]);
+            return Err(vec![RecordFault {
+                sample: Some(sample),
+                column: Some(Column::NormalStress),
+                reason,
+            }]);
         }
-        if self.stresses_pa.is_empty() {
-            let pairs = self.frictions.iter().zip(&self.normal_stresses_pa);
-            self.stresses_pa = pairs.map(|(friction, stress)| friction * stress).collect();
-        }
+        let response = match self.stresses_pa.is_empty() {
+            true => Response::Friction(self.frictions),
+            false => Response::ShearStress(self.stresses_pa),
+        };
         let load = match self.velocities_m_per_s.is_empty() {
             true => Load::Displacement(self.displacements_m, upper_quartile(self.last_digits_m)),
             false => Load::Velocity(self.velocities_m_per_s),
@@ -134,7 +161,7 @@ impl Read {
         StepRecord::new(Measured {
             times_s: self.times_s,
             load,
-            stresses_pa: self.stresses_pa,
+            response,
             normal_stresses_pa: self.normal_stresses_pa,
         })
     }

@@ -43,7 +43,7 @@ pub struct Fit {
     pub covariance: DMatrix<f64>,
     /// The noise.
     pub residuals: Residuals,
-    /// Model less record at every sample, in friction.
+    /// Model less record at every sample, in what was measured over the normal stress at the start.
     pub differences: Vec<f64>,
     /// The sum of their squares.
     pub cost: f64,
@@ -61,9 +61,14 @@ pub enum FitFailure {
     NoMinimum(&'static str),
     /// The record fits far better with the sign of its friction reversed.
     #[error(
-        "the friction falls where the velocity of the load point rises, and the other way round: is the sign of the stress or of the displacement reversed?"
+        "row {0}: the friction falls where the velocity of the load point rises, or the other way round: is the sign of the changes of friction reversed?"
     )]
-    WrongSign,
+    WrongSign(usize),
+    /// Too few samples after a step.
+    #[error(
+        "{0} points per D_c after a step (wanted: at least {LEAST_SAMPLES}): the record does not show the direct effect"
+    )]
+    TooFewSamples(f64),
     /// The record does not determine all parameters.
     #[error(
         "the record does not determine {0} together; give the stiffness, or record more samples after a step"
@@ -75,10 +80,10 @@ pub enum FitFailure {
     )]
     Unresolved,
     /// A parameter that no material has.
-    #[error("the best {symbol} is {value:.3e}, outside of {low:e} to {high:e}: is a column in another unit?")]
+    #[error("the best {} is {value:.3e} (wanted: {low:e} to {high:e}; is a column in another unit?)", .parameter.as_str())]
     Absurd {
-        /// The parameter's symbol.
-        symbol: &'static str,
+        /// The parameter.
+        parameter: Parameter,
         /// Its value.
         value: f64,
         /// The smallest and the largest that are taken for possible.
@@ -143,7 +148,11 @@ const UNEXPLAINED: f64 = 0.5;
 const SIGN_FACTOR: f64 = 4.0;
 /// What a and b, and D_c, can be: friction beyond these has never been measured.
 const POSSIBLE_EFFECT: [f64; 2] = [1e-5, 0.5];
-const POSSIBLE_DISTANCE_M: [f64; 2] = [1e-9, 0.1];
+const POSSIBLE_DISTANCE_M: [f64; 2] = [1e-9, 0.01];
+/// A smaller change of the velocity is no step whose samples count.
+const SMALLEST_STEP: f64 = 0.05;
+/// Fewest samples within D_c after a step.
+const LEAST_SAMPLES: f64 = 1.0;
 
 /// Fits the parameters that are not given to a record.
 ///
@@ -151,12 +160,13 @@ const POSSIBLE_DISTANCE_M: [f64; 2] = [1e-9, 0.1];
 /// When no parameters follow the record, its sign is reversed, or it does not determine them.
 fn fit(record: &StepRecord, given: &Given) -> Result<Fit, FitFailure> {
     let problem = FitProblem::new(record, given);
-    let found = search(problem);
-    let cost = found.as_ref().map_or(f64::INFINITY, |fit| fit.cost);
+    let best = best_minimum(problem, &given.free());
+    let cost = best.as_ref().map_or(f64::INFINITY, |best| best.cost);
     if cost > UNEXPLAINED * spread(record) && is_reversed(problem, cost) {
-        return Err(FitFailure::WrongSign);
+        let step = record.strides().nth(1).map_or(0, |(samples, _)| samples.start);
+        return Err(FitFailure::WrongSign(step + 1));
     }
-    found
+    completed(problem, best.ok_or(FitFailure::NoMinimum(NO_END))?)
 }
 
 /// The sum of squares of the friction about its mean.
@@ -165,10 +175,9 @@ fn spread(record: &StepRecord) -> f64 {
     record.frictions.iter().map(|friction| (friction - mean) * (friction - mean)).sum()
 }
 
-/// Searches from each start, and completes the best minimum.
-fn search(problem: FitProblem<'_>) -> Result<Fit, FitFailure> {
+/// Completes a minimum, or a better one that its profiles meet.
+fn completed(problem: FitProblem<'_>, mut best: Minimum) -> Result<Fit, FitFailure> {
     let free = problem.given.free();
-    let mut best = best_minimum(problem, &free).ok_or(FitFailure::NoMinimum(NO_END))?;
     let mut runs = best.runs;
     for _ in 0..RESTARTS {
         match complete(problem, &best, &free, &mut runs)? {
@@ -256,6 +265,10 @@ fn complete(
     let variance = residuals.standard_deviation * residuals.standard_deviation * residuals.inflation;
     let distance =
         Parameter::CriticalSlipDistance.value(minimum.point[Parameter::CriticalSlipDistance as usize]);
+    let samples_per_slip_distance = samples_per_slip_distance(problem.record, distance);
+    if samples_per_slip_distance < LEAST_SAMPLES {
+        return Err(FitFailure::TooFewSamples(samples_per_slip_distance));
+    }
     Ok(Completed::Fit(Box::new(Fit {
         given: *problem.given,
         estimates,
@@ -264,7 +277,7 @@ fn complete(
         residuals,
         differences: minimum.evaluated.residuals.clone(),
         cost: minimum.cost,
-        samples_per_slip_distance: samples_per_slip_distance(problem.record, distance),
+        samples_per_slip_distance,
         runs: *runs,
     })))
 }
@@ -278,7 +291,7 @@ fn check_possible(point: &Point, free: &[Parameter]) -> Result<(), FitFailure> {
         };
         let value = parameter.value(point[*parameter as usize]);
         if !(low..=high).contains(&value) {
-            return Err(FitFailure::Absurd { symbol: parameter.symbol(), value, low, high });
+            return Err(FitFailure::Absurd { parameter: *parameter, value, low, high });
         }
     }
     Ok(())
@@ -286,14 +299,22 @@ fn check_possible(point: &Point, free: &[Parameter]) -> Result<(), FitFailure> {
 
 /// Samples within the first D_c of the load point's way after a step: the fewest of all steps.
 fn samples_per_slip_distance(record: &StepRecord, distance_m: f64) -> f64 {
-    let within = |(samples, _): (std::ops::Range<usize>, f64)| {
-        let way =
-            |sample: usize| (record.displacements_m[sample] - record.displacements_m[samples.start]).abs();
-        let count = (samples.start + 1..=samples.end).take_while(|sample| way(*sample) <= distance_m).count();
-        // A stride shorter than D_c has as many as if it went on.
-        count as f64 * (distance_m / way(samples.end)).max(1.0)
+    let mut last = record.reference_velocity_m_per_s();
+    let is_step = move |(_, velocity): &(std::ops::Range<usize>, f64)| {
+        let change = (velocity - last).abs();
+        let is_step = change > SMALLEST_STEP * last.abs();
+        last = *velocity;
+        is_step
     };
-    record.strides().skip(1).map(within).fold(f64::INFINITY, f64::min)
+    let within = |(samples, _): (std::ops::Range<usize>, f64)| {
+        let start = samples.start;
+        let way = |sample: usize| (record.displacements_m[sample] - record.displacements_m[start]).abs();
+        let count = (start + 1..=samples.end).take_while(|sample| way(*sample) <= distance_m).count();
+        // A stride shorter than D_c has as many as if it went on, and one whose first sample lies beyond has a part of one.
+        let density = distance_m / if count == 0 { way(start + 1) } else { way(samples.end).min(distance_m) };
+        density * count.max(1) as f64
+    };
+    record.strides().skip(1).filter(is_step).map(within).fold(f64::INFINITY, f64::min)
 }
 
 impl Fit {
@@ -301,6 +322,12 @@ impl Fit {
     #[must_use]
     pub fn estimate(&self, parameter: Parameter) -> Option<&Estimate> {
         self.estimates.iter().find(|estimate| estimate.parameter == parameter)
+    }
+
+    /// The friction of the model at every sample.
+    pub fn fitted(&self, record: &StepRecord) -> impl Iterator<Item = f64> {
+        let samples = record.frictions.iter().zip(&self.differences).enumerate();
+        samples.map(|(sample, (friction, difference))| friction + difference / record.scale(sample))
     }
 
     /// The correlation of each pair of estimates, by their indices.

@@ -2,7 +2,7 @@
 
 use super::parameter::{PARAMETERS, Parameter, Point, slider};
 use super::record::StepRecord;
-use slipmode_core::dynamics::{DrivenControl, drive};
+use slipmode_core::dynamics::{Driven, DrivenControl, drive};
 use slipmode_core::friction::EvolutionLaw;
 
 /// What is known and what is fitted.
@@ -57,7 +57,7 @@ pub struct FitProblem<'r> {
 /// Model less record at every sample, and the derivatives by all coordinates.
 #[derive(Debug, Clone)]
 pub struct Evaluated {
-    /// Differences in friction.
+    /// Differences in what was measured, in friction.
     pub residuals: Vec<f64>,
     /// Their derivatives; empty where none were requested.
     pub derivatives: Vec<[f64; PARAMETERS]>,
@@ -92,22 +92,24 @@ impl<'r> FitProblem<'r> {
         let control = DrivenControl { local_tolerance, most_steps, with_derivatives };
         let driven = drive(&slider, &record.pieces, &record.times_s, control).ok()?;
         let drift = point[Parameter::Drift as usize];
-        let samples = driven.iter().zip(record.frictions.iter().zip(&record.displacements_m));
-        let residual = |(driven, (friction, way)): (&slipmode_core::dynamics::Driven, (&f64, &f64))| {
-            driven.friction + drift * way - friction
-        };
-        let residuals: Vec<f64> = samples.map(residual).collect();
+        // Driven stresses are over the normal stress at the start, frictions over that of their sample.
+        let samples = || driven.iter().zip(&record.displacements_m).enumerate();
+        let residuals: Vec<f64> = samples()
+            .map(|(sample, (driven, way))| {
+                let friction = driven.friction / record.weights[sample] + drift * way;
+                record.scale(sample) * (friction - record.frictions[sample])
+            })
+            .collect();
         if !residuals.iter().all(|residual| residual.is_finite()) {
             return None;
         }
-        let row = |(driven, way): (&slipmode_core::dynamics::Driven, &f64)| {
-            let [a, b, d, k, reference] = driven.derivatives;
-            [a, b, d, k, reference, *way]
+        let row = |(sample, (driven, way)): (usize, (&Driven, &f64))| {
+            let scale = record.scale(sample);
+            let [a, b, d, k, reference] =
+                driven.derivatives.map(|derivative| scale * derivative / record.weights[sample]);
+            [a, b, d, k, reference, scale * way]
         };
-        let derivatives = match with_derivatives {
-            true => driven.iter().zip(&record.displacements_m).map(row).collect(),
-            false => Vec::new(),
-        };
+        let derivatives = if with_derivatives { samples().map(row).collect() } else { Vec::new() };
         Some(Evaluated { residuals, derivatives })
     }
 

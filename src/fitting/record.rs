@@ -20,8 +20,10 @@ pub struct StepRecord {
     pub times_s: Vec<f64>,
     /// Displacements of the load point since the first sample, m.
     pub displacements_m: Vec<f64>,
-    /// Spring stress over the normal stress of the first sample.
+    /// Spring stress over normal stress.
     pub frictions: Vec<f64>,
+    /// Normal stress over that of the first sample.
+    pub weights: Vec<f64>,
     /// Normal stress of the first sample, Pa.
     pub normal_stress_pa: f64,
     /// Pieces of constant velocity and normal stress.
@@ -39,10 +41,19 @@ pub struct Measured {
     pub times_s: Vec<f64>,
     /// The load point.
     pub load: Load,
-    /// Spring stress, Pa.
-    pub stresses_pa: Vec<f64>,
+    /// The spring.
+    pub response: Response,
     /// Normal stress from each time to the next, Pa.
     pub normal_stresses_pa: Vec<f64>,
+}
+
+/// What was measured of the spring: the noise of its samples is alike.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Response {
+    /// Its stress, Pa.
+    ShearStress(Vec<f64>),
+    /// Its stress over the normal stress.
+    Friction(Vec<f64>),
 }
 
 /// The rounding of a displacement that was computed with 64-bit numbers, relative to the largest.
@@ -59,17 +70,21 @@ impl StepRecord {
         let times_s: Vec<f64> = measured.times_s.iter().map(|time| time - start).collect();
         let (displacements_m, resolution_m) = measured.load.displacements(&times_s);
         let normal_stress_pa = normal_stresses_pa.first().copied().unwrap_or(1.0);
-        let frictions = measured.stresses_pa.iter().map(|stress| stress / normal_stress_pa).collect();
-        let pairs = measured.stresses_pa.iter().zip(normal_stresses_pa);
-        let ratios: Vec<f64> = pairs.map(|(stress, normal)| stress / normal).collect();
+        let frictions: Vec<f64> = match &measured.response {
+            Response::Friction(frictions) => frictions.clone(),
+            Response::ShearStress(stresses) => {
+                stresses.iter().zip(normal_stresses_pa).map(|(stress, normal)| stress / normal).collect()
+            }
+        };
+        let weights = normal_stresses_pa.iter().map(|stress| stress / normal_stress_pa).collect();
         let path = (times_s.len() > 1).then(|| LoadPath::through(&times_s, &displacements_m, resolution_m));
-        let found = faults(&times_s, &ratios, path.as_ref());
+        let found = faults(&times_s, &frictions, path.as_ref());
         let Some(path) = path.filter(|_| found.is_empty()) else { return Err(found) };
         let pieces = pieces(&times_s, &path, normal_stresses_pa);
-        Ok(Self { times_s, displacements_m, frictions, normal_stress_pa, pieces, path, measured })
+        Ok(Self { times_s, displacements_m, frictions, weights, normal_stress_pa, pieces, path, measured })
     }
 
-    /// The same record with other stresses, given as [`Self::frictions`].
+    /// The same record with other frictions.
     #[must_use]
     pub fn with_frictions(&self, frictions: Vec<f64>) -> Self {
         Self { frictions, ..self.clone() }
@@ -94,11 +109,13 @@ impl StepRecord {
         starts.zip(&self.path.ends).map(|(start, end)| start..*end).zip(velocities)
     }
 
-    /// Spring stress over normal stress at each sample.
+    /// What a difference in friction is multiplied by to be one of what was measured, over the normal stress at the start.
     #[must_use]
-    pub fn ratios(&self) -> Vec<f64> {
-        let normal = self.measured.normal_stresses_pa.iter().map(|stress| stress / self.normal_stress_pa);
-        self.frictions.iter().zip(normal).map(|(friction, weight)| friction / weight).collect()
+    pub fn scale(&self, sample: usize) -> f64 {
+        match self.measured.response {
+            Response::ShearStress(_) => self.weights[sample],
+            Response::Friction(_) => 1.0,
+        }
     }
 
     /// The shortest way from one sample to the next after a step, on average between two steps, and the longest way after a step, m.
@@ -173,9 +190,13 @@ pub(super) mod fixtures {
         // Any record without faults, for its pieces.
         let stresses = times.iter().map(|time| 5e6 * (0.6 + 1e-4 * time)).collect();
         let normal_stresses_pa = vec![5e6; times.len()];
-        let path =
-            StepRecord::new(Measured { times_s: times, load, stresses_pa: stresses, normal_stresses_pa })
-                .unwrap();
+        let path = StepRecord::new(Measured {
+            times_s: times,
+            load,
+            response: Response::ShearStress(stresses),
+            normal_stresses_pa,
+        })
+        .unwrap();
         let control = DrivenControl { local_tolerance: 1e-11, most_steps: 100_000, with_derivatives: false };
         let driven = drive(slider, &path.pieces, &path.times_s, control).unwrap();
         let mut random = SplitMix64(7);

@@ -1,12 +1,28 @@
 //! What keeps a record from being fitted, found before any fit.
 
 use super::load_path::LoadPath;
+use slipmode_core::number::format::{round_digits, shortest};
+
+/// What was measured.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Column {
+    /// The time.
+    Time,
+    /// Displacement or velocity of the load point.
+    Load,
+    /// Shear stress or friction.
+    Response,
+    /// The normal stress.
+    NormalStress,
+}
 
 /// Something wrong with a record.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct RecordFault {
     /// The sample, counted from 0; none for the whole record.
     pub sample: Option<usize>,
+    /// What is at fault; none for the whole record.
+    pub column: Option<Column>,
     /// What is at fault, and what is wanted, in words.
     pub reason: String,
 }
@@ -15,24 +31,28 @@ pub struct RecordFault {
 const LEAST_SAMPLES: usize = 20;
 /// The smallest ratio of velocities that counts as a step.
 const LEAST_RATIO: f64 = 1.02;
-/// Largest ratio of spring stress to normal stress that is taken for friction.
-const LARGEST_FRICTION: f64 = 5.0;
+/// Ratios of spring stress to normal stress that are taken for friction.
+const POSSIBLE_FRICTION: [f64; 2] = [0.01, 5.0];
+/// Velocities of a load point that are taken for possible, m/s.
+const POSSIBLE_VELOCITY: [f64; 2] = [1e-13, 10.0];
 /// Equal extreme values in a row that a saturated sensor gives: a share of all samples, and at least this many.
 const CLIPPED_SHARE: f64 = 0.02;
 const CLIPPED: usize = 8;
 /// A gap is this many times as long as the usual distance of the samples before and after it.
-const GAP: f64 = 10.0;
+const GAP: f64 = 5.0;
 /// Samples on each side that say what is usual.
 const NEIGHBOURS: usize = 8;
 /// Stick-slip: this many sudden drops in a piece of constant velocity, each of this share of the range of the whole record.
 const EVENTS: usize = 5;
 const EVENT_SHARE: f64 = 0.4;
+/// A drop of this many standard deviations of the noise is none of the noise.
+const ABOVE_NOISE: f64 = 10.0;
 
 /// All faults of a record; the ratios are those of spring stress to normal stress.
 pub fn faults(times_s: &[f64], ratios: &[f64], path: Option<&LoadPath>) -> Vec<RecordFault> {
-    let whole = |reason: String| vec![RecordFault { sample: None, reason }];
     let Some(path) = path.filter(|_| times_s.len() >= LEAST_SAMPLES) else {
-        return whole(format!("{} samples (wanted: at least {LEAST_SAMPLES})", times_s.len()));
+        let reason = format!("{} rows (wanted: at least {LEAST_SAMPLES})", times_s.len());
+        return vec![RecordFault { sample: None, column: None, reason }];
     };
     let mut found = Vec::new();
     found.extend(velocity_fault(path));
@@ -48,43 +68,54 @@ pub fn faults(times_s: &[f64], ratios: &[f64], path: Option<&LoadPath>) -> Vec<R
 fn velocity_fault(path: &LoadPath) -> Option<RecordFault> {
     let velocities = &path.velocities_m_per_s;
     let first = velocities[0];
-    let fault = |sample, reason: String| Some(RecordFault { sample, reason });
-    if first <= 0.0 {
-        return fault(
-            Some(0),
-            format!(
-                "the load point moves at {first:.3e} m/s at the start (wanted: steady sliding at a positive velocity before the first step)"
-            ),
-        );
-    }
+    let fault = |sample, reason: String| Some(RecordFault { sample, column: Some(Column::Load), reason });
     let fastest = velocities.iter().fold(first, |fastest, velocity| fastest.max(*velocity));
     let slowest = velocities.iter().fold(first, |slowest, velocity| slowest.min(*velocity));
     if slowest < -0.1 * fastest {
         return fault(
-            None,
+            Some(0),
             format!(
-                "the load point moves backward, at {slowest:.3e} m/s (wanted: forward motion; is the sign of the displacement reversed?)"
+                "the load point moves at {slowest:.3e} m/s (wanted: forward motion; is its sign reversed?)"
             ),
         );
     }
-    if fastest < LEAST_RATIO * slowest {
-        return fault(
-            None,
-            format!(
-                "no velocity step: the load point moves at {slowest:.6e} to {fastest:.6e} m/s (wanted: a step by a factor of at least {LEAST_RATIO})"
-            ),
+    if first <= 0.0 {
+        let wanted = "steady sliding at a positive velocity before the first step";
+        return fault(Some(0), format!("the load point moves at {} m/s (wanted: {wanted})", shortest(first)));
+    }
+    let [least, most] = POSSIBLE_VELOCITY;
+    if let Some(velocity) = [first, fastest].into_iter().find(|velocity| !(least..=most).contains(velocity)) {
+        let reason = format!(
+            "the load point moves at {velocity:.3e} m/s (wanted: {least:e} to {most} m/s; is the column, or the time, in another unit?)"
         );
+        return fault(None, reason);
+    }
+    if fastest < LEAST_RATIO * slowest {
+        let reason = format!(
+            "no velocity step: the load point moves at {} m/s throughout (wanted: a step by a factor of at least {LEAST_RATIO})",
+            round_digits(first, 6)
+        );
+        return fault(None, reason);
     }
     None
 }
 
+/// The sizes of the first sample and of the largest one.
 fn friction_fault(ratios: &[f64]) -> Option<RecordFault> {
-    let sample = ratios.iter().position(|ratio| ratio.abs() > LARGEST_FRICTION)?;
-    let reason = format!(
-        "the friction is {:.4e} (wanted: at most {LARGEST_FRICTION} in size); are shear stress and normal stress in the units of their columns?",
-        ratios[sample]
-    );
-    Some(RecordFault { sample: Some(sample), reason })
+    let [least, most] = POSSIBLE_FRICTION;
+    let is_wrong = |index: &usize| {
+        let size = ratios[*index].abs();
+        size > most || *index == 0 && !(least..=most).contains(&ratios[0])
+    };
+    let sample = (0..ratios.len()).find(is_wrong)?;
+    let friction = ratios[sample];
+    let question = if friction < -least {
+        "is its sign reversed?"
+    } else {
+        "are all stresses in the unit of their column?"
+    };
+    let reason = format!("the friction is {friction:.4e} (wanted: {least} to {most}; {question})");
+    Some(RecordFault { sample: Some(sample), column: Some(Column::Response), reason })
 }
 
 /// A sensor at the end of its range repeats its largest or smallest value.
@@ -100,9 +131,9 @@ fn clipped(ratios: &[f64]) -> Option<RecordFault> {
                 "{} samples in a row have the {} friction {}: the sensor seems saturated (wanted: a record within its range)",
                 run.len(),
                 if run[0] == largest { "largest" } else { "smallest" },
-                slipmode_core::number::format::shortest(run[0]),
+                shortest(run[0]),
             );
-            return Some(RecordFault { sample: Some(start), reason });
+            return Some(RecordFault { sample: Some(start), column: Some(Column::Response), reason });
         }
         start += run.len();
     }
@@ -123,6 +154,7 @@ fn gap(times_s: &[f64]) -> Option<RecordFault> {
         let usual_s = before.max(after);
         (steps[index] > GAP * usual_s).then(|| RecordFault {
             sample: Some(index + 1),
+            column: Some(Column::Time),
             reason: format!(
                 "a gap of {:.4e} s, where samples are {usual_s:.4e} s apart (wanted: a record without gaps)",
                 steps[index]
@@ -137,17 +169,26 @@ fn events(ratios: &[f64], path: &LoadPath) -> Option<RecordFault> {
         let largest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         largest - values.iter().copied().fold(f64::INFINITY, f64::min)
     };
-    let least = EVENT_SHARE * range(ratios);
+    let least = (EVENT_SHARE * range(ratios)).max(ABOVE_NOISE * noise(ratios));
     let starts = [0].into_iter().chain(path.ends.iter().copied());
     starts.zip(&path.ends).find_map(|(start, end)| {
         let drops = drops(&ratios[start..=*end], least);
         (drops >= EVENTS).then(|| RecordFault {
             sample: Some(start),
+            column: Some(Column::Response),
             reason: format!(
                 "{drops} drops of the friction at constant velocity from here on: stick-slip (wanted: sliding that becomes steady after each step)"
             ),
         })
     })
+}
+
+/// The standard deviation of a noise of independent samples, from the median change between neighbours.
+fn noise(values: &[f64]) -> f64 {
+    let mut changes: Vec<f64> = values.windows(2).map(|pair| (pair[1] - pair[0]).abs()).collect();
+    changes.sort_by(f64::total_cmp);
+    // The median size of a normal variable is 0.6745 of its deviation, and a difference has twice the variance.
+    changes.get(changes.len() / 2).map_or(0.0, |median| median / (0.6745 * std::f64::consts::SQRT_2))
 }
 
 /// How often values fall by at least this much and rise by it again.

@@ -49,7 +49,7 @@ pub fn starts(problem: FitProblem<'_>) -> Vec<(Point, f64)> {
 
 impl Readings {
     fn of(record: &StepRecord) -> Option<Self> {
-        let ratios = record.ratios();
+        let ratios = &record.frictions;
         let levels: Vec<f64> = record.strides().map(|(samples, _)| steady(&ratios[samples])).collect();
         let reference = record.reference_velocity_m_per_s();
         let logs: Vec<Option<f64>> =
@@ -71,7 +71,7 @@ impl Readings {
         let mut velocity = reference;
         for ((samples, after), level) in record.strides().skip(1).zip(&levels) {
             let stop = under_one_normal_stress(record, samples.clone());
-            readings.read_step((&record.times_s, &ratios), stop, *level, [velocity, after]);
+            readings.read_step((&record.times_s, ratios), stop, *level, [velocity, after]);
             velocity = after;
         }
         (readings.direct > 0.0 && readings.slope_per_m > 0.0).then_some(readings)

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use slipmode::fitting::{Estimate, Fits, Load, Parameter, StepRecord};
+use slipmode::fitting::{Estimate, Fits, Load, Parameter, Response, StepRecord};
 use slipmode::scene::{Fault, MAX_FILE_BYTES, Problem};
 use slipmode_core::friction::{EvolutionLaw, OperatingPoint};
 use slipmode_core::number::Rational;
@@ -108,10 +108,14 @@ fn record_text(record: &StepRecord) -> String {
         Load::Displacement(values, _) => ("load_point_displacement_m", values),
         Load::Velocity(values) => ("load_point_velocity_m_per_s", values),
     };
-    let mut text = format!("time_s,{name},shear_stress_pa,normal_stress_pa\n");
-    let stresses = measured.stresses_pa.iter().zip(&measured.normal_stresses_pa);
-    for ((time, load), (stress, normal)) in measured.times_s.iter().zip(load).zip(stresses) {
-        let row = [time, load, stress, normal].map(|value| shortest(*value));
+    let (response, values) = match &measured.response {
+        Response::ShearStress(values) => ("shear_stress_pa", values),
+        Response::Friction(values) => ("friction", values),
+    };
+    let mut text = format!("time_s,{name},{response},normal_stress_pa\n");
+    let values = values.iter().zip(&measured.normal_stresses_pa);
+    for ((time, load), (value, normal)) in measured.times_s.iter().zip(load).zip(values) {
+        let row = [time, load, value, normal].map(|value| shortest(*value));
         text += &format!("{}\n", row.join(","));
     }
     text

@@ -97,16 +97,13 @@ fn modes(fit: &Fit, point: &OperatingPoint<Rational>) -> Answer {
 /// The columns of the rows.
 const HEADER: &str = "time_s,load_point_displacement_m,friction,fitted_friction,residual\n";
 
-/// The record with the fitted friction, as CSV. The normal stress of friction is that of each row.
+/// The record with the fitted friction, as CSV.
 pub fn rows(record: &StepRecord, fit: &Fit) -> String {
     let mut text = HEADER.to_string();
     let samples = record.measured.times_s.iter().zip(&record.displacements_m);
-    let values = record.frictions.iter().zip(&fit.differences).zip(&record.measured.normal_stresses_pa);
-    for ((time, way), ((friction, difference), normal)) in samples.zip(values) {
-        let scale = record.normal_stress_pa / normal;
-        let [friction, fitted, residual] =
-            [*friction, friction + difference, -difference].map(|value| shortest(scale * value));
-        let _ = writeln!(text, "{},{},{friction},{fitted},{residual}", shortest(*time), shortest(*way));
+    for ((time, way), (friction, fitted)) in samples.zip(record.frictions.iter().zip(fit.fitted(record))) {
+        let cells = [*time, *way, *friction, fitted, friction - fitted].map(shortest);
+        let _ = writeln!(text, "{}", cells.join(","));
     }
     text
 }

@@ -36,7 +36,7 @@ impl Reader {
             let found = self.read(&format!("{folder}{}.csv", section.record), |name, bytes, _| {
                 let reader = Box::new(Cursor::new(bytes.to_vec()));
                 let input = Input { name: name.into(), reader, size: Some(bytes.len() as u64) };
-                read_step_record(RowReader::new(input, Dialect::default()), None)
+                read_step_record(RowReader::new(input, Dialect::default()), None).map(|(record, _)| record)
             });
             references.records.extend(found.map(|found| (section.record.clone(), Arc::new(found))));
         }

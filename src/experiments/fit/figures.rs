@@ -47,8 +47,7 @@ pub fn fit_picture(record: &StepRecord, fits: &Fits) -> String {
     let (unit, size) = length_unit(record.displacements_m.last().copied().unwrap_or_default());
     let ways = || record.displacements_m.iter().map(|way| way / size);
     let of = |values: Vec<f64>| thinned(&ways().zip(values).collect::<Vec<_>>());
-    let fitted: Vec<f64> =
-        record.frictions.iter().zip(&fit.differences).map(|(one, other)| one + other).collect();
+    let fitted: Vec<f64> = fit.fitted(record).collect();
     let residuals: Vec<f64> = fit.differences.iter().map(|difference| -difference).collect();
     let (first, last) = extent(ways()).unwrap_or((0.0, 1.0));
     let x = || Axis::linear("Displacement of the load point", unit, first, last);
