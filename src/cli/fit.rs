@@ -11,7 +11,7 @@ use slipmode::experiments::fit::fit_picture;
 use slipmode::fitting::{FitFailure, Fits, Given, StepRecord};
 use slipmode::scene::{Problem, Quantity};
 use slipmode_core::friction::{EvolutionLaw, OperatingPoint};
-use slipmode_core::number::format::shortest;
+use slipmode_core::number::format::{round_digits, shortest};
 use slipmode_core::number::{Rational, nearest_f64, parse_decimal};
 
 use crate::cli::dialect::DialectOptions;
@@ -73,6 +73,9 @@ pub struct Options {
     #[arg(long, value_name = "OUT.svg")]
     svg: Option<PathBuf>,
 }
+
+/// Digits of a velocity that was read off a record.
+const VELOCITY_DIGITS: usize = 9;
 
 /// What was requested, valid.
 struct Request {
@@ -147,8 +150,10 @@ impl Request {
     /// σ at the start of the record, and the requested V0 or the velocity before the first step.
     fn point(&self, record: &StepRecord) -> OperatingPoint<Rational> {
         let velocity = self.loading_velocity_m_per_s.unwrap_or_else(|| record.reference_velocity_m_per_s());
-        let [normal_stress_pa, loading_velocity_m_per_s] = [record.normal_stress_pa, velocity]
-            .map(|value| parse_decimal(&shortest(value)).unwrap_or_default());
+        let exactly = |text: String| parse_decimal(&text).unwrap_or_default();
+        let normal_stress_pa = exactly(shortest(record.normal_stress_pa));
+        // A velocity made of displacements has their rounding errors.
+        let loading_velocity_m_per_s = exactly(round_digits(velocity, VELOCITY_DIGITS));
         OperatingPoint { normal_stress_pa, loading_velocity_m_per_s }
     }
 }

@@ -18,7 +18,7 @@ mod words;
 
 pub use estimate::{Estimate, Fit, FitFailure, Fits, LawComparison};
 pub use load_path::LoadPath;
-pub use parameter::Parameter;
+pub use parameter::{Parameter, slider};
 pub use problem::Given;
 pub use profile::ProfilePoint;
 pub use record::{Load, Measured, Response, StepRecord};

@@ -39,6 +39,7 @@ mod digit_for_digit;
 mod error_bars;
 mod estimated_errors;
 mod explore;
+mod fit;
 mod frequencies;
 mod full_disk;
 mod grid;

@@ -3,8 +3,9 @@
 use super::run::FitOutcome;
 use crate::experiments::trajectories::curves::{extent, linear_axis};
 use crate::experiments::{Figure, FigureMaker, Need, Outcome};
-use crate::fitting::{Estimate, Fit, Fits, StepRecord};
-use slipmode_plot::figure::{Axis, Caption, Panel, Panels, Reference, Series};
+use crate::fitting::{Estimate, Fit, Fits, Parameter, StepRecord, slider};
+use slipmode_core::dynamics::{DrivenControl, DrivenSlider, Piece, drive};
+use slipmode_plot::figure::{Axis, Caption, LineChart, Panel, Panels, Reference, Series};
 
 const NEEDS: &[Need] = &[Need::Fit];
 
@@ -13,6 +14,11 @@ pub(crate) const FIGURES: &[FigureMaker] = &[
         let (_, found) = fitted(outcome)?;
         let svg = fit_picture(&found.record, found.fits.as_ref().ok()?);
         Some(Figure::own(&record_caption(), RECORD_CAPTION, svg))
+    }),
+    FigureMaker::new("fit-step", NEEDS, &["fit"], |outcome| {
+        let (fit, found) = fitted(outcome)?;
+        let chart = step_chart(fit, &found.record)?;
+        Some(Figure::own(&chart.caption, STEP_CAPTION, chart.svg()))
     }),
     FigureMaker::new("fit-profiles", NEEDS, &["fit"], |outcome| {
         let (fit, _) = fitted(outcome)?;
@@ -23,6 +29,8 @@ pub(crate) const FIGURES: &[FigureMaker] = &[
 
 const RECORD_CAPTION: &str = "Above: friction (spring stress over the normal stress at the start) against the displacement of the load point, measured and fitted. Below: measured less fitted, with one standard deviation of the noise on each side. Each step of velocity raises or lowers the friction at once by a for each unit of ln V, as far as the spring lets it; over D_c it then changes by b for each unit.";
 const RECORD_DESCRIPTION: &str = "Two charts against the displacement of the load point: the measured friction with the fitted curve, and the residuals, which scatter about zero where the model follows the record.";
+const STEP_CAPTION: &str = "The fitted friction on a machine so stiff that slider and load point move together, as the velocity rises tenfold. Friction rises at once by a ln 10, then falls over D_c by b ln 10, so that (a − b) ln 10 remains. A spring lowers and delays the peak: therefore a cannot be read off a record.";
+const STEP_DESCRIPTION: &str = "A curve of friction against displacement that jumps up at the step and falls over the critical slip distance to its new level, with lines at the levels before the step, at the peak and long after it, and at the critical slip distance.";
 const PROFILE_CAPTION: &str = "A chart for each value: the distance from the best fit in standard errors, while this value is held and all others are fitted again. The 95 % interval is where the curve is within the lines. A straight curve means that the standard error alone gives the interval.";
 const PROFILE_DESCRIPTION: &str = "Small charts, one for each fitted value. Each has a rising curve that crosses zero at the best value and two horizontal lines at the 95 % quantile.";
 
@@ -104,6 +112,62 @@ fn thinned(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
     points.chunks(points.len().div_ceil(PLACES)).flat_map(ends).collect()
 }
 
+/// The velocity behind the step over that before it, the slip shown before and after it in D_c, and the samples.
+const STEP: f64 = 10.0;
+const SHOWN: [f64; 2] = [1.0, 7.0];
+const STEP_SAMPLES: u32 = 400;
+/// Stiffness of the machine in a σ/D_c: the peak is lower than a ln 10 by less than a line is wide.
+const STIFF: f64 = 3e3;
+
+/// A step of velocity with what a, b and D_c do to the friction.
+fn step_chart(fit: &Fit, record: &StepRecord) -> Option<LineChart> {
+    let fitted = slider(&fit.point, None, fit.given.law);
+    let (a, b, distance) = (fitted.direct_effect, fitted.evolution_effect, fitted.critical_slip_distance_m);
+    let stiffness_pa_per_m = STIFF * a * record.normal_stress_pa / distance;
+    let velocity = record.reference_velocity_m_per_s();
+    let before_s = SHOWN[0] * distance / velocity;
+    let piece = |until_s: f64, load_point_velocity_m_per_s: f64| Piece {
+        until_s,
+        load_point_velocity_m_per_s,
+        normal_stress_pa: record.normal_stress_pa,
+    };
+    let end_s = before_s + SHOWN[1] * distance / (STEP * velocity);
+    let pieces = [piece(before_s, velocity), piece(end_s, STEP * velocity)];
+    // Evenly spaced in displacement after the step.
+    let after = (0..=STEP_SAMPLES).map(|i| f64::from(i) / f64::from(STEP_SAMPLES));
+    let times: Vec<f64> =
+        [0.0].into_iter().chain(after.map(|part| before_s + (end_s - before_s) * part * part)).collect();
+    let control = DrivenControl { local_tolerance: 1e-6, most_steps: 10_000, with_derivatives: false };
+    let driven = drive(&DrivenSlider { stiffness_pa_per_m, ..fitted }, &pieces, &times, control).ok()?;
+    let (unit, size) = length_unit(SHOWN[1] * distance);
+    let place =
+        |time: f64| if time < before_s { -SHOWN[0] * distance } else { (time - before_s) * STEP * velocity };
+    let points =
+        times.iter().zip(&driven).map(|(time, driven)| (place(*time) / size, driven.friction)).collect();
+    let decade = std::f64::consts::LN_10;
+    let level = |change: f64, label: &str| Reference::Horizontal {
+        at: fitted.reference_friction + change * decade,
+        label: label.into(),
+    };
+    let levels =
+        [level(0.0, "*μ*_0"), level(a, "*μ*_0 + *a* ln 10"), level(a - b, "*μ*_0 + (*a* − *b*) ln 10")];
+    // Above the peak is room for its label.
+    let heights = [0.0, 1.1 * a * decade, (a - b) * decade].map(|change| fitted.reference_friction + change);
+    let along = Reference::Vertical { at: distance / size, label: "*D*_c".into() };
+    Some(LineChart {
+        caption: Caption::new("fit-step", "What a, b and D_c do", STEP_DESCRIPTION),
+        x: Axis::linear(
+            "Displacement since the step",
+            unit,
+            -SHOWN[0] * distance / size,
+            SHOWN[1] * distance / size,
+        ),
+        y: linear_axis("*μ*", "", heights.into_iter())?,
+        series: vec![Series::line(format!("{} law", fit.given.law.as_str()), points)],
+        references: levels.into_iter().chain([along]).collect(),
+    })
+}
+
 fn profile_panels(fit: &Fit) -> Panels {
     let quantile = fit.residuals.half_width();
     Panels {
@@ -115,19 +179,25 @@ fn profile_panels(fit: &Fit) -> Panels {
 }
 
 fn profile_panel(estimate: &Estimate, quantile: f64) -> Option<Panel> {
+    let (unit, size) = unit_of(estimate);
     let points: Vec<(f64, f64)> =
-        estimate.profile.iter().map(|point| (point.value, point.distance)).collect();
-    let x = linear_axis(
-        estimate.parameter.symbol(),
-        estimate.parameter.unit(),
-        points.iter().map(|point| point.0),
-    )?;
-    let y = linear_axis("Distance", "", points.iter().map(|point| point.1).chain([-quantile, quantile]))?;
+        estimate.profile.iter().map(|point| (point.value / size, point.distance)).collect();
+    let symbol = format!("*{}*", estimate.parameter.symbol());
     Some(Panel {
-        heading: vec![format!("**{}**", estimate.parameter.symbol())],
-        x,
-        y,
+        heading: Vec::new(),
+        x: linear_axis(&symbol, unit, points.iter().map(|point| point.0))?,
+        y: linear_axis("Distance", "", points.iter().map(|point| point.1).chain([-quantile, quantile]))?,
         series: vec![Series::marked("profile", points)],
         references: [-quantile, quantile].map(|at| Reference::Horizontal { at, label: String::new() }).into(),
     })
+}
+
+/// The unit in which a value has few digits, and its size in SI.
+fn unit_of(estimate: &Estimate) -> (&'static str, f64) {
+    match estimate.parameter {
+        Parameter::CriticalSlipDistance => length_unit(estimate.value),
+        Parameter::Stiffness if estimate.value < 1e9 => ("MPa/m", 1e6),
+        Parameter::Stiffness => ("GPa/m", 1e9),
+        parameter => (parameter.unit(), 1.0),
+    }
 }

@@ -9,7 +9,7 @@ pub(crate) mod words;
 pub use figures::fit_picture;
 pub use run::FitOutcome;
 pub use section::FitSection;
-pub use words::{fit_words, in_digits};
+pub use words::fit_words;
 
 use crate::experiments::{Experiment, FigureMaker, Requirement, Setting, TableMaker, Work};
 

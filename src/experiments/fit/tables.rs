@@ -1,6 +1,6 @@
 //! Tables of a fit: the values with their intervals, and their correlations.
 
-use super::words::{digits, in_digits};
+use super::words::digits;
 use crate::experiments::shared::cells::{DigitColumns, Digits};
 use crate::experiments::{Context, Need, TableMaker};
 use crate::fitting::{Estimate, Fit};
@@ -21,7 +21,7 @@ fn best<'c>(context: &'c Context) -> impl Iterator<Item = &'c Fit> {
 
 fn values(context: &Context) -> Option<Table> {
     let end = |estimate: &Estimate, end: Option<f64>| {
-        end.map_or_else(Cell::empty, |end| Cell::text(in_digits(end, digits(estimate), "")))
+        end.map_or_else(Cell::empty, |end| end.cell(digits(estimate)))
     };
     Table::of("fit", "What the record gives", best(context).flat_map(|fit| &fit.estimates))
         .note(NOTE)

@@ -14,12 +14,6 @@ pub(crate) fn digits(estimate: &Estimate) -> usize {
     (digits as usize + ERROR_DIGITS - 1).clamp(ERROR_DIGITS, 16)
 }
 
-/// A rounded value with its unit.
-#[must_use]
-pub fn in_digits(value: f64, digits: usize, unit: &str) -> String {
-    format!("{} {unit}", round_digits(value, digits)).trim_end().to_string()
-}
-
 impl Estimate {
     /// The value with its error and its interval: `0.0081 ± 0.0002` and `0.0077 to 0.0085`.
     #[must_use]

@@ -110,9 +110,11 @@ fn solve<const P: usize>(mut matrix: [[f64; SIZE]; SIZE], mut right: [[f64; P]; 
         }
     }
     for row in (0..SIZE).rev() {
-        for p in 0..P {
-            let known: f64 = (row + 1..SIZE).map(|k| matrix[row][k] * right[k][p]).sum();
-            right[row][p] = (right[row][p] - known) / matrix[row][row];
+        let (unknown, known) = right.split_at_mut(row + 1);
+        for (p, value) in unknown[row].iter_mut().enumerate() {
+            let rest: f64 =
+                matrix[row][row + 1..].iter().zip(&*known).map(|(entry, known)| entry * known[p]).sum();
+            *value = (*value - rest) / matrix[row][row];
         }
     }
     right
