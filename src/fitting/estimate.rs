@@ -367,7 +367,7 @@ impl Fit {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fitting::record::fixtures::record;
+    use crate::fitting::record::fixtures::{driven, record};
     use slipmode_core::dynamics::DrivenSlider;
 
     fn slider(law: EvolutionLaw) -> DrivenSlider {
@@ -393,6 +393,16 @@ mod tests {
             for (estimate, wanted) in found.estimates.iter().zip([0.008, 0.012, 1e-5, 2e10, 0.6]) {
                 assert!((estimate.value / wanted - 1.0).abs() < 1e-5, "{law:?} {estimate:?}");
             }
+        }
+    }
+
+    #[test]
+    fn holds_give_the_parameters_too() {
+        let record = driven([1e-5, 0.0, 1e-5, 3e-6], &slider(EvolutionLaw::Aging), 1e-5, 1200);
+        let found = fit(&record, &given(EvolutionLaw::Aging)).unwrap();
+        for (estimate, wanted) in found.estimates.iter().zip([0.008, 0.012, 1e-5, 2e10, 0.6]) {
+            assert!((estimate.value - wanted).abs() < 5.0 * estimate.standard_error, "{estimate:?}");
+            assert!((estimate.value / wanted - 1.0).abs() < 0.05, "{estimate:?}");
         }
     }
 

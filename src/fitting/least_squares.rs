@@ -35,7 +35,7 @@ pub struct Effort {
 }
 
 /// A search to the end.
-pub const LONG: Effort = Effort { patience: 60, local_tolerance: FINE };
+pub const LONG: Effort = Effort { patience: 30, local_tolerance: FINE };
 /// A search that only tells which start is best.
 pub const SHORT: Effort = Effort { patience: 5, local_tolerance: MEDIUM };
 

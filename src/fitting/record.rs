@@ -179,13 +179,13 @@ pub(super) mod fixtures {
 
     /// A record of this slider with three steps and normally distributed noise, made of twelve uniform numbers.
     pub fn record(slider: &DrivenSlider, noise: f64, rows: u32) -> StepRecord {
+        driven([1e-6, 1e-5, 2e-6, 1e-5], slider, noise, rows)
+    }
+
+    /// A record with 30 s at each of these velocities (m/s).
+    pub fn driven(velocities: [f64; 4], slider: &DrivenSlider, noise: f64, rows: u32) -> StepRecord {
         let times: Vec<f64> = (0..rows).map(|row| 120.0 * f64::from(row) / f64::from(rows - 1)).collect();
-        let velocity = |time: &f64| match time {
-            ..30.0 => 1e-6,
-            30.0..60.0 => 1e-5,
-            60.0..90.0 => 2e-6,
-            _ => 1e-5,
-        };
+        let velocity = |time: &f64| velocities[((time / 30.0) as usize).min(3)];
         let load = Load::Velocity(times.iter().map(velocity).collect());
         // Any record without faults, for its pieces.
         let stresses = times.iter().map(|time| 5e6 * (0.6 + 1e-4 * time)).collect();

@@ -45,6 +45,8 @@ const NEIGHBOURS: usize = 8;
 /// Stick-slip: this many sudden drops in a piece of constant velocity, each of this share of the range of the whole record.
 const EVENTS: usize = 5;
 const EVENT_SHARE: f64 = 0.4;
+/// The last drop of stick-slip is this share of the largest one, at least.
+const GOES_ON: f64 = 0.7;
 /// A drop of this many standard deviations of the noise is none of the noise.
 const ABOVE_NOISE: f64 = 10.0;
 
@@ -173,11 +175,15 @@ fn events(ratios: &[f64], path: &LoadPath) -> Option<RecordFault> {
     let starts = [0].into_iter().chain(path.ends.iter().copied());
     starts.zip(&path.ends).find_map(|(start, end)| {
         let drops = drops(&ratios[start..=*end], least);
-        (drops >= EVENTS).then(|| RecordFault {
+        // After a step next to the transition the friction oscillates, less and less.
+        let largest = drops.iter().copied().fold(0.0, f64::max);
+        let goes_on = drops.last().is_some_and(|last| *last > GOES_ON * largest);
+        (drops.len() >= EVENTS && goes_on).then(|| RecordFault {
             sample: Some(start),
             column: Some(Column::Response),
             reason: format!(
-                "{drops} drops of the friction at constant velocity from here on: stick-slip (wanted: sliding that becomes steady after each step)"
+                "{} drops of the friction at constant velocity from here on: stick-slip (wanted: sliding that becomes steady after each step)",
+                drops.len()
             ),
         })
     })
@@ -191,23 +197,37 @@ fn noise(values: &[f64]) -> f64 {
     changes.get(changes.len() / 2).map_or(0.0, |median| median / (0.6745 * std::f64::consts::SQRT_2))
 }
 
-/// How often values fall by at least this much and rise by it again.
-fn drops(values: &[f64], least: f64) -> usize {
+/// By how much values fall, where they fall by at least this much before they rise by it again.
+fn drops(values: &[f64], least: f64) -> Vec<f64> {
     let [mut top, mut bottom] = [values[0]; 2];
-    let (mut count, mut is_down) = (0, false);
+    let mut drops = Vec::new();
     for value in values {
-        if is_down {
-            bottom = bottom.min(*value);
-            if value - bottom >= least {
-                (is_down, top) = (false, *value);
+        top = top.max(*value);
+        bottom = bottom.min(*value);
+        if value - bottom >= least {
+            if top - bottom >= least {
+                drops.push(top - bottom);
             }
-        } else {
-            top = top.max(*value);
-            if top - value >= least {
-                (is_down, bottom) = (true, *value);
-                count += 1;
-            }
+            (top, bottom) = (*value, *value);
+        } else if top - value < least {
+            bottom = *value;
         }
     }
-    count
+    drops
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sawtooth_has_drops_and_a_decaying_oscillation_smaller_ones() {
+        let saw: Vec<f64> = (0..200).map(|i| f64::from(i % 20) / 20.0).collect();
+        let found = drops(&saw, 0.4);
+        assert_eq!(found.len(), 9);
+        assert!(found.iter().all(|drop| (drop - 0.95).abs() < 1e-12), "{found:?}");
+        let decay = (0..400).map(|i| libm::exp(-0.005 * f64::from(i)) * libm::cos(0.2 * f64::from(i)));
+        let found = drops(&decay.collect::<Vec<_>>(), 0.4);
+        assert!(found.len() > 5 && found[found.len() - 1] < 0.5 * found[0], "{found:?}");
+    }
 }

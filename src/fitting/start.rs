@@ -20,16 +20,18 @@ struct Readings {
 /// Shares of a piece at its end that count as steady.
 const STEADY_SHARE: f64 = 0.15;
 /// Factors of the direct effect and of the slope that are tried: a soft or slow record shows less than all of them.
-const DIRECT_FACTORS: [f64; 4] = [1.0, 1.4, 2.2, 4.0];
-const SLOPE_FACTORS: [f64; 5] = [0.5, 1.0, 2.0, 5.0, 15.0];
+const DIRECT_FACTORS: [f64; 5] = [0.8, 1.0, 1.4, 2.2, 4.0];
+const SLOPE_FACTORS: [f64; 8] = [0.25, 0.5, 0.7, 1.0, 1.4, 2.0, 5.0, 15.0];
 /// The smallest ln of a ratio of velocities that shows something.
 const LEAST_LOG: f64 = 0.05;
 /// A normal stress that differs by less shifts the friction by less than a step of velocity does.
 const SAME_STRESS: f64 = 3e-3;
+/// While the load point rests the slider slows down, to about this share of its velocity.
+const AT_REST: f64 = 0.01;
 /// Values of D_c that are tried.
-const DISTANCES: u32 = 12;
+const DISTANCES: u32 = 16;
 /// Starts that are searched from.
-const STARTS: usize = 8;
+const STARTS: usize = 12;
 
 /// The best starts of a grid, at most one for each value of D_c, the best one first, each with its sum of squares.
 ///
@@ -69,9 +71,10 @@ impl Readings {
             slope_per_m: 0.0,
         };
         let mut velocity = reference;
+        let moving = |velocity: f64| velocity.max(AT_REST * reference);
         for ((samples, after), level) in record.strides().skip(1).zip(&levels) {
             let stop = under_one_normal_stress(record, samples.clone());
-            readings.read_step((&record.times_s, ratios), stop, *level, [velocity, after]);
+            readings.read_step((&record.times_s, ratios), stop, *level, [velocity, after].map(moving));
             velocity = after;
         }
         (readings.direct > 0.0 && readings.slope_per_m > 0.0).then_some(readings)
@@ -85,7 +88,7 @@ impl Readings {
         level: f64,
         [before, after]: [f64; 2],
     ) {
-        let (Some(log), true) = (log_ratio(after, before), before > 0.0) else { return };
+        let log = libm::log(after / before);
         if log.abs() < LEAST_LOG {
             return;
         }
