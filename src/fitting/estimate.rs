@@ -138,8 +138,9 @@ impl Fits {
 
 /// Fits of one law, restarted from better points that profiles meet, at most this often.
 const RESTARTS: usize = 3;
-/// Searches that go on after the short ones.
-const LONGER: usize = 3;
+/// Searches that go on after the short ones, and how often each goes on.
+const LONGER: usize = 2;
+const CONTINUED: usize = 2;
 const NO_END: &str = "no search from the values read off the record ends";
 const INDEFINITE: &str = "the sum of squares has no definite minimum";
 /// The share of the spread of a record that a fit leaves, from which on the sign of the record is doubted.
@@ -199,7 +200,7 @@ fn best_minimum(problem: FitProblem<'_>, free: &[Parameter]) -> Option<Minimum> 
     let mut runs: usize = rough.iter().map(|found| found.runs).sum();
     rough.sort_by(by_cost);
     let mut longer = |mut found: Minimum| {
-        for _ in 0..RESTARTS {
+        for _ in 0..CONTINUED {
             found = minimise(problem, &found.point, free, LONG)?;
             runs += found.runs;
             if found.is_converged {

@@ -20,8 +20,8 @@ struct Readings {
 /// Shares of a piece at its end that count as steady.
 const STEADY_SHARE: f64 = 0.15;
 /// Factors of the direct effect and of the slope that are tried: a soft or slow record shows less than all of them.
-const DIRECT_FACTORS: [f64; 5] = [0.8, 1.0, 1.4, 2.2, 4.0];
-const SLOPE_FACTORS: [f64; 8] = [0.25, 0.5, 0.7, 1.0, 1.4, 2.0, 5.0, 15.0];
+const DIRECT_FACTORS: [f64; 4] = [1.0, 1.4, 2.2, 4.0];
+const SLOPE_FACTORS: [f64; 5] = [0.5, 1.0, 2.0, 5.0, 15.0];
 /// The smallest ln of a ratio of velocities that shows something.
 const LEAST_LOG: f64 = 0.05;
 /// A normal stress that differs by less shifts the friction by less than a step of velocity does.
@@ -29,9 +29,9 @@ const SAME_STRESS: f64 = 3e-3;
 /// While the load point rests the slider slows down, to about this share of its velocity.
 const AT_REST: f64 = 0.01;
 /// Values of D_c that are tried.
-const DISTANCES: u32 = 16;
+const DISTANCES: u32 = 12;
 /// Starts that are searched from.
-const STARTS: usize = 12;
+const STARTS: usize = 8;
 
 /// The best starts of a grid, at most one for each value of D_c, the best one first, each with its sum of squares.
 ///
