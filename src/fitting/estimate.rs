@@ -210,7 +210,11 @@ fn best_minimum(problem: FitProblem<'_>, free: &[Parameter]) -> Option<Minimum> 
         None
     };
     let found: Vec<Minimum> = rough.into_iter().take(LONGER).filter_map(&mut longer).collect();
-    found.into_iter().min_by(by_cost).map(|found| Minimum { runs, ..found })
+    let best = found.into_iter().min_by(by_cost)?;
+    // A search can end early in a narrow valley, and starts anew with longer steps.
+    let again = minimise(problem, &best.point, free, LONG).filter(|again| again.cost < best.cost);
+    let best = again.unwrap_or(best);
+    Some(Minimum { runs: runs + best.runs, ..best })
 }
 
 /// Whether the model is far nearer to the record with all changes of friction reversed.

@@ -36,6 +36,8 @@ pub struct Effort {
 
 /// A search to the end.
 pub const LONG: Effort = Effort { patience: 30, local_tolerance: FINE };
+/// A search from next to its end, along a profile.
+pub const NEAR: Effort = Effort { patience: 8, local_tolerance: FINE };
 /// A search that only tells which start is best.
 pub const SHORT: Effort = Effort { patience: 5, local_tolerance: MEDIUM };
 

@@ -2,7 +2,7 @@
 
 use nalgebra::DMatrix;
 
-use super::least_squares::{LONG, Minimum, minimise};
+use super::least_squares::{Minimum, NEAR, minimise};
 use super::parameter::{Parameter, Point};
 use super::problem::FitProblem;
 use super::residuals::Residuals;
@@ -31,6 +31,8 @@ pub struct Profile {
 const EXACT: f64 = 2e-3;
 /// Runs along a profile to find an end, at most.
 const MOST_TRIALS: usize = 12;
+/// Trials without a result after which the record sets no bound.
+const MOST_FAILURES: usize = 3;
 /// A logarithm that changes by more than this is not bounded by the record.
 const FARTHEST: f64 = 6.9;
 
@@ -75,10 +77,15 @@ impl Profiler<'_> {
         let [mut inside, mut outside] = [(0.0, 0.0), (f64::INFINITY, f64::INFINITY)];
         let mut offset = (wanted * error).min(farthest);
         let mut warm = self.minimum.point;
+        let mut failures = 0;
         for _ in 0..MOST_TRIALS {
             let start = self.predicted(index, sign * offset, &warm, inside.0);
             let Some((distance, point)) = self.distance(index, &start) else {
                 // No slider of that kind has a run.
+                failures += 1;
+                if failures == MOST_FAILURES {
+                    return None;
+                }
                 outside = (offset, f64::INFINITY);
                 offset = 0.5 * (inside.0 + offset);
                 continue;
@@ -124,7 +131,7 @@ impl Profiler<'_> {
     fn distance(&self, index: usize, start: &Point) -> Option<(f64, Point)> {
         let others: Vec<Parameter> =
             self.free.iter().copied().filter(|parameter| *parameter != self.free[index]).collect();
-        let held = minimise(self.problem, start, &others, LONG).filter(|held| held.is_converged)?;
+        let held = minimise(self.problem, start, &others, NEAR).filter(|held| held.is_converged)?;
         let variance = self.residuals.standard_deviation * self.residuals.standard_deviation;
         let increase = (held.cost - self.minimum.cost) / variance;
         let distance = if increase < -1e-3 { -1.0 } else { increase.max(0.0).sqrt() };
