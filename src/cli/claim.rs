@@ -16,15 +16,16 @@ use crate::cli::terminal;
 /// # Errors
 /// When the report does not list the claim, or its verdict is not the recorded one.
 pub fn verify_claim(folder: &Folder, id: &str, progress: &Progress) -> Result<(), Failure> {
-    let text = listed(folder, id)?;
-    let (ledger, _) = progress.items(|progress| decide(folder, slice::from_ref(text), progress));
+    let text = slice::from_ref(listed(&folder.claims, id)?);
+    let (ledger, _) = progress.items(|progress| decide(folder, text, progress));
     print_warnings(&ledger);
-    for entry in &ledger.claims {
-        terminal::print(&account(entry))?;
-    }
-    let mut lines = contradictions(&ledger);
-    lines.extend(drift(&ledger));
-    if lines.is_empty() { Ok(()) } else { Err(Failure::Check(lines.join("\n"))) }
+    terminal::print(&ledger.claims.iter().map(account).collect::<String>())?;
+    Failure::check_none(problems(&ledger))
+}
+
+/// The errors of the program, and the claims whose verdict is not the recorded one.
+pub fn problems(ledger: &Ledger) -> Vec<String> {
+    contradictions(ledger).into_iter().chain(drift(ledger)).collect()
 }
 
 /// The errors of the program that its last gate found: two of its evaluations of one claim contradict each other.
@@ -56,9 +57,13 @@ pub fn print_warnings(ledger: &Ledger) {
     warnings.iter().for_each(|warning| terminal::message(warning));
 }
 
-fn listed<'f>(folder: &'f Folder, id: &str) -> Result<&'f ClaimEntry, Failure> {
-    folder.claims.iter().find(|claim| claim.id == id).ok_or_else(|| {
-        let listed = folder.claims.iter().map(|claim| claim.id.as_str());
+/// The claim with this id.
+///
+/// # Errors
+/// When there is none.
+pub fn listed<'c>(claims: &'c [ClaimEntry], id: &str) -> Result<&'c ClaimEntry, Failure> {
+    claims.iter().find(|claim| claim.id == id).ok_or_else(|| {
+        let listed = claims.iter().map(|claim| claim.id.as_str());
         let near = match nearest(id, listed) {
             _ if library_ids().any(|known| known == id) => {
                 "; it is a claim of the paper that claims.toml leaves out".into()
@@ -69,7 +74,8 @@ fn listed<'f>(folder: &'f Folder, id: &str) -> Result<&'f ClaimEntry, Failure> {
     })
 }
 
-fn account(entry: &Entry) -> String {
+/// How a claim was decided, with the steps of its proofs.
+pub fn account(entry: &Entry) -> String {
     let finding = &entry.finding;
     let mut lines = vec![
         ("claim", format!("{} ({}): {}", entry.id, entry.place, entry.words)),
@@ -83,7 +89,7 @@ fn account(entry: &Entry) -> String {
         lines.push(("reading", format!("{number}. {}: {verdict}", reading.words)));
         lines.extend(reading.parts.iter().map(|part| ("  part", part_line(part))));
     }
-    lines.extend(finding.evidence.iter().map(|evidence| ("evidence", one_line(evidence))));
+    lines.extend(finding.evidence.iter().map(|evidence| ("evidence", evidence_lines(evidence))));
     lines.extend(finding.remarks.iter().map(|remark| ("remark", remark.clone())));
     lines.push(("not established", entry.not_established.to_string()));
     lines.iter().map(|(name, value)| format!("{name:<16} {value}\n")).collect()
@@ -103,9 +109,9 @@ fn part_line(part: &Part) -> String {
     format!("{}: {verdict}{separator}{}", part.words, part.result())
 }
 
-fn one_line(evidence: &Evidence) -> String {
+fn evidence_lines(evidence: &Evidence) -> String {
     match evidence {
-        Evidence::Proof { proof } => format!("proof, checked again: {}", proof.statement),
+        Evidence::Proof { proof } => format!("proof, checked again: {}", proof.to_string().trim_end()),
         Evidence::Enclosure { quantity, value, .. } | Evidence::Sample { quantity, value, .. } => {
             format!("{quantity}: {value}")
         }

@@ -12,8 +12,8 @@ use slipmode::claims::{equation_faults, procedures, row_faults};
 use slipmode::experiments::{References, Scene, check_distinct_scene_names};
 use slipmode::report::{Folder, InputView, formula_faults};
 use slipmode::scene::{
-    Fault, Faults, Limits, Problem, ReportPlan, file_text, join_proofs, read_claims, read_equations,
-    read_equations_partly, read_proofs,
+    ClaimEntry, Fault, Faults, Limits, Problem, ReportPlan, file_text, join_proofs, read_claims,
+    read_equations, read_equations_partly, read_proofs,
 };
 use slipmode_core::theory::Equations;
 use slipmode_core::theory::stated_proofs::StatedProofs;
@@ -90,7 +90,7 @@ pub fn read_report_from(source: Source, limits: Limits) -> Result<(Folder, Files
     }
     let mut reader = Reader::new(source, limits);
     let plan = reader.read("report.toml", |file, bytes, _| ReportPlan::parse(file, bytes));
-    let (equations, mut faults) = reader
+    let (equations, faults) = reader
         .read("equations.toml", |file, bytes, _| read_equations_partly(file, bytes))
         .map_or((None, Faults::new()), |(equations, faults)| (Some(equations), faults));
     let proofs = reader.proofs(plan.as_ref().map_or(&[], |plan| &plan.proofs));
@@ -98,13 +98,9 @@ pub fn read_report_from(source: Source, limits: Limits) -> Result<(Folder, Files
     let equations = equations.map(|equations| equations.with_proofs(proofs.unwrap_or_default()));
     let sound = equations.as_ref().filter(|_| faults.is_empty() && has_proofs);
     let claims = reader.read("claims.toml", |file, bytes, _| read_claims(file, bytes, &procedures(), sound));
-    if let (Some(equations), Some(claims)) = (sound, &claims) {
-        faults.extend(equation_faults(&reader.name("claims.toml"), claims, equations));
-    }
+    let of_claims = claims.as_ref().map(|claims| claim_faults(&reader.name("claims.toml"), claims, sound));
     reader.faults.extend(faults);
-    let of_rows =
-        claims.as_ref().map_or_else(Faults::new, |claims| row_faults(&reader.name("claims.toml"), claims));
-    reader.faults.extend(of_rows);
+    reader.faults.extend(of_claims.unwrap_or_default());
     let (names, chapters) = plan.as_ref().map_or((&[][..], &[][..]), |plan| (&plan.scenes, &plan.chapters));
     let scenes: Vec<(String, Scene)> = names
         .iter()
@@ -133,6 +129,12 @@ pub fn read_report_from(source: Source, limits: Limits) -> Result<(Folder, Files
         }
         _ => Err(reader.faults),
     }
+}
+
+/// What claims need of the equations, where these are sound, and of tables, and do not find there.
+pub fn claim_faults(file: &str, claims: &[ClaimEntry], equations: Option<&Equations>) -> Faults {
+    let of_equations = equations.map(|equations| equation_faults(file, claims, equations));
+    of_equations.unwrap_or_default().into_iter().chain(row_faults(file, claims)).collect()
 }
 
 /// A scene on its own, with what it refers to.

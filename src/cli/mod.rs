@@ -8,6 +8,7 @@ mod archive;
 mod boundary;
 mod capture;
 mod certificates;
+mod check;
 mod claim;
 mod classify;
 mod compare;
@@ -127,6 +128,9 @@ enum Command {
     /// Computes a report and compares it with its recorded verdicts and its published copy; exits with 1 if anything differs
     #[command(after_help = example("verify lab"))]
     Verify(report::VerifyOptions),
+    /// Decides the claims of one file with its equations; exits with 1 if a verdict is not the expected one
+    #[command(after_help = example("check statements.toml"))]
+    Check(check::Options),
     /// Packs a report and all its inputs into one zip file, with the same bytes everywhere
     #[command(after_help = example("archive lab --output lab.zip"))]
     Archive(archive::Options),
@@ -246,6 +250,7 @@ fn dispatch(command: Command, progress: Progress) -> Result<(), Failure> {
         Command::Run(options) => report::run(&options, &progress),
         Command::Report(options) => report::report(&options, &progress),
         Command::Verify(options) => report::verify(&options, &progress),
+        Command::Check(options) => check::run(&options),
         Command::Archive(options) => archive::run(&options, &progress),
         Command::Replay(options) => replay::run(&options, &progress),
         Command::Diff(options) => diff::run(&options),

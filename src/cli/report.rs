@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use serde_json::json;
-use slipmode::claims::{Ledger, Verdict};
+use slipmode::claims::{Entry, Ledger, Verdict};
 use slipmode::report::{
     PAGE_BUDGET_BYTES, Product, ReportError, produce, produce_scene, without_environment,
 };
@@ -254,22 +254,35 @@ pub fn unrenderable(folder: &Path, error: &ReportError) -> Failure {
 }
 
 /// States a claim with its verdict.
-fn claim_part(entry: &slipmode::claims::Entry) -> Answer {
-    let finding = &entry.finding;
-    let limit = finding.limit.as_ref().or(finding.counter_example.as_ref());
-    let limit = limit.map(|text| format!("  {text}")).unwrap_or_default();
-    let (verdict, strength) = (finding.verdict.as_str(), finding.strength.as_str());
-    Answer::line(&format!("{:<4} {verdict:<13} {strength:<10}{limit}", entry.id))
+fn claim_part(entry: &Entry) -> Answer {
+    Answer::default()
+        .text(&claim_line(entry))
         .with("id", &entry.id)
-        .with("verdict", verdict)
+        .with("verdict", entry.finding.verdict.as_str())
         .with("recorded", entry.expected.as_str())
-        .with("strength", strength)
+        .with("strength", entry.finding.strength.as_str())
         .with("error_bars", entry.error_bars)
+}
+
+/// A line with the verdict on a claim, its strength, and its limit, its counter-example or why it was not checked.
+pub fn claim_line(entry: &Entry) -> String {
+    let finding = &entry.finding;
+    let is_open = finding.verdict == Verdict::NotChecked;
+    let strength = if is_open { "" } else { finding.strength.as_str() };
+    let reason = finding.remarks.first().filter(|_| is_open);
+    let because = finding.limit.as_ref().or(finding.counter_example.as_ref()).or(reason);
+    let line = format!(
+        "{:<4} {:<13} {strength:<14}  {}",
+        entry.id,
+        finding.verdict.as_str(),
+        because.map_or("", String::as_str)
+    );
+    format!("{}\n", line.trim_end())
 }
 
 /// The claims whose verdict is not the recorded one, with both, and those whose theorems are about something else.
 pub fn drift(ledger: &Ledger) -> Vec<String> {
-    let verdict = |entry: &slipmode::claims::Entry| {
+    let verdict = |entry: &Entry| {
         let [recorded, now] = [entry.expected, entry.finding.verdict].map(Verdict::as_str);
         format!("{}: recorded {recorded}, now {now}", entry.id)
     };

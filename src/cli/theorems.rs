@@ -52,17 +52,17 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         })
     });
     let published = published.collect::<Result<Vec<_>, Failure>>()?;
-    // What decides a slider with error bars is about the equations of the first report that has them.
+    // What decides a slider with error bars is about the equations of the first report for which it goes through.
     let has_all = |report: &&Published| {
         OF_A_BOX.iter().all(|id| library_proofs().missing(id, &report.equations).is_empty())
     };
-    let paper = published.iter().find(has_all);
-    let of_a_box = paper.map_or_else(
-        || Ok(Vec::new()),
-        |report| OF_A_BOX.map(|id| library_proofs().prove(id, &report.equations)).into_iter().collect(),
-    );
-    let of_a_box: Vec<Proof> =
-        of_a_box.map_err(|refutation: Refutation| Failure::Refused(refutation.to_string()))?;
+    let of_a_box = |report: &Published| -> Result<Vec<Proof>, Refutation> {
+        OF_A_BOX.map(|id| library_proofs().prove(id, &report.equations)).into_iter().collect()
+    };
+    let mut tried = published.iter().filter(has_all).map(of_a_box);
+    let first = tried.next().unwrap_or_else(|| Ok(Vec::new()));
+    let found = first.or_else(|refutation| tried.find(Result::is_ok).unwrap_or(Err(refutation)));
+    let of_a_box = found.map_err(|refutation| Failure::Refused(refutation.to_string()))?;
     let mut made = files(&published, ("error-bars", of_a_box)).map_err(Failure::Refused)?;
     made.insert(FILE_LIST.to_owned(), file_list(&published).map_err(Failure::Refused)?);
     let moved = ties(&published).map_err(Failure::Refused)?;

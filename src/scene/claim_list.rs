@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use slipmode_core::theory::Equations;
+use slipmode_core::theory::{Equations, EquationsText};
 
 use crate::scene::claim_computed::{Known, Premise, Procedures};
 use crate::scene::claim_formula::ClaimFormula;
@@ -11,6 +11,7 @@ use crate::scene::claim_library::{library_claim, library_ids, library_sentence};
 use crate::scene::claim_scope::FormulaEntries;
 use crate::scene::claim_subject::{InAnswer, Sliders, Subject, read_subjects};
 use crate::scene::document::read_document;
+use crate::scene::equations_file::equations_of;
 use crate::scene::section::{Entry, Section};
 use crate::scene::{Faults, Limits, Problem, Sentence, Verdict, of_word, same_name};
 
@@ -102,71 +103,98 @@ pub fn read_claims(
     procedures: &Procedures,
     equations: Option<&Equations>,
 ) -> Result<Vec<ClaimEntry>, Faults> {
-    read_document(file, bytes, Limits::default(), |top| {
-        let mut seen: Vec<String> = Vec::new();
-        let subjects = top.optionally("subject", read_subjects)?.unwrap_or_default();
-        let claims = top.required("claim", "[[claim]] sections")?.list(|member| {
-            let mut section = member.section()?;
-            let stated = read_stated(&mut section, &Known { equations, procedures });
-            let sentence = Sentence::read(&mut section);
-            let reason = section.optional("reason");
-            let is_stated = !matches!(stated, Some(None)) || reason.is_some();
-            let id = read_id(&mut section, is_stated, &mut seen);
-            let [place, words] = ["place", "words"].map(|key| section.text(key, "a text"));
-            let allowed = Verdict::ALL.map(Verdict::as_str).join(", ");
-            let expected = section.required("expected", &allowed);
-            let expected = expected.and_then(|entry| entry.word(&Verdict::ALL, Verdict::as_str));
-            let reason = match reason {
-                None => Some(None),
-                Some(entry) => read_reason(&entry, &stated, expected).map(Some),
-            };
-            let rests_on =
-                section.optional("rests_on").map_or(Some(Vec::new()), |list| list.list(Entry::text));
-            let in_answer =
-                section.optionally("in_answer", |entry| entry.word(&InAnswer::ALL, InAnswer::as_str));
-            let sliders = section.optionally("sliders", |entry| {
-                entry.list(|member| member.word(&Sliders::ALL, Sliders::as_str))
-            });
-            section.finish();
-            let (mut stated, words) = (stated?, words?);
-            // A formula or a list of parts without words of its own says what the claim's words say.
-            for reading in stated.iter_mut().flat_map(|stated| &mut stated.readings) {
-                let own = reading.parts.iter_mut().map(|(own, _)| own).chain([&mut reading.words]);
-                own.filter(|own| own.is_empty()).for_each(|own| own.clone_from(&words));
-            }
-            let (id, is_known) = (id?, stated.is_none() && reason.as_ref().is_some_and(Option::is_none));
-            let entry = ClaimEntry {
-                sentence: sentence?
-                    .or_else(|| library_sentence(&id).filter(|_| is_known))
-                    .unwrap_or_default(),
-                subject: subjects.iter().find(|subject| id.starts_with(&subject.letter)).cloned(),
-                id,
-                place: place?,
-                words,
-                expected: expected?,
-                stated,
-                reason: reason?,
-                rests_on: rests_on?,
-                in_answer: in_answer?,
-                sliders: sliders?.unwrap_or_default(),
-            };
-            Some(match equations.filter(|_| is_known) {
-                Some(equations) => entry.with_library(equations, procedures),
-                None => entry,
-            })
+    read_document(file, bytes, Limits::default(), |top| claims_of(top, procedures, equations))
+}
+
+/// Reads one file that has the sections of `equations.toml` and those of `claims.toml`.
+///
+/// # Errors
+/// All the faults at once, as of the two files.
+pub fn read_equations_and_claims(
+    file: &str,
+    bytes: &[u8],
+    procedures: &Procedures,
+) -> Result<(Equations, Vec<ClaimEntry>), Faults> {
+    let mut faults = Faults::new();
+    let read = read_document(file, bytes, Limits::default(), |top| {
+        let equations = top.deserialized(&EquationsText::SECTIONS).map(|text| {
+            let (equations, of_equations) = equations_of(file, text);
+            faults = of_equations;
+            equations
         });
-        let of_library = |id: &str| library_claim(id, equations?, procedures)?.ok()?.stated;
-        let (claims, unknown) = with_premises(claims?, of_library);
-        if equations.is_none() {
-            return Some(claims);
+        let claims = claims_of(top, procedures, equations.as_ref().filter(|_| faults.is_empty()));
+        Some((equations?, claims?))
+    });
+    match read {
+        Ok(read) if faults.is_empty() => Ok(read),
+        Ok(_) => Err(faults),
+        Err(others) => Err(faults.into_iter().chain(others).collect()),
+    }
+}
+
+/// The claims of a file, in the names of these equations.
+fn claims_of(
+    top: &mut Section<'_>,
+    procedures: &Procedures,
+    equations: Option<&Equations>,
+) -> Option<Vec<ClaimEntry>> {
+    let mut seen: Vec<String> = Vec::new();
+    let subjects = top.optionally("subject", read_subjects)?.unwrap_or_default();
+    let claims = top.required("claim", "[[claim]] sections")?.list(|member| {
+        let mut section = member.section()?;
+        let stated = read_stated(&mut section, &Known { equations, procedures });
+        let sentence = Sentence::read(&mut section);
+        let reason = section.optional("reason");
+        let is_stated = !matches!(stated, Some(None)) || reason.is_some();
+        let id = read_id(&mut section, is_stated, &mut seen);
+        let [place, words] = ["place", "words"].map(|key| section.text(key, "a text"));
+        let allowed = Verdict::ALL.map(Verdict::as_str).join(", ");
+        let expected = section.required("expected", &allowed);
+        let expected = expected.and_then(|entry| entry.word(&Verdict::ALL, Verdict::as_str));
+        let reason = match reason {
+            None => Some(None),
+            Some(entry) => read_reason(&entry, &stated, expected).map(Some),
+        };
+        let rests_on = section.optional("rests_on").map_or(Some(Vec::new()), |list| list.list(Entry::text));
+        let in_answer = section.optionally("in_answer", |entry| entry.word(&InAnswer::ALL, InAnswer::as_str));
+        let sliders = section
+            .optionally("sliders", |entry| entry.list(|member| member.word(&Sliders::ALL, Sliders::as_str)));
+        section.finish();
+        let (mut stated, words) = (stated?, words?);
+        // A formula or a list of parts without words of its own says what the claim's words say.
+        for reading in stated.iter_mut().flat_map(|stated| &mut stated.readings) {
+            let own = reading.parts.iter_mut().map(|(own, _)| own).chain([&mut reading.words]);
+            own.filter(|own| own.is_empty()).for_each(|own| own.clone_from(&words));
         }
-        for (id, premise) in &unknown {
-            let needs =
-                "the id of a claim that does not rest on this one: of this file, or of the first paper";
-            top.fault(&format!("claim {id}: premises: {premise}"), Problem::Needs(needs.into()));
-        }
-        unknown.is_empty().then_some(claims)
-    })
+        let (id, is_known) = (id?, stated.is_none() && reason.as_ref().is_some_and(Option::is_none));
+        let entry = ClaimEntry {
+            sentence: sentence?.or_else(|| library_sentence(&id).filter(|_| is_known)).unwrap_or_default(),
+            subject: subjects.iter().find(|subject| id.starts_with(&subject.letter)).cloned(),
+            id,
+            place: place?,
+            words,
+            expected: expected?,
+            stated,
+            reason: reason?,
+            rests_on: rests_on?,
+            in_answer: in_answer?,
+            sliders: sliders?.unwrap_or_default(),
+        };
+        Some(match equations.filter(|_| is_known) {
+            Some(equations) => entry.with_library(equations, procedures),
+            None => entry,
+        })
+    });
+    let of_library = |id: &str| library_claim(id, equations?, procedures)?.ok()?.stated;
+    let (claims, unknown) = with_premises(claims?, of_library);
+    if equations.is_none() {
+        return Some(claims);
+    }
+    for (id, premise) in &unknown {
+        let needs = "the id of a claim that does not rest on this one: of this file, or of the first paper";
+        top.fault(&format!("claim {id}: premises: {premise}"), Problem::Needs(needs.into()));
+    }
+    unknown.is_empty().then_some(claims)
 }
 
 /// The claims with what their premises say, and each premise that is no claim or rests on its own claim. A premise that the file

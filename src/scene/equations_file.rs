@@ -22,8 +22,13 @@ pub fn read_equations_partly(file: &str, bytes: &[u8]) -> Result<(Equations, Fau
     let text = file_text(file, bytes).map_err(|fault| vec![fault])?;
     let equations: EquationsText =
         toml::from_str(text).map_err(|error| vec![toml_fault(file, text, &error)])?;
-    let (equations, faults) = Equations::read_partly(equations);
-    Ok((equations, faults.iter().map(|fault| equation_fault(file, &fault.key, &fault.message)).collect()))
+    Ok(equations_of(file, equations))
+}
+
+/// The equations that can be read, and the faults of the others.
+pub(super) fn equations_of(file: &str, text: EquationsText) -> (Equations, Faults) {
+    let (equations, faults) = Equations::read_partly(text);
+    (equations, faults.iter().map(|fault| equation_fault(file, &fault.key, &fault.message)).collect())
 }
 
 /// TOML that does not parse, with its line.

@@ -44,7 +44,7 @@ pub use claim_formula::{
     Statement,
 };
 pub use claim_library::{library_claim, library_ids, library_proofs};
-pub use claim_list::{ClaimEntry, StatedClaim, StatedReading, read_claims};
+pub use claim_list::{ClaimEntry, StatedClaim, StatedReading, read_claims, read_equations_and_claims};
 pub use claim_motion::{ClaimMotion, MotionSaid};
 pub use claim_names::Names;
 pub use claim_subject::{InAnswer, Sliders, Subject};

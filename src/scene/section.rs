@@ -2,8 +2,9 @@
 
 use std::ops::RangeInclusive;
 
+use serde::de::DeserializeOwned;
 use toml::Spanned;
-use toml::de::{DeString, DeTable, DeValue};
+use toml::de::{DeString, DeTable, DeValue, Deserializer};
 
 use crate::scene::document::Source;
 use crate::scene::range::whole_range_text;
@@ -101,6 +102,19 @@ impl<'t> Section<'t> {
     /// A whole number that must be there.
     pub fn whole(&mut self, key: &'static str, range: RangeInclusive<u64>) -> Option<u64> {
         self.required(key, &whole_range_text(&range))?.whole(range)
+    }
+
+    /// What serde reads of the keys `keys`; `None` when one of them is faulty.
+    pub fn deserialized<T: DeserializeOwned>(&mut self, keys: &[&'static str]) -> Option<T> {
+        self.requested.extend(keys);
+        let of_keys = self.table.iter().filter(|(key, _)| keys.contains(&key.get_ref().as_ref()));
+        let table: DeTable<'t> = of_keys.map(|(key, value)| (key.clone(), value.clone())).collect();
+        let read = T::deserialize(Deserializer::from(Spanned::new(0..0, table)));
+        let fault = |error: toml::de::Error| {
+            let (at, message) = (error.span().map_or(0, |span| span.start), error.message().to_owned());
+            self.source.fault(at, String::new(), None, Problem::Equation(message));
+        };
+        read.map_err(fault).ok()
     }
 
     /// A fault of the section as a whole, under one of its keys.

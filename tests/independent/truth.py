@@ -133,12 +133,13 @@ def crosses(point, one):
 
     def slope():
         wanted, at = mp.mpc(0, 1) * frequency(), critical()
+        scale = abs(at) if at else mpf(1)
         with digits(mp.dps + mp.dps // 2):
-            step = at * mpf(10) ** (-mp.dps // 4)
+            step = scale * mpf(10) ** (-mp.dps // 4)
             ends = [nearest(point.moved({one.parameter: at + way * step}), wanted) for way in (1, -1)]
         if max(abs(end - wanted) for end in ends) > abs(wanted) / 100:
             raise Unclear("a pair that moves far with a small step")
-        return (ends[0].real - ends[1].real) / (2 * step), abs(wanted / at)
+        return (ends[0].real - ends[1].real) / (2 * step), abs(wanted) / scale
 
     found = [sign(lambda: (frequency(), abs(frequency()))), sign(others), sign(slope), sign(lambda: off(1)), sign(lambda: off(-1))]
     true = [value if value is None else bool(value) for value in found[:3]]

@@ -21,6 +21,8 @@ fn the_worked_example_is_decided_as_the_guide_says() {
     place.write("mine/claims.toml", claims);
     let decided = place.run(["verify", "mine", "--claim", "C1"]).expect_warnings();
     assert!(decided.contains("holds, exact"), "{decided}");
+    // Each step of the proof, with its certificate.
+    assert!(decided.contains("\n  1. ") && decided.contains("= det(s - J), J = "), "{decided}");
     // What the faults show to be missing from the claim, and with it.
     let planted = || place.run(["verify", "mine", "--planted-faults"]).stdout;
     assert!(planted().contains("21 of 24 wrong versions noticed"), "{}", planted());

@@ -5,8 +5,15 @@ use std::path::PathBuf;
 
 use serde_json::Value;
 
-const REPORTS: [&str; 5] =
-    ["im-avouac", "paper-on-paper", "ranjith-rice-1999", "rice-ruina-1983", "rock-friction"];
+const REPORTS: [&str; 7] = [
+    "gu-et-al-1984",
+    "im-avouac",
+    "paper-on-paper",
+    "ranjith-rice-1999",
+    "rice-ruina-1983",
+    "rock-friction",
+    "ziegler-1952",
+];
 
 fn root() -> PathBuf {
     env!("CARGO_MANIFEST_DIR").into()

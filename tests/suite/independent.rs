@@ -62,7 +62,7 @@ fn place(flipped: Option<usize>) -> Workplace {
 }
 
 #[test]
-fn no_verdict_of_the_five_reports_is_contradicted() {
+fn no_verdict_of_the_reports_is_contradicted() {
     let Some(ended) = compared(&["--points", "1", "--quiet"]) else { return };
     assert_eq!((ended.code, ended.stderr.as_str()), (0, ""), "{}", ended.stdout);
     assert!(

@@ -325,6 +325,10 @@ const COMMANDS: &[Command] = &[
         ],
     },
     Command {
+        bases: &[&["check", "statements.toml"]],
+        options: &[("--claim", &["--claim", "B1"]), ("--json", &["--json"])],
+    },
+    Command {
         bases: &[&["archive", "small"]],
         options: &[
             ("--output", &["-o", "out.zip"]),
@@ -387,6 +391,7 @@ fn workplace() -> Workplace {
     place.write("bars.csv", format!("{HEADER}\n{bars}\n"));
     place.write("bar-runs.csv", format!("{HEADER},period_s\n{bars},0.42\n"));
     place.write("s.toml", format!("{SCENE}[boundary]\npoints = 3\ndigits = 20\n"));
+    place.write("statements.toml", include_str!("../../examples/check/brusselator.toml"));
     place.write("sweep.toml", sweep(8, 10));
     for folder in ["blocks", "fewer"] {
         place.run(["sweep", "sweep.toml", "--out", folder]).expect_success();

@@ -58,9 +58,9 @@ fn formulas_and_their_conditions_stand_typeset_beside_the_words() {
 }
 
 #[test]
-fn every_wrong_version_of_the_equations_of_the_two_reports_on_other_papers_is_noticed() {
+fn every_wrong_version_of_the_equations_of_three_reports_on_other_papers_is_noticed() {
     let reports = concat!(env!("CARGO_MANIFEST_DIR"), "/reports");
-    for (name, count) in [("rice-ruina-1983", 79), ("ranjith-rice-1999", 82)] {
+    for (name, count) in [("rice-ruina-1983", 79), ("ranjith-rice-1999", 82), ("ziegler-1952", 83)] {
         let report = format!("{reports}/{name}");
         let said = Workplace::new().run(["verify", &report, "--planted-faults"]).expect_warnings();
         assert!(said.contains(&format!(" {count} of {count} wrong versions noticed")), "{said}");

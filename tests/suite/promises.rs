@@ -14,7 +14,8 @@ use slipmode::experiments::Scene;
 use slipmode::experiments::{figure_makers, table_makers};
 use slipmode::report::{Folder, produce};
 use slipmode::scene::{
-    Chapter, Faults, Limits, Measured, ReportPlan, check_name, read_claims, read_equations, with_rows,
+    Chapter, Faults, Limits, Measured, ReportPlan, check_name, read_claims, read_equations,
+    read_equations_and_claims, with_rows,
 };
 use slipmode_algebra::Expression;
 use slipmode_core::number::{MAX_EXPONENT, Rational, parse_decimal};
@@ -58,6 +59,7 @@ pub fn scene(bytes: &[u8]) {
 /// A list of claims and the plan of a report that are accepted are the same with another system's line ends.
 pub fn ledger(bytes: &[u8]) {
     let _ = document(bytes, |bytes| read_claims(FILE, bytes, &procedures(), Some(&EQUATIONS)));
+    let _ = document(bytes, |bytes| Ok(read_equations_and_claims(FILE, bytes, &procedures())?.1));
     if let Some(plan) = document(bytes, |bytes| ReportPlan::parse(FILE, bytes)) {
         let names = plan.scenes.iter().chain(plan.chapters.iter().map(|chapter| &chapter.id));
         assert!(names.chain([&plan.name]).all(|name| check_name(name).is_ok()));

@@ -147,7 +147,12 @@ fn generate(folder: &Path) -> Result<PathBuf, Failure> {
     }
     let mut command = verify::slipmode(&["theorems", "--out"]);
     command.arg(&generated);
-    for report in repository::reports()? {
+    // A step of several ledgers becomes a theorem of the first one. Reports with theorems written by hand come first: they keep it
+    // where Coq does not accept another file of a report without any.
+    let tied = read(&repository::root().join("proofs/claims.csv"))?;
+    let mut reports = repository::reports()?;
+    reports.sort_by_key(|report| !tied.lines().any(|line| line.starts_with(&format!("{report},"))));
+    for report in reports {
         let ledger = format!("reports/{report}/published/ledger.json");
         if repository::root().join(&ledger).is_file() {
             command.arg(format!("reports/{report}"));

@@ -191,16 +191,19 @@ impl<'d> Converter<'d> {
         self.coefficient_sign(&rest).or_else(|| self.sign_with_root(&rest))
     }
 
-    /// The sign of e + o·w with w² = t: that of e where e² − o²·t is positive; else from those of e − o·w and of the product.
+    /// The sign of e + o·w with w² = t: that of e where e² − o²·t is positive, that of o where it is negative and w a square root; else
+    /// from those of e − o·w and of the product.
     fn sign_with_root(&self, polynomial: &Polynomial) -> Option<i8> {
         let (name, square) = self.real_root(polynomial)?;
         let (even, odd) = split_by_parity(polynomial, name, square);
         let norm = self.without_squares(&(&(&even * &even) - &(&(&odd * &odd) * square)))?;
-        if norm.generators().iter().all(|one| one != name)
-            && self.sign_of(&norm) == Some(1)
-            && let Some(sign) = self.sign_of(&even)
-        {
-            return Some(sign);
+        let larger = match self.sign_of(&norm).filter(|_| !norm.generators().contains(name)) {
+            Some(1) => self.sign_of(&even),
+            Some(_) if name.argument_of(Function::Sqrt).is_some() => self.sign_of(&odd),
+            _ => None,
+        };
+        if larger.is_some() {
+            return larger;
         }
         let conjugate = &even - &(&odd * &RationalFunction::generator(name));
         let signs = [conjugate.numerator(), conjugate.denominator()].map(|side| self.coefficient_sign(side));
@@ -345,9 +348,13 @@ impl<'d> Converter<'d> {
         if norm.generators().iter().any(|one| one == name) {
             return false;
         }
-        // |e| >= |o·w|, and e has the sign of the divisor or is zero.
-        let upward = if divisor > 0 { even.clone() } else { -even.clone() };
-        if self.never_negative(&norm) && self.never_negative(&upward) {
+        // |e| >= |o·w|, and e has the sign of the divisor or is zero; or the other way round with a square root w.
+        let upward = |part: &RationalFunction| if divisor > 0 { part.clone() } else { -part.clone() };
+        let is_root = name.argument_of(Function::Sqrt).is_some();
+        let is_larger = |norm: &RationalFunction, part: &RationalFunction| {
+            self.never_negative(norm) && self.never_negative(&upward(part))
+        };
+        if is_larger(&norm, &even) || is_root && is_larger(&-norm.clone(), &odd) {
             return true;
         }
         let Some(sign) = self.sign_of(&(&even - &(&odd * &RationalFunction::generator(name)))) else {

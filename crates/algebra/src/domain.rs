@@ -335,10 +335,17 @@ impl Domain {
             }
         }
         for condition in &self.given {
-            let holds = value(&condition.expression)?.is_some_and(|value| match condition.relation {
-                Relation::Positive => value.is_positive(),
-                Relation::NonNegative => !value.is_negative(),
-                Relation::NonZero => !value.is_zero(),
+            let expression = &condition.expression;
+            let enclosed = || {
+                let point =
+                    expression.variables().into_iter().map(|name| (name.clone(), self.example_of(&name)));
+                expression.order_at(&point.collect())
+            };
+            let order = value(expression)?.map(|value| value.cmp0()).or_else(enclosed);
+            let holds = order.is_some_and(|order| match condition.relation {
+                Relation::Positive => order.is_gt(),
+                Relation::NonNegative => order.is_ge(),
+                Relation::NonZero => order.is_ne(),
             });
             if !holds {
                 return Err(DomainError::Impossible(condition.to_string()));

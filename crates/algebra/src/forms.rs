@@ -16,6 +16,18 @@ impl Domain {
         forms(self, sides)
     }
 
+    /// The number of ways of [`Domain::forms_in_way`].
+    pub const WAYS: u8 = 16;
+
+    /// Such forms in one of several ways: conditions in another order, solved for other names.
+    #[must_use]
+    pub fn forms_in_way(&self, way: u8, sides: &[Expression]) -> Vec<Self> {
+        let form = Form::of(self).with_gaps(Way::of(way));
+        let mut forms = vec![form.domain(), form.with_squares(sides).domain()];
+        forms.dedup();
+        forms
+    }
+
     /// Whether one of the forms proves a condition.
     #[must_use]
     pub fn proves_in_some_form(&self, condition: &Condition) -> Option<Self> {
@@ -28,8 +40,8 @@ impl Domain {
 /// a positive x. A variable x under a root becomes x = k² with k > 0. Two variables under roots, and the difference of two, give
 /// squares of sums and sums of squares.
 fn forms(domain: &Domain, sides: &[Expression]) -> Vec<Domain> {
-    let form = Form { given: domain, values: BTreeMap::new(), parameters: BTreeMap::new() };
-    let gaps = [false, true].map(|last| form.with_gaps(last));
+    let form = Form::of(domain);
+    let gaps = [false, true].map(|last| form.with_gaps(Way { last, ..Way::default() }));
     let pairs =
         form.pairs().into_iter().flat_map(|(larger, smaller)| form.squares_of_pair(&larger, &smaller, sides));
     let mut found: Vec<Domain> = Vec::new();
@@ -44,6 +56,26 @@ fn forms(domain: &Domain, sides: &[Expression]) -> Vec<Domain> {
     found
 }
 
+/// In which order conditions are solved, and for which name.
+#[derive(Debug, Clone, Copy, Default)]
+struct Way {
+    /// Short conditions first, instead of the order in which they stand.
+    by_size: bool,
+    /// The last name of several, instead of the first.
+    last: bool,
+    /// A name that has an upper end before those that have a lower one.
+    downward: bool,
+    /// A positive x below an end becomes end − g as any other one, instead of end/(1 + g).
+    as_difference: bool,
+}
+
+impl Way {
+    fn of(number: u8) -> Self {
+        let [last, downward, as_difference, in_order] = [1, 2, 4, 8].map(|bit| number & bit > 0);
+        Self { by_size: !in_order, last, downward, as_difference }
+    }
+}
+
 /// Variables expressed by positive parameters.
 #[derive(Clone)]
 struct Form<'d> {
@@ -54,7 +86,11 @@ struct Form<'d> {
     parameters: BTreeMap<Symbol, Expression>,
 }
 
-impl Form<'_> {
+impl<'d> Form<'d> {
+    fn of(given: &'d Domain) -> Self {
+        Self { given, values: BTreeMap::new(), parameters: BTreeMap::new() }
+    }
+
     fn domain(&self) -> Domain {
         let with = |domain: Domain, (name, value): (&Symbol, &Expression)| domain.with(name, value.clone());
         let parameter =
@@ -80,16 +116,20 @@ impl Form<'_> {
         self.parameters.insert(parameter.clone(), of_variables);
     }
 
-    /// Every condition that a name solves used so; `last` takes the last such name instead of the first.
-    fn with_gaps(&self, last: bool) -> Self {
+    /// Every condition that a name solves used so.
+    fn with_gaps(&self, way: Way) -> Self {
         let positive =
             self.given.conditions().iter().filter(|condition| condition.relation == Relation::Positive);
-        positive
-            .fold(self.clone(), |form, condition| form.with_gap(&condition.expression, last).unwrap_or(form))
+        let mut positive: Vec<&Expression> = positive.map(|condition| &condition.expression).collect();
+        if way.by_size {
+            positive.sort_by_key(|expression| expression.to_string().len());
+        }
+        let with_gap = |form: Self, condition| form.with_gap(condition, way).unwrap_or(form);
+        positive.into_iter().fold(self.clone(), with_gap)
     }
 
     /// A condition solved for a name in which it is linear.
-    fn with_gap(&self, condition: &Expression, last: bool) -> Option<Self> {
+    fn with_gap(&self, condition: &Expression, way: Way) -> Option<Self> {
         let domain = self.domain();
         let function = domain.rational_function(condition).ok()?;
         let sign = |polynomial: &Polynomial| domain.sign(&Expression::from(polynomial)).ok().flatten();
@@ -103,11 +143,12 @@ impl Form<'_> {
                 let mut parts = function.numerator().coefficients(&name);
                 let (slope, rest) = (parts.pop()?, parts.pop()?);
                 let upward = sign(&slope)? * sign(function.denominator())?;
-                let rank = u8::from(upward < 0) * 2 + u8::from(slope.as_constant().is_none());
+                let rank =
+                    u8::from((upward < 0) != way.downward) * 2 + u8::from(slope.as_constant().is_none());
                 Some((rank, name, slope, rest, upward))
             })
             .collect();
-        if last {
+        if way.last {
             candidates.reverse();
         }
         candidates.sort_by_key(|(rank, ..)| *rank);
@@ -117,7 +158,7 @@ impl Form<'_> {
         let (x, g) = (Expression::Variable(name.clone()), Expression::variable(&gap));
         let (value, of_names) = match upward {
             1 => (end.clone() + g, x - end),
-            _ if domain.is_positive(&name) => {
+            _ if domain.is_positive(&name) && !way.as_difference => {
                 let one = || Expression::integer(1);
                 (end.clone() / (one() + g), end / x - one())
             }

@@ -48,7 +48,7 @@ pub(super) fn as_squares(polynomial: &Polynomial, known: &Known<'_>) -> Option<b
     }
     let found = within_budget(STEPS, || {
         let (rest, squared) = without_squares(polynomial);
-        let is_positive = sum_of_squares(&rest, known)?;
+        let is_positive = sum_of_squares(&rest, known).or_else(|| square_and_rest(&rest, known))?;
         Some(is_positive && squared.iter().all(|factor| sum_of_squares(factor, known) == Some(true)))
     });
     found.ok().flatten()
@@ -96,6 +96,28 @@ fn sum_of_squares(polynomial: &Polynomial, known: &Known<'_>) -> Option<bool> {
         && squares.iter().all(|(coefficient, _)| *coefficient > 0)
         && rest.terms().all(|(monomial, coefficient)| *coefficient > 0 && known.allows(monomial));
     is_proved.then(|| known.has_positive_term(&rest))
+}
+
+/// The same of c (q x + r)² + rest with c > 0 in a generator x, where the rest is no longer one of x.
+fn square_and_rest(polynomial: &Polynomial, known: &Known<'_>) -> Option<bool> {
+    let of = |x: &Generator| {
+        let [below, middle, leading]: [Polynomial; 3] = polynomial.coefficients(x).try_into().ok()?;
+        let (factor, roots) = without_squares(&leading);
+        let factor = factor.as_constant().filter(|factor| *factor > 0)?;
+        let root = roots.iter().fold(Polynomial::one(), |product, root| &product * root);
+        let other = middle.divide_exact(&root.scale(&(factor.clone() * 2)))?;
+        let square = &(&root * &Polynomial::generator(x)) + &other;
+        let rest = &below - &(&other * &other).scale(&factor);
+        let is_whole = &(&square * &square).scale(&factor) + &rest == *polynomial;
+        if !is_whole {
+            None
+        } else if rest.is_zero() {
+            Some(false)
+        } else {
+            as_squares(&rest, known)
+        }
+    };
+    polynomial.generators().iter().find_map(of)
 }
 
 /// Completes squares until no term is below zero; the squares are added to the list. What is left.
@@ -163,6 +185,8 @@ mod tests {
             assert_eq!(decided(text), Some(false), "{text}");
         }
         assert_eq!(decided("p^2 + q^2 + r^2 - p*q - q*r - r*p"), Some(false));
+        assert_eq!(decided("(p*(x^2 - y^2) + q*x^2 - r*y^2)^2 + x*y*s^2"), Some(false));
+        assert_eq!(decided("(p*(x^2 - y^2) + q*x^2 - r*y^2)^2 + x*y"), Some(true));
         for text in
             ["(p - q)^2 + 1", "p^2*q^2 - p*q + 1", "x^2 - x*y + y^2", "p^2 - 2*p + x + 1", "(p^2 - p + 1)^3"]
         {

@@ -21,7 +21,7 @@ impl Problem<'_> {
     pub(super) fn behaviour(&self, statement: &Statement) -> Finding {
         let sides: Vec<Expression> = statement.sides().into_iter().map(|side| self.put_in(side)).collect();
         let points = self.points(&sides);
-        let prover = Prover::new(&points);
+        let prover = self.prover(&points);
         // A variable that goes to a limit has to be free, and what follows from the conditions does not bind it.
         let premises = match statement {
             Statement::Limit(..) => Premises { facts: Vec::new(), ..self.premises.clone() },
@@ -130,7 +130,7 @@ impl Attempt<'_> {
                 .seen_at([self.named(&point)]);
         }
         let rising = if comparison == Comparison::Less { -slope.clone() } else { slope.clone() };
-        let prover = Prover::new(&self.points);
+        let prover = self.problem.prover(&self.points);
         let clause = [Literal::new(rising.clone(), Sign::Positive)];
         if let Some(steps) = prover.clause(&self.problem.premises, &clause) {
             let step = |proof: Proof, (says, certificate)| -> Result<Proof, Refutation> {

@@ -35,7 +35,7 @@ impl Problem<'_> {
         let expressions: Vec<Expression> =
             wanted.literals().into_iter().map(|literal| literal.expression.clone()).collect();
         let points = self.points(&expressions);
-        let prover = Prover::new(&points);
+        let prover = self.prover(&points);
         let mut others = unknowns(&expressions).into_iter().filter(|name| !listed.contains(name));
         let alone = others.next().is_none() && outer.conditions.is_empty();
         let mut tried = Vec::new();
@@ -79,7 +79,7 @@ impl Problem<'_> {
         let start = self.with_lemmas(self.start(prover)?, lowered, &domain)?;
         let points =
             self.points_under(outer, signs.literals().into_iter().map(|literal| &literal.expression));
-        let found = self.with_signs(start, &signs, outer, &Prover::new(&points));
+        let found = self.with_signs(start, &signs, outer, &self.prover(&points));
         found.map_err(|reason| match found_false(&points, outer, &signs) {
             Some(point) => format!("it does not do at {}", points::text(&point)),
             None => reason,
@@ -97,7 +97,7 @@ impl Problem<'_> {
         let listed: Vec<(Symbol, Expression)> =
             point.iter().map(|(name, value)| (name.clone(), Expression::Number(value.clone()))).collect();
         let prover_points = self.points(&lowered.expressions());
-        let prover = Prover::new(&prover_points);
+        let prover = self.prover(&prover_points);
         let start = self.start(&prover).and_then(|start| {
             let domain = prover.domain(&self.premises, &[]).unwrap_or_default();
             self.with_lemmas(start, lowered, &domain)
@@ -143,7 +143,7 @@ impl Problem<'_> {
             does.then_some((place, there, points))
         });
         open.take(MOST_PROOFS).find_map(|(place, there, points)| {
-            let prover = Prover::new(&points);
+            let prover = self.prover(&points);
             let domain = prover.domain(&inner, &[])?;
             let start = self.with_lemmas(self.start(&prover).ok()?, lowered, &domain).ok()?;
             let proof = self.with_signs(start, &there.negated(), &inner, &prover).ok()?;

@@ -169,6 +169,10 @@ fn decide_formula(id: &str, words: &str, formula: &ClaimFormula, context: &Conte
     let digest = Resolved::of_formula(formula, context.equations).digest();
     context.once(format!("{digest} {} {id} {words}", context.is_gated), || {
         let found = decide_equations(id, words, formula, context.equations);
+        let found = match found.verdict {
+            Verdict::NotChecked => decide_widely(id, words, formula, context.equations).unwrap_or(found),
+            _ => found,
+        };
         if context.is_gated { gate::passed(formula, found, context.equations) } else { found }
     })
 }
@@ -188,13 +192,27 @@ pub(super) fn decide_equations(
         Statement::Motion(_) => STEPS_OF_MOTION,
         _ => STEPS,
     };
-    within_budget(steps, || decide_within(id, words, formula, equations))
+    within_budget(steps, || decide_within(id, words, formula, equations, false))
         .unwrap_or_else(|exhausted| Finding::not_checked(format!("Not decided: {exhausted}.")))
 }
 
-fn decide_within(id: &str, words: &str, formula: &ClaimFormula, equations: &Equations) -> Finding {
+/// The finding of the wider search, if it finds a proof.
+fn decide_widely(id: &str, words: &str, formula: &ClaimFormula, equations: &Equations) -> Option<Finding> {
+    let is_about_motions = matches!(formula.statement, Statement::Motion(_));
+    let decide = || decide_within(id, words, formula, equations, true);
+    let found = (!is_about_motions).then(|| within_budget(STEPS, decide).ok()).flatten()?;
+    Some(found).filter(|found| found.verdict != Verdict::NotChecked)
+}
+
+fn decide_within(
+    id: &str,
+    words: &str,
+    formula: &ClaimFormula,
+    equations: &Equations,
+    is_wide: bool,
+) -> Finding {
     let problem = match Problem::new(id, words, formula, equations) {
-        Ok(problem) => problem,
+        Ok(problem) => Problem { is_wide, ..problem },
         Err(reason) => return Finding::not_checked(reason),
     };
     if let Some(steps) = problem.contradiction() {
@@ -231,6 +249,8 @@ struct Problem<'f> {
     premises: Premises,
     names: Names,
     formula: &'f ClaimFormula,
+    /// Whether proofs are sought in more ways than the usual ones.
+    is_wide: bool,
 }
 
 impl<'f> Problem<'f> {
@@ -244,13 +264,13 @@ impl<'f> Problem<'f> {
         numbers.dedup();
         let lemmas = names.proofs_of(&all_expressions(formula)).into_iter().cloned();
         let proof = lemmas.fold(Proof::new(id, words), Proof::using);
-        Ok(Self { proof, numbers, premises, names, formula })
+        Ok(Self { proof, numbers, premises, names, formula, is_wide: false })
     }
 
     /// The steps that no point meets the conditions, where that is so.
     fn contradiction(&self) -> Option<Vec<Draft>> {
         let points = self.points([]);
-        let prover = Prover::new(&points);
+        let prover = self.prover(&points);
         if self.premises.conditions.is_empty() || prover.domain(&self.premises, &[]).is_some() {
             return None;
         }
@@ -261,6 +281,11 @@ impl<'f> Problem<'f> {
     /// A side with the definitions, values and solutions in place.
     fn put_in(&self, side: &Expression) -> Expression {
         self.premises.put_in(&self.names.resolved(side))
+    }
+
+    /// A search for certificates.
+    fn prover<'p>(&self, points: &'p Points) -> Prover<'p> {
+        Prover::new(points, self.is_wide)
     }
 
     /// The points for these expressions.

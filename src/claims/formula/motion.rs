@@ -6,7 +6,6 @@ use slipmode_core::theory::weak_instability::ThreeStates;
 
 use super::Problem;
 use super::points::Points;
-use super::prover::Prover;
 use crate::claims::Finding;
 use crate::scene::{ClaimMotion, MotionSaid};
 
@@ -48,7 +47,7 @@ impl Problem<'_> {
         let sides: Vec<Expression> = own.chain(&system.rates).map(resolved).collect();
         let points = self.points(&sides);
         let example = points.meeting(&assumed.conditions, Points::MOST).next();
-        let start = self.start(&Prover::new(&points));
+        let start = self.start(&self.prover(&points));
         let (Some(example), Ok(start)) = (example, start) else {
             return Finding::not_checked(format!(
                 "None of {} points meets the conditions, so that they may be impossible.",

@@ -4,8 +4,10 @@ use std::cell::Cell;
 use std::collections::BTreeSet;
 
 use slipmode_algebra::{
-    Certificate, Condition, Domain, Expression, Extent, Function, Literal, Proof, Relation, Sign, Symbol,
+    Certificate, Condition, Domain, Expression, Extent, Function, Literal, Monomial, Polynomial, Proof,
+    Relation, Sign, Symbol,
 };
+use slipmode_core::number::Rational;
 
 use super::points::{Point, Points};
 use crate::scene::Premises;
@@ -19,6 +21,12 @@ const LARGEST: Extent = Extent { terms: 4000, degree: 200, bits: 1 << 16 };
 /// The longest expression that stands in the words of a step; its certificate has it in full.
 const LONGEST_WORDS: usize = 60;
 
+/// The longest condition, in characters, that the wider search uses.
+const LONGEST_CONDITION: usize = 120;
+
+/// The most parts of a sum that are tried.
+const MOST_PARTS: usize = 16;
+
 /// How often a case is divided into two.
 const MOST_DIVISIONS: usize = 8;
 
@@ -31,26 +39,59 @@ const EXAMPLES: usize = 256;
 /// Looks for certificates, with a bound on the work.
 pub(super) struct Prover<'p> {
     points: &'p Points,
-    attempts: Cell<usize>,
+    /// How many expressions were looked at, in the usual search and in the wider one.
+    attempts: [Cell<usize>; 2],
+    /// Whether other searches follow where the usual one does not succeed.
+    is_wide: bool,
+    search: Cell<Search>,
+}
+
+/// Where certificates are looked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Search {
+    /// In the forms of [`Domain::forms`].
+    Usual,
+    /// Among sums with a condition.
+    Sums,
+    /// In the forms of [`Domain::forms_in_way`].
+    Way(u8),
 }
 
 impl<'p> Prover<'p> {
-    /// The most expressions in forms of the conditions of which the sign is looked at.
-    pub const MOST: usize = 400;
+    /// The most expressions in forms of the conditions of which the sign is looked at, in the usual search and in the wider one.
+    const MOST_OF_EACH: [usize; 2] = [400, 3600];
+    /// The most in the usual one.
+    pub const MOST: usize = Self::MOST_OF_EACH[0];
 
-    pub fn new(points: &'p Points) -> Self {
-        Self { points, attempts: Cell::new(0) }
+    /// The usual search, or one that goes on in other ways.
+    pub fn new(points: &'p Points, is_wide: bool) -> Self {
+        Self { points, attempts: Default::default(), is_wide, search: Cell::new(Search::Usual) }
     }
 
-    /// How many expressions were looked at.
+    /// How many expressions were looked at in the usual search.
     pub fn attempts(&self) -> usize {
-        self.attempts.get()
+        self.attempts[0].get()
+    }
+
+    /// Notes one more expression that is looked at, if the work allows it.
+    fn attempt(&self) -> bool {
+        let search = usize::from(self.search.get() != Search::Usual);
+        let made = &self.attempts[search];
+        made.set(made.get() + 1);
+        made.get() <= Self::MOST_OF_EACH[search]
     }
 
     /// That a clause is true: the negations of its literals contradict each other.
     pub fn clause(&self, premises: &Premises, clause: &[Literal]) -> Option<Vec<Draft>> {
         let negated: Vec<Literal> = clause.iter().map(Literal::negated).collect();
-        self.contradiction(premises, negated, MOST_DIVISIONS)
+        let search = |search: Search| {
+            self.search.set(search);
+            self.contradiction(premises, negated.clone(), MOST_DIVISIONS)
+        };
+        let others = [Search::Sums].into_iter().chain((0..Domain::WAYS).map(Search::Way));
+        let found = search(Search::Usual).or_else(|| others.filter(|_| self.is_wide).find_map(search));
+        self.search.set(Search::Usual);
+        found
     }
 
     /// That no point meets the premises and the literals.
@@ -179,6 +220,13 @@ impl<'p> Prover<'p> {
 
     /// The goal from the premises and all of the literals, or from as many of them as have an example.
     fn shown_by_some(&self, goal: &Literal, premises: &Premises, literals: &[Literal]) -> Option<Vec<Draft>> {
+        if let Search::Way(_) = self.search.get() {
+            // Long conditions cost much and help little.
+            let short = |all: &[Literal]| all.iter().filter(|one| is_short(one)).cloned().collect::<Vec<_>>();
+            let premises = Premises { conditions: short(&premises.conditions), ..premises.clone() };
+            let literals = short(literals);
+            return self.goal(goal, &self.domain(&premises, &literals)?, &literals);
+        }
         if let Some(domain) = self.domain(premises, literals) {
             return self.goal(goal, &domain, literals);
         }
@@ -239,7 +287,12 @@ impl<'p> Prover<'p> {
 
     fn shown(&self, goal: &Literal, domain: &Domain, depth: usize) -> Option<Vec<Draft>> {
         let Literal { expression, sign } = goal;
-        let forms = domain.forms(std::slice::from_ref(expression));
+        let sides = std::slice::from_ref(expression);
+        let forms = match self.search.get() {
+            Search::Usual => domain.forms(sides),
+            Search::Sums => return self.by_sum(goal, domain),
+            Search::Way(way) => domain.forms_in_way(way, sides),
+        };
         let opposite = -expression.clone();
         let identity = |left: Expression, right: Expression| {
             forms.iter().find_map(|form| {
@@ -282,8 +335,8 @@ impl<'p> Prover<'p> {
 
     /// Whether the work allows one more expression, and it is not too large in a form of the conditions.
     fn counted(&self, expression: &Expression, form: &Domain) -> bool {
-        self.attempts.set(self.attempts.get() + 1);
-        self.attempts.get() <= Self::MOST && form.substituted(expression).check_extent(LARGEST).is_ok()
+        let is_small = || form.substituted(expression).check_extent(LARGEST).is_ok();
+        self.attempt() && (self.search.get() != Search::Usual || is_small())
     }
 
     fn positive(&self, expression: &Expression, form: &Domain) -> Option<Certificate> {
@@ -309,9 +362,7 @@ impl<'p> Prover<'p> {
         names.into_iter().find_map(|variable| {
             (1..=MOST_ORDER).find_map(|order| {
                 let (expression, domain) = (expression.clone(), domain.clone());
-                self.attempts.set(self.attempts.get() + 1);
-                let is_allowed = self.attempts.get() <= Self::MOST;
-                is_allowed.then_some(())?;
+                self.attempt().then_some(())?;
                 self.certified(Certificate::Growth { expression, variable: variable.clone(), order, domain })
             })
         })
@@ -352,11 +403,67 @@ impl<'p> Prover<'p> {
             })
     }
 
+    /// What is a positive multiple of a condition and something positive; or its product with a condition is.
+    fn by_sum(&self, goal: &Literal, domain: &Domain) -> Option<Vec<Draft>> {
+        matches!(goal.sign, Sign::Positive | Sign::NonNegative).then_some(())?;
+        let positive = || {
+            let all = domain.conditions().iter();
+            all.filter(|one| one.relation == Relation::Positive).map(|one| one.expression.clone())
+        };
+        let wholes = positive().map(|condition| goal.expression.clone() * condition);
+        [goal.expression.clone()].into_iter().chain(wholes).find_map(|whole| {
+            let parts = positive().flat_map(|condition| {
+                let factors = factors(&whole, &condition, domain).into_iter();
+                factors.map(move |factor| factor * condition.clone())
+            });
+            parts.take(MOST_PARTS).find_map(|part| {
+                let rest = whole.clone() - part.clone();
+                let of_rest = self.positive(&rest, domain)?;
+                let of_part = self.positive(&part, domain)?;
+                let (left, right) = (whole.clone(), part.clone() + rest.clone());
+                let sum = Certificate::Identity { left, right, domain: domain.clone() };
+                let says = |one: Expression| words(&Literal::new(one, Sign::Positive));
+                Some(vec![(says(part), of_part), (says(rest), of_rest), (words(goal), self.certified(sum)?)])
+            })
+        })
+    }
+
     /// The certificate, if its check succeeds.
     pub fn certified(&self, certificate: Certificate) -> Option<Certificate> {
         let proof = Proof::new("attempt", "").certify("", &[], certificate).ok()?;
         proof.steps.into_iter().next()?.certificate
     }
+}
+
+/// Positive factors with which a part has a term of the whole.
+fn factors(whole: &Expression, part: &Expression, domain: &Domain) -> Vec<Expression> {
+    let [Ok(whole), Ok(part)] = [whole, part].map(|one| domain.rational_function(one)) else {
+        return Vec::new();
+    };
+    // Over one denominator.
+    let (above, below) = (whole.numerator() * part.denominator(), part.numerator() * whole.denominator());
+    let factor = |(term, number): (&Monomial, &Rational)| {
+        below
+            .terms()
+            .filter_map(move |(other, divisor)| {
+                let quotient = Polynomial::term(number.clone() / divisor.clone(), term.divided_by(other)?);
+                let factor = Expression::from(&quotient);
+                (domain.sign(&factor) == Ok(Some(1))).then_some(factor)
+            })
+            .collect::<Vec<_>>()
+    };
+    let mut found: Vec<Expression> = Vec::new();
+    for factor in above.terms().flat_map(factor) {
+        if !found.contains(&factor) {
+            found.push(factor);
+        }
+    }
+    found
+}
+
+/// Whether the wider search uses a condition.
+fn is_short(condition: &Literal) -> bool {
+    condition.expression.to_string().len() <= LONGEST_CONDITION
 }
 
 /// An expression for the words of a step.

@@ -20,7 +20,7 @@ impl Problem<'_> {
     pub(super) fn for_all(&self, formula: &Formula, lowered: &Lowered) -> Finding {
         let expressions = lowered.expressions();
         let points = self.points(&expressions);
-        let prover = Prover::new(&points);
+        let prover = self.prover(&points);
         if prover.domain(&self.premises, &[]).is_none() {
             return Finding::not_checked(format!(
                 "None of {} points meets the conditions, so that they may be impossible.",

@@ -4,7 +4,6 @@ use slipmode_algebra::{Comparison, Expression, unknowns, within_budget};
 use slipmode_core::theory::Equations;
 
 use super::lowering::{Lowered, words};
-use super::prover::Prover;
 use super::{Problem, STEPS, decide_equations};
 use crate::claims::{Finding, Verdict};
 use crate::scene::{ClaimFormula, Formula, FormulaCondition, Names, StatedClaim, Statement};
@@ -126,7 +125,7 @@ impl Problem<'_> {
         let Ok(lowered) = Lowered::new(formula, &self.names, &self.premises) else { return false };
         let expressions = lowered.expressions();
         let points = self.points(&expressions);
-        let prover = Prover::new(&points);
+        let prover = self.prover(&points);
         self.proved(formula, &lowered, &prover).is_ok()
     }
 }

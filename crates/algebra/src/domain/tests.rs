@@ -185,3 +185,13 @@ fn a_substitution_must_reach_every_point_of_the_assumptions() {
     let on_circle = Domain::default().with_square("S", parse("1 - C^2")).example("S", parse("1"));
     assert!(matches!(on_circle.with("C", parse("c^2")).check(), Err(DomainError::NotCovered { .. })));
 }
+
+#[test]
+fn a_condition_with_an_irrational_number_holds_at_an_example() {
+    let domain = |at: &str| {
+        let condition = parse("x - sqrt(2)");
+        Domain::positive("x").given(condition, Relation::Positive).example("x", parse(at)).check()
+    };
+    assert_eq!(domain("3/2"), Ok(()));
+    assert!(matches!(domain("7/5"), Err(DomainError::Impossible(_))));
+}

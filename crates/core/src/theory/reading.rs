@@ -39,6 +39,12 @@ pub struct EquationsText {
     pub quantities: BTreeMap<String, String>,
 }
 
+impl EquationsText {
+    /// The sections of the file.
+    pub const SECTIONS: [&str; 7] =
+        ["assumptions", "equation", "function", "system", "units", "definition", "quantities"];
+}
+
 /// What the equations assume of their variables.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Deserialize))]
