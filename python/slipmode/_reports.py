@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import json
 import os
 import tempfile
@@ -13,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Union
 
 from slipmode._exact import Number, exact
 from slipmode._run import run
-from slipmode._table import html_table
+from slipmode._table import html_table, write_csv
 
 if TYPE_CHECKING:
     import pandas
@@ -70,7 +69,7 @@ class Report:
 
 
 def compare(
-    runs: Place | Iterable[Mapping[str, Any]] | pandas.DataFrame,
+    runs: Place | Mapping[str, Any] | Iterable[Mapping[str, Any]] | pandas.DataFrame,
     *,
     law: str | None = None,
     tolerance: Number | None = None,
@@ -78,8 +77,8 @@ def compare(
 ) -> Comparison:
     """Compare runs of another program with the theory and with our simulation.
 
-    ``runs`` is a file as ``slipmode compare --runs`` reads it, a data frame, or rows with its column names. ``report`` is a folder
-    for pages with figures.
+    ``runs`` is a file as ``slipmode compare --runs`` reads it, a data frame of pandas or polars, or columns or rows with its
+    column names. ``report`` is a folder for pages with figures.
     """
     options = [] if law is None else [f"--law={law}"]
     options += [] if tolerance is None else [f"--tolerance={exact(tolerance)}"]
@@ -89,23 +88,11 @@ def compare(
             file = Path(runs)
         else:
             file = Path(folder, "runs.csv")
-            write_rows(file, runs)
+            write_csv(file, runs)
         agrees, text = run("compare", f"--runs={file}", "--json", *options, may_differ=True)
     # Where runs disagree, a line of words follows the object.
     found, _ = json.JSONDecoder().raw_decode(text)
     return Comparison(agrees, found["rows"])
-
-
-def write_rows(file: Path, runs: Any) -> None:
-    """Write rows as CSV; a float is written with digits that give it again."""
-    if hasattr(runs, "to_csv"):
-        runs.to_csv(file, index=False)
-        return
-    rows = list(runs)
-    with file.open("w", newline="") as stream:
-        writer = csv.DictWriter(stream, fieldnames=list(rows[0]) if rows else [])
-        writer.writeheader()
-        writer.writerows(rows)
 
 
 def report(folder: Place, output: Place | None = None) -> Report:

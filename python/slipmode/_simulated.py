@@ -12,7 +12,7 @@ import numpy as np
 
 from slipmode._exact import Number, exact
 from slipmode._run import call
-from slipmode._table import Table, html_table
+from slipmode._table import Table, columns_of_csv, html_table
 
 if TYPE_CHECKING:
     import pandas
@@ -110,9 +110,7 @@ class Simulation:
             sampled = () if samples is None else ("--samples", str(samples))
             text = call("simulate", *self._options, "--trajectory", "-", "--svg", str(picture), *extent, *sampled)
             svg = picture.read_text()
-        head, *lines = text.splitlines()
-        numbers = np.array([line.split(",") for line in lines], dtype=np.float64)
-        return Trajectory(dict(zip(head.split(","), numbers.T)), svg)
+        return Trajectory(columns_of_csv(text), svg)
 
     def _repr_html_(self) -> str:
         names = ("peak_velocity", "period", "frequency", "stress_drop", "minimum_velocity_log10_ratio")

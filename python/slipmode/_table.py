@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import csv
+import io
 from collections.abc import Iterator, Mapping
 from html import escape
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
+
+from slipmode._slipmode import InputError
 
 if TYPE_CHECKING:
     import pandas
@@ -75,3 +80,33 @@ def html_table(head: list[str], body: list[list[str]]) -> str:
     heads = "".join(f"<th>{escape(name)}</th>" for name in head)
     rows = "".join("<tr>" + "".join(f"<td>{escape(cell)}</td>" for cell in row) + "</tr>" for row in body)
     return f"<table><thead><tr>{heads}</tr></thead><tbody>{rows}</tbody></table>"
+
+
+def columns_of_csv(text: str) -> dict[str, NDArray[np.float64]]:
+    """Return the columns of numbers that a command printed."""
+    head, _, body = text.partition("\n")
+    numbers = np.loadtxt(io.StringIO(body), delimiter=",", ndmin=2)
+    return dict(zip(head.split(","), numbers.T))
+
+
+def write_csv(file: Path, table: Any) -> None:
+    """Write a data frame of pandas or polars, or columns or rows by name, as CSV; a float has digits that give it again."""
+    if hasattr(table, "to_csv"):
+        table.to_csv(file, index=False)
+        return
+    if hasattr(table, "write_csv"):
+        table.write_csv(file)
+        return
+    if isinstance(table, Mapping):
+        columns = {name: np.atleast_1d(np.asarray(column)) for name, column in table.items()}
+        lengths = {name: len(array) for name, array in columns.items()}
+        if len(set(lengths.values())) > 1:
+            listed = ", ".join(f"{name} has {length}" for name, length in lengths.items())
+            raise InputError(f"the columns have different numbers of rows: {listed}")
+        rows = [dict(zip(columns, row)) for row in zip(*columns.values())]
+    else:
+        columns, rows = {}, list(table)
+    with file.open("w", newline="") as stream:
+        writer = csv.DictWriter(stream, fieldnames=list(columns or (rows[0] if rows else ())))
+        writer.writeheader()
+        writer.writerows(rows)

@@ -27,7 +27,9 @@ def runs_of_another_program(factor: float) -> list[dict[str, str]]:
 
 
 def test_a_run_that_agrees_agrees_and_another_does_not():
-    assert slipmode.compare(runs_of_another_program(1.0), tolerance="1e-4").agrees
+    agreeing = runs_of_another_program(1.0)
+    assert slipmode.compare(agreeing, tolerance="1e-4").agrees
+    assert slipmode.compare({name: [cell] for name, cell in agreeing[0].items()}, tolerance="1e-4").agrees
     other = slipmode.compare(runs_of_another_program(1.5), tolerance="1e-4")
     assert not other.agrees and [run["verdict"] for run in other.runs] == ["differs"]
     with pytest.raises(slipmode.InputError, match="missing"):

@@ -1,4 +1,4 @@
-//! What README.md, docs/guide.md and docs/from-pandas-or-matlab.md show is what the program prints.
+//! What README.md, docs/guide.md, docs/fit.md and docs/from-pandas-or-matlab.md show is what the program prints.
 
 use std::path::Path;
 use std::process::Command;
@@ -10,6 +10,9 @@ use crate::harness::Workplace;
 const README: &str = include_str!("../../README.md");
 const GUIDE: &str = include_str!("../../docs/guide.md");
 const TABLES: &str = include_str!("../../docs/from-pandas-or-matlab.md");
+const FITS: &str = include_str!("../../docs/fit.md");
+const FIT_PICTURE: &str = include_str!("../../docs/fit.svg");
+const BASALT: &str = include_str!("../data/records/basalt-step.csv");
 const PROMPT: &str = "$ slipmode ";
 /// Stands for any lines on a line of its own, and for any rest at the end of a line.
 const LEFT_OUT: &str = "…";
@@ -52,6 +55,16 @@ fn is_as_shown(printed: &str, shown: &str) -> bool {
     skipping || printed.next().is_none()
 }
 
+/// Runs the examples of a text, this many, and compares what they print with what it shows.
+fn check_examples(text: &str, count: usize, place: &Workplace) {
+    let examples = examples(text);
+    assert_eq!(examples.len(), count);
+    for (arguments, shown) in examples {
+        let printed = printed(&arguments, &place.path(""));
+        assert!(is_as_shown(&printed, &shown), "slipmode {arguments} printed:\n{printed}");
+    }
+}
+
 #[test]
 fn every_example_of_the_readme_prints_what_it_shows() {
     let examples = examples(README);
@@ -66,12 +79,9 @@ fn the_guide_works_as_written_from_an_empty_folder() {
     let place = Workplace::new();
     let runs = GUIDE.split("```csv\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
     place.write("runs.csv", runs);
-    let examples = examples(GUIDE);
-    assert_eq!(examples.len(), 17);
-    for (arguments, shown) in examples {
-        let printed = printed(&arguments, &place.path(""));
-        assert!(is_as_shown(&printed, &shown), "slipmode {arguments} printed:\n{printed}");
-    }
+    place.write("basalt-step.csv", BASALT);
+    check_examples(GUIDE, 18, &place);
+    assert!(place.read("basalt/scenes/basalt.toml").contains("direct_effect = \"[0.00899"));
     assert!(place.read("target/report/lab/index.html").contains("<html"));
     let text = place.read("target/report/lab/ledger.md");
     let answer = "1. At 5 MPa and 10 µm/s, the slip mode is non-inertial underdamped oscillation or stick-slip, \
@@ -115,17 +125,23 @@ fn the_commands_for_pandas_and_matlab_work_as_written() {
         let block = TABLES.split(&format!("`{name}`:\n\n```csv\n")).nth(1).unwrap();
         place.write(name, block.split("```").next().unwrap());
     }
-    let examples = examples(TABLES);
-    assert_eq!(examples.len(), 4);
-    for (arguments, shown) in examples {
-        let printed = printed(&arguments, &place.path(""));
-        assert!(is_as_shown(&printed, &shown), "slipmode {arguments} printed:\n{printed}");
-    }
+    check_examples(TABLES, 4, &place);
     let rows = place.read("classified.csv");
     let mode = rows.lines().next().unwrap().split(',').position(|name| name == "slip_mode").unwrap();
     let modes: Vec<&str> = rows.lines().skip(1).map(|row| row.split(',').nth(mode).unwrap()).collect();
     assert_eq!(modes, ["stick-slip", "non-inertial-underdamped-oscillation", "stick-slip"]);
     assert!(place.read("simulated.csv").lines().skip(1).all(|row| row.ends_with(",ok")));
+}
+
+#[test]
+fn the_picture_of_a_fit_is_what_its_command_draws() {
+    let place = Workplace::new();
+    place.write("basalt-step.csv", BASALT);
+    check_examples(FITS, 1, &place);
+    assert!(
+        place.read("fit.svg") == FIT_PICTURE,
+        "docs/fit.svg is not what the example of docs/fit.md draws"
+    );
 }
 
 #[test]
