@@ -9,9 +9,9 @@ use clap::Args;
 use slipmode::csv::read_step_record;
 use slipmode::experiments::fit::fit_picture;
 use slipmode::fitting::{FitFailure, Fits, Given, StepRecord};
-use slipmode::scene::{Problem, Quantity};
+use slipmode::scene::{Problem, Quantity, of_word};
 use slipmode_core::friction::{EvolutionLaw, OperatingPoint};
-use slipmode_core::number::format::{round_digits, shortest};
+use slipmode_core::number::format::shortest;
 use slipmode_core::number::{Rational, nearest_f64, parse_decimal};
 
 use crate::cli::dialect::DialectOptions;
@@ -21,7 +21,6 @@ use crate::cli::options::{Arguments, option_of};
 use crate::cli::output::Output;
 use crate::cli::points::print_unread;
 use crate::cli::progress::Progress;
-use crate::cli::words::law_of_word;
 
 /// Options of `fit`.
 #[derive(Debug, Args)]
@@ -74,8 +73,9 @@ pub struct Options {
     svg: Option<PathBuf>,
 }
 
-/// Digits of a velocity that was read off a record.
-const VELOCITY_DIGITS: usize = 9;
+/// The words of `--law`.
+const LAWS: [&str; 3] = ["slip", "aging", BOTH];
+const BOTH: &str = "both";
 
 /// What was requested, valid.
 struct Request {
@@ -111,10 +111,10 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
 impl Options {
     fn read(&self) -> Result<Request, Failure> {
         let mut arguments = Arguments::default();
-        let laws = match self.law.as_str() {
-            "both" => Some(vec![EvolutionLaw::Slip, EvolutionLaw::Aging]),
-            word => arguments.number("--law", word, law_of_word).map(|law| vec![law]),
-        };
+        let word = arguments.number("--law", &self.law, |text| of_word(text, &LAWS, |word| word));
+        let is_meant = |law: &EvolutionLaw| word == Some(BOTH) || word == Some(law.as_str());
+        let laws: Vec<EvolutionLaw> =
+            [EvolutionLaw::Slip, EvolutionLaw::Aging].into_iter().filter(is_meant).collect();
         let mut number = |text: &Option<String>, quantity: Quantity| {
             let Some(text) = text else { return Some(None) };
             let value = arguments.measured(&option_of(quantity), text, quantity.unit());
@@ -131,7 +131,7 @@ impl Options {
         let [Some(stress), Some(stiffness), Some(mass), Some(velocity)] = values else {
             return arguments.finish(None);
         };
-        let request = laws.map(|laws| Request {
+        let request = word.map(|_| Request {
             given: Given {
                 law: laws[0],
                 stiffness_pa_per_m: stiffness,
@@ -150,10 +150,8 @@ impl Request {
     /// σ at the start of the record, and the requested V0 or the velocity before the first step.
     fn point(&self, record: &StepRecord) -> OperatingPoint<Rational> {
         let velocity = self.loading_velocity_m_per_s.unwrap_or_else(|| record.reference_velocity_m_per_s());
-        let exactly = |text: String| parse_decimal(&text).unwrap_or_default();
-        let normal_stress_pa = exactly(shortest(record.normal_stress_pa));
-        // A velocity made of displacements has their rounding errors.
-        let loading_velocity_m_per_s = exactly(round_digits(velocity, VELOCITY_DIGITS));
+        let [normal_stress_pa, loading_velocity_m_per_s] = [record.normal_stress_pa, velocity]
+            .map(|value| parse_decimal(&shortest(value)).unwrap_or_default());
         OperatingPoint { normal_stress_pa, loading_velocity_m_per_s }
     }
 }

@@ -43,13 +43,15 @@ pub fn read_recording(reader: RowReader, log_level: f64) -> Result<Recording, Fa
     let mut faults = samples.read(reader, |cells, values| {
         if let [Some(time), Some(velocity), stress] = values {
             if velocity <= 0.0 {
-                return read.backward.note(velocity, cells.row.number, cells.row.line);
+                read.backward.note(velocity, cells.row.number, cells.row.line);
+                return false;
             }
             read.recording.times_s.push(time);
             read.recording.log_velocities.push(libm::log(velocity));
             read.recording.stresses_pa.extend(stress);
             read.lines.push(cells.row.line);
         }
+        true
     })?;
     faults.extend(read.backward.fault(&file, read.lines.len(), log_level));
     if faults.is_empty() {

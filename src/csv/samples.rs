@@ -31,14 +31,15 @@ pub struct Samples<'c, const N: usize> {
 pub type SampleCells<'r, const N: usize> = Cells<'r, [Option<usize>; N]>;
 
 impl<const N: usize> Samples<'_, N> {
-    /// Reads all samples and gives each to `take`: its cells and its numbers in SI. Gives the faults of rows, up to twenty.
+    /// Reads all samples and gives each to `take`: its cells and its numbers in SI; `take` says whether the next one has to be later.
+    /// Gives the faults of rows, up to twenty.
     ///
     /// # Errors
     /// The faults of the header.
     pub fn read(
         self,
         mut reader: RowReader,
-        mut take: impl FnMut(SampleCells<'_, N>, [Option<f64>; N]),
+        mut take: impl FnMut(SampleCells<'_, N>, [Option<f64>; N]) -> bool,
     ) -> Result<Faults, Faults> {
         let file = reader.name().to_string();
         let first = reader.block(1).map_err(|fault| vec![fault])?;
@@ -55,10 +56,8 @@ impl<const N: usize> Samples<'_, N> {
             for row in block.rows() {
                 let cells = Cells { file: &file, header: &header, row };
                 match numbers(cells, self.physical, last) {
-                    Ok(values) => {
-                        last = values[0];
-                        take(cells, values);
-                    }
+                    Ok(values) if take(cells, values) => last = values[0],
+                    Ok(_) => {}
                     Err(found) => faults.extend(found),
                 }
                 count += 1;

@@ -60,6 +60,7 @@ pub fn read_step_record(
             unread = cells.header.unread().map(str::to_string).collect();
         }
         read.push(cells, values);
+        true
     })?;
     if !faults.is_empty() {
         return Err(faults);

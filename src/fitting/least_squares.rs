@@ -5,7 +5,7 @@ use nalgebra::storage::Owned;
 use nalgebra::{DMatrix, DVector, Dyn};
 
 use super::parameter::{Parameter, Point};
-use super::problem::{Evaluated, FINE, FitProblem, MEDIUM, sum_of_squares};
+use super::problem::{Evaluated, FitProblem, Precision, sum_of_squares};
 
 /// A minimum.
 #[derive(Debug, Clone)]
@@ -30,16 +30,16 @@ const TOLERANCE: f64 = 1e-11;
 pub struct Effort {
     /// Runs for each coordinate, at most.
     patience: usize,
-    /// Permitted local error of a run.
-    local_tolerance: f64,
+    /// How exactly runs are computed.
+    precision: Precision,
 }
 
 /// A search to the end.
-pub const LONG: Effort = Effort { patience: 30, local_tolerance: FINE };
+pub const LONG: Effort = Effort { patience: 30, precision: Precision::Fine };
 /// A search from next to its end, along a profile.
-pub const NEAR: Effort = Effort { patience: 8, local_tolerance: FINE };
+pub const NEAR: Effort = Effort { patience: 8, precision: Precision::Fine };
 /// A search that only tells which start is best.
-pub const SHORT: Effort = Effort { patience: 5, local_tolerance: MEDIUM };
+pub const SHORT: Effort = Effort { patience: 5, precision: Precision::Medium };
 
 /// Searches the least sum of squares over these parameters; the others stay. None where the start has no run.
 pub fn minimise(
@@ -48,13 +48,13 @@ pub fn minimise(
     free: &[Parameter],
     effort: Effort,
 ) -> Option<Minimum> {
-    let evaluated = problem.evaluate(start, effort.local_tolerance, true)?;
+    let evaluated = problem.evaluate(start, effort.precision, true)?;
     if free.is_empty() {
         let cost = sum_of_squares(&evaluated.residuals);
         return Some(Minimum { point: *start, evaluated, cost, runs: 1, is_converged: true });
     }
-    let local_tolerance = effort.local_tolerance;
-    let search = Search { problem, free, local_tolerance, point: *start, evaluated: Some(evaluated) };
+    let precision = effort.precision;
+    let search = Search { problem, free, precision, point: *start, evaluated: Some(evaluated) };
     let method = LevenbergMarquardt::new().with_tol(TOLERANCE).with_patience(effort.patience);
     let (search, report) = method.minimize(search);
     let evaluated = search.evaluated?;
@@ -69,7 +69,7 @@ pub fn minimise(
 struct Search<'r> {
     problem: FitProblem<'r>,
     free: &'r [Parameter],
-    local_tolerance: f64,
+    precision: Precision,
     point: Point,
     evaluated: Option<Evaluated>,
 }
@@ -86,7 +86,7 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Search<'_> {
         for (parameter, value) in self.free.iter().zip(values.iter()) {
             self.point[*parameter as usize] = *value;
         }
-        self.evaluated = self.problem.evaluate(&self.point, self.local_tolerance, true);
+        self.evaluated = self.problem.evaluate(&self.point, self.precision, true);
     }
 
     fn params(&self) -> DVector<f64> {

@@ -31,10 +31,28 @@ impl Given {
     }
 }
 
-/// Permitted local errors: of a run that a minimum is found on, of one in a short search, and of one that starts are compared on.
-pub const FINE: f64 = 1e-9;
-pub const MEDIUM: f64 = 1e-6;
-pub const COARSE: f64 = 1e-4;
+/// How exactly a run is computed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Precision {
+    /// A run that a minimum is found on.
+    Fine,
+    /// One of a short search: under one normal stress, because a piece for each change of it takes time.
+    Medium,
+    /// One that starts are compared on, under one normal stress, too.
+    Coarse,
+}
+
+impl Precision {
+    /// The permitted local error.
+    const fn local_tolerance(self) -> f64 {
+        match self {
+            Self::Fine => 1e-9,
+            Self::Medium => 1e-6,
+            Self::Coarse => 1e-4,
+        }
+    }
+}
+
 /// Most steps of a run, and for each piece of the record: a slider that is stable next to its transition needs a few hundred.
 const MOST_STEPS: u64 = 3_000;
 const STEPS_PER_PIECE: u64 = 20;
@@ -78,7 +96,7 @@ impl<'r> FitProblem<'r> {
     }
 
     /// The residuals at a point; none where the slider has no run through the record in a permitted number of steps.
-    pub fn evaluate(&self, point: &Point, local_tolerance: f64, with_derivatives: bool) -> Option<Evaluated> {
+    pub fn evaluate(&self, point: &Point, precision: Precision, with_derivatives: bool) -> Option<Evaluated> {
         if point.iter().take(4).any(|coordinate| coordinate.is_nan() || coordinate.abs() > FARTHEST) {
             return None;
         }
@@ -88,15 +106,19 @@ impl<'r> FitProblem<'r> {
         }
         let slider = slider(point, self.given.mass_per_area_kg_per_m2, self.given.law);
         let record = self.record;
-        let most_steps = MOST_STEPS + STEPS_PER_PIECE * record.pieces.len() as u64;
+        let is_fine = precision == Precision::Fine;
+        let pieces = if is_fine { &record.pieces } else { &record.strides_as_pieces };
+        let weight = |sample: usize| if is_fine { record.weights[sample] } else { 1.0 };
+        let most_steps = MOST_STEPS + STEPS_PER_PIECE * pieces.len() as u64;
+        let local_tolerance = precision.local_tolerance();
         let control = DrivenControl { local_tolerance, most_steps, with_derivatives };
-        let driven = drive(&slider, &record.pieces, &record.times_s, control).ok()?;
+        let driven = drive(&slider, pieces, &record.times_s, control).ok()?;
         let drift = point[Parameter::Drift as usize];
         // Driven stresses are over the normal stress at the start, frictions over that of their sample.
         let samples = || driven.iter().zip(&record.displacements_m).enumerate();
         let residuals: Vec<f64> = samples()
             .map(|(sample, (driven, way))| {
-                let friction = driven.friction / record.weights[sample] + drift * way;
+                let friction = driven.friction / weight(sample) + drift * way;
                 record.scale(sample) * (friction - record.frictions[sample])
             })
             .collect();
@@ -106,7 +128,7 @@ impl<'r> FitProblem<'r> {
         let row = |(sample, (driven, way)): (usize, (&Driven, &f64))| {
             let scale = record.scale(sample);
             let [a, b, d, k, reference] =
-                driven.derivatives.map(|derivative| scale * derivative / record.weights[sample]);
+                driven.derivatives.map(|derivative| scale * derivative / weight(sample));
             [a, b, d, k, reference, scale * way]
         };
         let derivatives = if with_derivatives { samples().map(row).collect() } else { Vec::new() };
@@ -115,7 +137,7 @@ impl<'r> FitProblem<'r> {
 
     /// The sum of squared residuals at a point, from a coarse run.
     pub fn coarse_cost(&self, point: &Point) -> Option<f64> {
-        Some(sum_of_squares(&self.evaluate(point, COARSE, false)?.residuals))
+        Some(sum_of_squares(&self.evaluate(point, Precision::Coarse, false)?.residuals))
     }
 }
 

@@ -3,6 +3,7 @@
 use super::load_path::LoadPath;
 use super::record_faults::{RecordFault, faults};
 use slipmode_core::dynamics::Piece;
+use slipmode_core::number::format::round_digits;
 
 /// How the load point moves.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,6 +29,8 @@ pub struct StepRecord {
     pub normal_stress_pa: f64,
     /// Pieces of constant velocity and normal stress.
     pub pieces: Vec<Piece>,
+    /// Pieces of constant velocity under the normal stress of the first sample.
+    pub strides_as_pieces: Vec<Piece>,
     /// The path of the load point.
     pub path: LoadPath,
     /// The record as it was given.
@@ -56,6 +59,8 @@ pub enum Response {
     Friction(Vec<f64>),
 }
 
+/// Digits of a velocity that was read off a record.
+const VELOCITY_DIGITS: usize = 9;
 /// The rounding of a displacement that was computed with 64-bit numbers, relative to the largest.
 const ROUNDING: f64 = 1e-14;
 
@@ -80,8 +85,19 @@ impl StepRecord {
         let path = (times_s.len() > 1).then(|| LoadPath::through(&times_s, &displacements_m, resolution_m));
         let found = faults(&times_s, &frictions, path.as_ref());
         let Some(path) = path.filter(|_| found.is_empty()) else { return Err(found) };
+        let strides_as_pieces = pieces(&times_s, &path, &vec![normal_stress_pa; times_s.len()]);
         let pieces = pieces(&times_s, &path, normal_stresses_pa);
-        Ok(Self { times_s, displacements_m, frictions, weights, normal_stress_pa, pieces, path, measured })
+        Ok(Self {
+            times_s,
+            displacements_m,
+            frictions,
+            weights,
+            normal_stress_pa,
+            pieces,
+            strides_as_pieces,
+            path,
+            measured,
+        })
     }
 
     /// The same record with other frictions.
@@ -96,10 +112,11 @@ impl StepRecord {
         self.times_s.len()
     }
 
-    /// The velocity of the load point before the first step, m/s.
+    /// The velocity of the load point before the first step, m/s, without the rounding errors of displacements.
     #[must_use]
     pub fn reference_velocity_m_per_s(&self) -> f64 {
-        self.pieces[0].load_point_velocity_m_per_s
+        let velocity = self.pieces[0].load_point_velocity_m_per_s;
+        round_digits(velocity, VELOCITY_DIGITS).parse().unwrap_or(velocity)
     }
 
     /// The samples between two steps of velocity, the first one at the step, and the velocity of the load point there, m/s.

@@ -366,8 +366,8 @@ const WITHOUT_EFFECT: [&str; 4] = ["--threads", "--quiet", "--help", "--version"
 /// A plan tells minutes apart only where a shard takes some: [`minutes_decide_how_many_shards_a_plan_has`].
 const WITH_A_TEST_OF_ITS_OWN: (&str, &str) = ("--plan", "--minutes");
 
-/// Commands without options of their own, and those whose options need hours or archives, which tests of their own walk.
-const ELSEWHERE: [&str; 6] = ["new", "replay", "diff", "help", "completions", "man"];
+/// Commands without options of their own, and those whose options need hours, archives or reports, which tests of their own walk.
+const ELSEWHERE: [&str; 7] = ["new", "fit", "replay", "diff", "help", "completions", "man"];
 
 const SCENE: &str = "name = \"s\"\ntitle = \"S\"\n[parameters]\ndirect_effect = 0.004\nevolution_effect = 0.006\n\
     critical_slip_distance_m = 1e-5\nstiffness_pa_per_m = 1e7\nmass_per_area_kg_per_m2 = 1000\n";

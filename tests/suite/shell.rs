@@ -59,6 +59,7 @@ fn the_example_of_every_command_runs() {
     place.write("scene.toml", place.read("certified.toml"));
     place.write("sweep.toml", SCENE);
     place.write("statements.toml", include_str!("../../examples/check/brusselator.toml"));
+    place.write("record.csv", include_str!("../data/bad_records/good.csv"));
     let run = "0.009,0.0126,8e-6,2e9,2400,3e6,1e-5,decaying";
     place.write("runs.csv", format!("{HEADER},mode\n{run}\n"));
     place.run(["new", "--paper", "lab"]).expect_success();

@@ -162,6 +162,15 @@ impl<'r, T: Iterator<Item = f64>> DrivenRun<'r, T> {
         }
         self.derivatives[0][2] -= offset;
         self.derivatives[4][2] += (factor - 1.0) / self.slider.direct_effect;
+        if self.slider.mass_per_area_kg_per_m2.is_none() {
+            // Without inertia the velocity follows at once; in its own time it would take a hundred steps.
+            let ratio = model.groups().effect_ratio;
+            state[0] = state[2] - ratio * state[1];
+            for (derivative, direction) in self.derivatives.iter_mut().zip(&self.directions) {
+                let change = direction.log_effect_ratio * state[1];
+                derivative[0] = derivative[2] - ratio * (derivative[1] + change);
+            }
+        }
         self.integrator.continue_with(model, state);
     }
 
