@@ -36,9 +36,9 @@ impl Given {
 pub enum Precision {
     /// A run that a minimum is found on.
     Fine,
-    /// One of a short search: under one normal stress, because a piece for each change of it takes time.
+    /// One of a short search: under one normal stress, if it changes often.
     Medium,
-    /// One that starts are compared on, under one normal stress, too.
+    /// One that starts are compared on: the same.
     Coarse,
 }
 
@@ -106,9 +106,9 @@ impl<'r> FitProblem<'r> {
         }
         let slider = slider(point, self.given.mass_per_area_kg_per_m2, self.given.law);
         let record = self.record;
-        let is_fine = precision == Precision::Fine;
-        let pieces = if is_fine { &record.pieces } else { &record.strides_as_pieces };
-        let weight = |sample: usize| if is_fine { record.weights[sample] } else { 1.0 };
+        let few = record.few_pieces.as_ref().filter(|_| precision != Precision::Fine);
+        let pieces = few.unwrap_or(&record.pieces);
+        let weight = |sample: usize| if few.is_some() { 1.0 } else { record.weights[sample] };
         let most_steps = MOST_STEPS + STEPS_PER_PIECE * pieces.len() as u64;
         let local_tolerance = precision.local_tolerance();
         let control = DrivenControl { local_tolerance, most_steps, with_derivatives };

@@ -29,8 +29,9 @@ pub struct StepRecord {
     pub normal_stress_pa: f64,
     /// Pieces of constant velocity and normal stress.
     pub pieces: Vec<Piece>,
-    /// Pieces of constant velocity under the normal stress of the first sample.
-    pub strides_as_pieces: Vec<Piece>,
+    /// Pieces of constant velocity under the normal stress of the first sample, where the normal stress changes so often that it
+    /// makes many more pieces.
+    pub few_pieces: Option<Vec<Piece>>,
     /// The path of the load point.
     pub path: LoadPath,
     /// The record as it was given.
@@ -59,6 +60,8 @@ pub enum Response {
     Friction(Vec<f64>),
 }
 
+/// A normal stress that changes more often makes every run slow.
+const MANY_PIECES: usize = 100;
 /// Digits of a velocity that was read off a record.
 const VELOCITY_DIGITS: usize = 9;
 /// The rounding of a displacement that was computed with 64-bit numbers, relative to the largest.
@@ -85,8 +88,10 @@ impl StepRecord {
         let path = (times_s.len() > 1).then(|| LoadPath::through(&times_s, &displacements_m, resolution_m));
         let found = faults(&times_s, &frictions, path.as_ref());
         let Some(path) = path.filter(|_| found.is_empty()) else { return Err(found) };
-        let strides_as_pieces = pieces(&times_s, &path, &vec![normal_stress_pa; times_s.len()]);
-        let pieces = pieces(&times_s, &path, normal_stresses_pa);
+        let under = |normal_stresses_pa: &[f64]| pieces(&times_s, &path, normal_stresses_pa);
+        let pieces = under(normal_stresses_pa);
+        let are_many = pieces.len() > path.ends.len() + MANY_PIECES;
+        let few_pieces = are_many.then(|| under(&vec![normal_stress_pa; times_s.len()]));
         Ok(Self {
             times_s,
             displacements_m,
@@ -94,7 +99,7 @@ impl StepRecord {
             weights,
             normal_stress_pa,
             pieces,
-            strides_as_pieces,
+            few_pieces,
             path,
             measured,
         })
