@@ -117,7 +117,7 @@ impl Fits {
     /// Fits these laws to a record; what else is known is the same for all of them.
     ///
     /// # Errors
-    /// As [`fit`], when no law has a fit: the reason of the first one.
+    /// When no law has a fit: why the first one has none.
     pub fn of(record: &StepRecord, laws: &[EvolutionLaw], given: &Given) -> Result<Self, FitFailure> {
         let found: Vec<Result<Fit, FitFailure>> =
             laws.par_iter().map(|law| fit(record, &Given { law: *law, ..*given })).collect();
