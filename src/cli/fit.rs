@@ -9,7 +9,7 @@ use clap::Args;
 use slipmode::csv::read_step_record;
 use slipmode::experiments::fit::fit_picture;
 use slipmode::fitting::{FitFailure, Fits, Given, StepRecord};
-use slipmode::scene::{Problem, Quantity, of_word};
+use slipmode::scene::{CsvProblem, Quantity, of_word};
 use slipmode_core::friction::{EvolutionLaw, OperatingPoint};
 use slipmode_core::number::format::shortest;
 use slipmode_core::number::{Rational, nearest_f64, parse_decimal};
@@ -96,7 +96,8 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     let (record, unread) = read_step_record(rows, request.normal_stress_pa)?;
     print_unread(unread.iter().map(String::as_str));
     let fits = progress.spinner("fitting", || Fits::of(&record, &request.laws, &request.given));
-    let no_fit = |failure: FitFailure| fault_of(&options.record, Problem::Fit(failure.to_string()));
+    let no_fit =
+        |failure: FitFailure| fault_of(&options.record, CsvProblem::Record(failure.to_string()).into());
     let fits = fits.map_err(|failure| Failure::Input(vec![no_fit(failure)]))?;
     let point = request.point(&record);
     let answer = view::answer(&record, &fits, &point);

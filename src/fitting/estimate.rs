@@ -66,7 +66,7 @@ pub enum FitFailure {
     WrongSign(usize),
     /// Too few samples after a step.
     #[error(
-        "{0} points per D_c after a step (wanted: at least {LEAST_SAMPLES}): the record does not show the direct effect"
+        "{0:.2} points per D_c after a step (wanted: at least {LEAST_SAMPLES}): the record does not show the direct effect"
     )]
     TooFewSamples(f64),
     /// The record does not determine all parameters.
@@ -253,6 +253,10 @@ fn complete(
         *runs += profile.points.len();
         if let Some(point) = profile.better {
             return Ok(Completed::Better(point));
+        }
+        // Without one neighbour that can be fitted, the best value is none.
+        if profile.points.len() == 1 {
+            return Err(FitFailure::NoMinimum(INDEFINITE));
         }
         let coordinate = minimum.point[*parameter as usize];
         let value = parameter.value(coordinate);

@@ -83,7 +83,7 @@ fn unbounded(estimate: &Estimate) -> Option<String> {
         [Some(_), None] => "from above",
         [None, None] => "from either side",
     };
-    Some(format!("The record does not bound {} {sides}.", estimate.parameter.symbol()))
+    Some(format!("No bound of {} was found {sides}.", estimate.parameter.symbol()))
 }
 
 fn is_skewed(estimate: &Estimate) -> bool {

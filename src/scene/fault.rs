@@ -39,9 +39,6 @@ pub enum Problem {
         /// The cap.
         limit: u64,
     },
-    /// A record that no friction parameters follow, and why.
-    #[error("{0}")]
-    Fit(String),
     /// The bytes are not UTF-8.
     #[error("not UTF-8 text (byte {0})")]
     NotUtf8(usize),

@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use serde_json::{Map, Value, json};
+use slipmode::experiments::fit::shares_of_modes;
 use slipmode::fitting::{Estimate, Fit, Fits, SAMPLES, StepRecord, advice, comparison_words, sampled_modes};
 use slipmode_core::friction::OperatingPoint;
 use slipmode_core::number::format::{round_digits, shortest};
@@ -81,16 +82,12 @@ fn modes(fit: &Fit, point: &OperatingPoint<Rational>) -> Answer {
     let parts = found
         .iter()
         .map(|(mode, count)| Answer::default().with("mode", mode.as_str()).with("share", share(*count)));
-    let words: Vec<String> = found
-        .iter()
-        .map(|(mode, count)| format!("{} {} %", mode.words(), round_digits(100.0 * share(*count), 3)))
-        .collect();
     let [stress, velocity] =
         [&point.normal_stress_pa, &point.loading_velocity_m_per_s].map(|value| shortest(nearest_f64(value)));
     Answer::default()
         .list("slip_modes", parts)
         .with("slip_modes_at", json!({ "normal_stress_pa": nearest_f64(&point.normal_stress_pa), "loading_velocity_m_per_s": nearest_f64(&point.loading_velocity_m_per_s) }))
-        .named("slip mode", &words.join(", "))
+        .named("slip mode", &shares_of_modes(&found))
         .note(&format!("(at {stress} Pa and {velocity} m/s; sampled, {SAMPLES} sliders with these errors and correlations)"))
 }
 

@@ -3,6 +3,7 @@
 use crate::experiments::Outcome;
 use crate::fitting::{Estimate, SAMPLES, advice, comparison_words};
 use slipmode_core::number::format::round_digits;
+use slipmode_core::stability::SlipMode;
 
 /// Significant digits of a standard error; a value has as many decimals.
 const ERROR_DIGITS: usize = 2;
@@ -26,6 +27,14 @@ impl Estimate {
     }
 }
 
+/// The slip modes of sampled sliders with their shares.
+#[must_use]
+pub fn shares_of_modes(modes: &[(SlipMode, u32)]) -> String {
+    let share = |count: u32| round_digits(100.0 * f64::from(count) / f64::from(SAMPLES), 3);
+    let words = modes.iter().map(|(mode, count)| format!("{} {} %", mode.words(), share(*count)));
+    words.collect::<Vec<_>>().join(", ")
+}
+
 /// What the record of the first scene with a fit gives; `None` when no scene has one.
 #[must_use]
 pub fn fit_words(outcome: &Outcome) -> Option<String> {
@@ -43,12 +52,9 @@ pub fn fit_words(outcome: &Outcome) -> Option<String> {
     let mut sentences = vec![format!("With the {} law the record gives {values}.", fit.given.law.as_str())];
     sentences.extend(fits.comparison().map(|comparison| comparison_words(&comparison)));
     if let Some(modes) = &found.modes {
-        let share = |count: u32| round_digits(100.0 * f64::from(count) / f64::from(SAMPLES), 3);
-        let modes: Vec<String> =
-            modes.iter().map(|(mode, count)| format!("{} {} %", mode.words(), share(*count))).collect();
         sentences.push(format!(
             "Of {SAMPLES} sliders with these errors and correlations: {} at the operating point (sampled).",
-            modes.join(", ")
+            shares_of_modes(modes)
         ));
     }
     sentences.extend(advice(fit, &found.record));
