@@ -202,7 +202,7 @@ def wrong_units(base):
         "changes-of-friction-too-small",
         small.columns(),
         STRESS,
-        "D_c",
+        "no definite minimum",
         ("the fit gives a = 1e-5, outside of 1e-4 to 1, with an error as large: the step does not show above the noise"),
     )
 
