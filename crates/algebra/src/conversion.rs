@@ -199,7 +199,7 @@ impl<'d> Converter<'d> {
         let norm = self.without_squares(&(&(&even * &even) - &(&(&odd * &odd) * square)))?;
         let larger = match self.sign_of(&norm).filter(|_| !norm.generators().contains(name)) {
             Some(1) => self.sign_of(&even),
-            Some(_) if name.argument_of(Function::Sqrt).is_some() => self.sign_of(&odd),
+            Some(-1) if name.argument_of(Function::Sqrt).is_some() => self.sign_of(&odd),
             _ => None,
         };
         if larger.is_some() {

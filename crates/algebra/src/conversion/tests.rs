@@ -48,6 +48,9 @@ fn signs_with_roots_are_decided_by_their_squares() {
         ("x - y + sqrt((x - y)^2 + x)", Some(1)),
         ("x - y - sqrt((x - y)^2 + x)", Some(-1)),
         ("x - y + sqrt((x - y)^2 - x + x^2 + 1/4)", None),
+        // Zero: the two parts are of one size.
+        ("sqrt(x^2 + 2*x + 1) - x - 1", None),
+        ("sqrt((x - y)^2 + 4*x*y) - x - y", None),
         ("3*sqrt(2) - 4", Some(1)),
         ("1 - sqrt(x)", None),
         ("1 - 2*sin(x)", None),
