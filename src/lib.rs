@@ -13,6 +13,7 @@
 extern crate self as slipmode;
 
 pub mod archive;
+pub mod charts;
 pub mod claims;
 pub mod cli;
 pub mod comparison;

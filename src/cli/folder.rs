@@ -12,8 +12,8 @@ use slipmode::claims::{equation_faults, procedures, row_faults};
 use slipmode::experiments::{References, Scene, check_distinct_scene_names};
 use slipmode::report::{Folder, InputView, formula_faults};
 use slipmode::scene::{
-    ClaimEntry, Fault, Faults, Limits, Problem, ReportPlan, file_text, join_proofs, read_claims,
-    read_equations, read_equations_partly, read_proofs,
+    ClaimEntry, EquationChart, Fault, Faults, Limits, Problem, ReportPlan, file_text, join_proofs,
+    read_chart, read_claims, read_equations, read_equations_partly, read_proofs,
 };
 use slipmode_core::theory::Equations;
 use slipmode_core::theory::stated_proofs::StatedProofs;
@@ -99,6 +99,8 @@ pub fn read_report_from(source: Source, limits: Limits) -> Result<(Folder, Files
     let sound = equations.as_ref().filter(|_| faults.is_empty() && has_proofs);
     let claims = reader.read("claims.toml", |file, bytes, _| read_claims(file, bytes, &procedures(), sound));
     let of_claims = claims.as_ref().map(|claims| claim_faults(&reader.name("claims.toml"), claims, sound));
+    let charts = plan.as_ref().map_or(&[][..], |plan| &plan.charts);
+    let charts: Vec<_> = charts.iter().filter_map(|id| reader.chart(id, sound)).collect();
     reader.faults.extend(faults);
     reader.faults.extend(of_claims.unwrap_or_default());
     let (names, chapters) = plan.as_ref().map_or((&[][..], &[][..]), |plan| (&plan.scenes, &plan.chapters));
@@ -125,7 +127,10 @@ pub fn read_report_from(source: Source, limits: Limits) -> Result<(Folder, Files
     match (plan, claims, equations) {
         (Some(plan), Some(claims), Some(equations)) if reader.faults.is_empty() => {
             let inputs = reader.inputs;
-            Ok((Folder { plan, claims, equations, scenes, prose, references, measured, inputs }, reader.kept))
+            Ok((
+                Folder { plan, claims, equations, scenes, prose, references, measured, charts, inputs },
+                reader.kept,
+            ))
         }
         _ => Err(reader.faults),
     }
@@ -187,6 +192,12 @@ impl Reader {
         // With a file missing, a fault of the others may only say so again.
         let files = files.into_iter().collect::<Option<Vec<_>>>()?;
         join_proofs(&self.name("proofs"), files).map_err(|faults| self.faults.extend(faults)).ok()
+    }
+
+    /// Reads a chart of equations, where these are sound.
+    fn chart(&mut self, id: &str, equations: Option<&Equations>) -> Option<EquationChart> {
+        let place = format!("charts/{id}.toml");
+        self.read(&place, |file, bytes, limits| read_chart(file, bytes, limits, id, equations)).flatten()
     }
 
     /// Reads a file with `parse`; its faults are kept.

@@ -329,6 +329,7 @@ mod tests {
             question: crate::scene::Question::Claims,
             scenes: Vec::new(),
             proofs: Vec::new(),
+            charts: Vec::new(),
             measured: None,
             paper: Default::default(),
             chapters: vec![chapter("one"), chapter("two")],

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use rayon::prelude::*;
 
+use crate::charts;
 use crate::claims::{self, Ledger};
 use crate::experiments;
 use crate::experiments::{
@@ -14,7 +15,7 @@ use crate::report::assemble::{Material, assemble};
 use crate::report::blocks::{BlockKind, Piece, pieces};
 use crate::report::theorems::{THEOREMS_FILE, theorems};
 use crate::report::{FactView, InputView, ReportError, render_edition, render_html, render_markdown};
-use crate::scene::{ClaimEntry, Measured, MeasuredChart, ReportPlan};
+use crate::scene::{ClaimEntry, EquationChart, Measured, MeasuredChart, ReportPlan};
 use slipmode_core::theory::{Equations, Role, asymptote_series, hopf};
 use slipmode_plot::table::Table;
 
@@ -35,6 +36,8 @@ pub struct Folder {
     pub references: References,
     /// What was measured apart.
     pub measured: Measured,
+    /// `charts/*.toml`, in the plan's order.
+    pub charts: Vec<EquationChart>,
     /// Every file that was read, with its digest.
     pub inputs: Vec<InputView>,
 }
@@ -68,15 +71,15 @@ pub fn produce(
     environment: Vec<FactView>,
     progress: Progress,
 ) -> Result<Product, ReportError> {
-    check_names(&folder.measured)?;
+    check_names(folder)?;
     let wanted = Wanted::of(folder);
     let mut needs = claims::needs(&folder.claims);
     needs.extend(wanted.needs());
     let outcome = experiments::run(&folder.scenes, &needs, &folder.references, progress);
     let context = Context::new(&folder.equations, &outcome).with_claims(&folder.claims);
     let ledger = Ledger::decide(&folder.plan.name, &folder.claims, &context);
-    let (figures, tables) =
-        (wanted.figures(&outcome, &folder.measured)?, wanted.tables(&context, &folder.measured)?);
+    let apart = wanted.apart(folder);
+    let (figures, tables) = (wanted.figures(&outcome, &apart)?, wanted.tables(&context, &apart)?);
     let mut files = figure_and_table_files(figures.iter(), &tables);
     files.insert("ledger.json".into(), ledger.to_json());
     files.extend(theorems(&ledger, &folder.equations).map(|text| (THEOREMS_FILE.to_owned(), text)));
@@ -135,15 +138,22 @@ fn figure_and_table_files<'f>(
     figures.chain(tables).collect()
 }
 
-/// What is measured has other names than what is computed.
-fn check_names(measured: &Measured) -> Result<(), ReportError> {
+/// What is measured, what is charted and what the program computes have different names.
+fn check_names(folder: &Folder) -> Result<(), ReportError> {
+    let Folder { measured, charts, .. } = folder;
     let figures = measured.charts.iter().map(|measured| &measured.chart.caption.id);
-    let figures = figures.filter(|id| figure_maker(id).is_some());
+    let figures = figures.filter(|id| figure_maker(id).is_some()).map(|id| (id, "measured"));
     let tables = measured.tables.iter().map(|table| &table.id);
-    let tables = tables.filter(|id| table_maker(id).is_some());
-    let fault =
-        |id| format!("report.toml: `{id}` is measured and also computed: one of them needs another name");
-    let faults: Vec<String> = figures.chain(tables).map(fault).collect();
+    let tables = tables.filter(|id| table_maker(id).is_some()).map(|id| (id, "measured"));
+    let is_taken = |id: &str| figure_maker(id).is_some() || table_maker(id).is_some();
+    let charted = charts.iter().map(|chart| &chart.caption.id);
+    let charted = charted
+        .filter(|id| is_taken(id) || measured.chart(id).is_some() || measured.table(id).is_some())
+        .map(|id| (id, "a chart of equations"));
+    let fault = |(id, what)| {
+        format!("report.toml: `{id}` is {what} and also computed or measured: one of them needs another name")
+    };
+    let faults: Vec<String> = figures.chain(tables).chain(charted).map(fault).collect();
     if faults.is_empty() { Ok(()) } else { Err(ReportError::Faults(faults)) }
 }
 
@@ -158,6 +168,12 @@ fn table_maker(id: &str) -> Option<&'static TableMaker> {
 fn figure_of(measured: &MeasuredChart) -> Figure {
     let MeasuredChart { label, caption_markdown, data, chart } = measured;
     Figure { data: data.clone(), ..Figure::new(&chart.caption, label, caption_markdown, chart.svg()) }
+}
+
+/// Figures and tables that no experiment makes.
+struct Apart {
+    figures: Vec<Figure>,
+    tables: Vec<Table>,
 }
 
 /// The ids of the figures and tables that prose places, and of the tables with the numbers of its figures.
@@ -183,8 +199,25 @@ impl Wanted {
             made.iter().for_each(|id| wanted.include(BlockKind::Table, id));
             let measured = folder.measured.chart(&figure).map_or(&[][..], |measured| &measured.data);
             measured.iter().for_each(|id| wanted.include(BlockKind::Table, id));
+            if folder.charts.iter().any(|chart| chart.caption.id == figure) {
+                wanted.include(BlockKind::Table, &figure);
+            }
         }
         wanted
+    }
+
+    /// What no experiment makes: charts and tables that were measured, and charts of equations.
+    fn apart(&self, folder: &Folder) -> Apart {
+        let is_placed = |chart: &&EquationChart| self.tables.contains(&chart.caption.id);
+        let charts: Vec<&EquationChart> = folder.charts.iter().filter(is_placed).collect();
+        let drawn: Vec<(Figure, Table)> = charts.into_par_iter().map(charts::draw).collect();
+        let (figures, tables): (Vec<_>, Vec<_>) = drawn.into_iter().unzip();
+        let Measured { charts, tables: measured, .. } = &folder.measured;
+        let charts = charts.iter().filter(|measured| self.figures.contains(&measured.chart.caption.id));
+        Apart {
+            figures: charts.map(figure_of).chain(figures).collect(),
+            tables: measured.iter().cloned().chain(tables).collect(),
+        }
     }
 
     fn include(&mut self, kind: BlockKind, id: &str) {
@@ -204,20 +237,24 @@ impl Wanted {
         of_figures.chain(of_tables).copied().collect()
     }
 
-    fn figures(&self, outcome: &Outcome, measured: &Measured) -> Result<Vec<Figure>, ReportError> {
+    fn figures(&self, outcome: &Outcome, apart: &Apart) -> Result<Vec<Figure>, ReportError> {
         let made = |maker: &FigureMaker| (maker.make)(outcome).map(|figure| figure.with_data(maker.data));
         let shown = |id: &String| match figure_maker(id) {
             Some(maker) => Some((maker.id, made(maker))),
-            None => measured.chart(id).map(|found| (found.chart.caption.id.as_str(), Some(figure_of(found)))),
+            None => {
+                apart.figures.iter().find(|one| one.id == *id).map(|one| (one.id.as_str(), Some(one.clone())))
+            }
         };
         let made: Vec<_> = self.figures.par_iter().filter_map(shown).collect();
         collect("figure", made.into_iter(), |_| None)
     }
 
-    fn tables(&self, context: &Context, measured: &Measured) -> Result<Vec<Table>, ReportError> {
+    fn tables(&self, context: &Context, apart: &Apart) -> Result<Vec<Table>, ReportError> {
         let shown = |id: &String| match table_maker(id) {
             Some(maker) => Some((maker.id, maker.table(context))),
-            None => measured.table(id).map(|found| (found.id.as_str(), Some(found.clone()))),
+            None => {
+                apart.tables.iter().find(|one| one.id == *id).map(|one| (one.id.as_str(), Some(one.clone())))
+            }
         };
         let made: Vec<_> = self.tables.par_iter().filter_map(shown).collect();
         // A table that needs nothing computed is made of the paper's equations.

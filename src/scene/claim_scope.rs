@@ -232,7 +232,7 @@ impl<'t> FormulaEntries<'t> {
 }
 
 /// An exact number, written as a decimal or as a quotient of two.
-fn number(entry: &Entry<'_>) -> Option<Rational> {
+pub(super) fn number(entry: &Entry<'_>) -> Option<Rational> {
     let decimal = |text: &str| {
         parse_decimal(text.trim()).map_err(|error| Problem::Equation(format!("'{}' is {error}", text.trim())))
     };

@@ -5,6 +5,7 @@
 //! Decimals are taken from their text ([`slipmode_core::number::parse_decimal`]); no number passes through binary.
 
 mod axis;
+mod chart_file;
 mod cited;
 mod claim_computed;
 mod claim_formula;
@@ -37,6 +38,7 @@ mod units;
 mod verdict;
 
 pub use axis::{Limits, LogAxis, LogCoordinates};
+pub use chart_file::{ChartLine, ChartMap, EquationChart, Sampled, read_chart};
 pub use cited::cited;
 pub use claim_computed::{Computed, Premise, Procedures};
 pub use claim_formula::{

@@ -23,6 +23,8 @@ pub struct ReportPlan {
     pub scenes: Vec<String>,
     /// The names of the files of proofs, each in `proofs/NAME.toml`.
     pub proofs: Vec<String>,
+    /// The names of the charts of equations, each in `charts/NAME.toml`.
+    pub charts: Vec<String>,
     /// The folder of tables and charts that were measured apart, if any.
     pub measured: Option<String>,
     /// The paper that the report accompanies.
@@ -60,7 +62,8 @@ impl ReportPlan {
                 let mut names = Vec::new();
                 entry.list(|member| distinct_name(member, &mut names))
             };
-            let [scenes, proofs] = ["scenes", "proofs"].map(|key| top.optionally(key, names));
+            let [scenes, proofs, charts] =
+                ["scenes", "proofs", "charts"].map(|key| top.optionally(key, names));
             let measured = top.optionally("measured", read_measured);
             let paper = top.optionally("paper", Paper::read);
             let chapters = top.required("chapter", "[[chapter]] sections");
@@ -72,6 +75,7 @@ impl ReportPlan {
                 question: question?.unwrap_or_default(),
                 scenes: scenes?.unwrap_or_default(),
                 proofs: proofs?.unwrap_or_default(),
+                charts: charts?.unwrap_or_default(),
                 measured: measured?,
                 paper: paper?.unwrap_or_default(),
                 chapters: chapters?,

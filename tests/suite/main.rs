@@ -17,6 +17,7 @@ mod boundary;
 mod boundary_command;
 mod certificates;
 mod certify;
+mod charts;
 mod check;
 mod claim_formulas;
 mod claim_functions;

@@ -185,6 +185,7 @@ fn page(prose: &str) -> Option<String> {
         question: slipmode::scene::Question::Claims,
         scenes: Vec::new(),
         proofs: Vec::new(),
+        charts: Vec::new(),
         measured: None,
         paper: Default::default(),
         chapters: vec![chapter],
@@ -197,6 +198,7 @@ fn page(prose: &str) -> Option<String> {
         prose: BTreeMap::from([("c.md".to_string(), prose.to_string())]),
         references: References::default(),
         measured: Measured::default(),
+        charts: Vec::new(),
         inputs: Vec::new(),
     };
     let mut product = produce(&folder, "p", Vec::new(), &|_, _, _| ()).ok()?;

@@ -10,7 +10,7 @@ const LIBRARIES: [(&str, &str); 3] = [
     ("crates/plot/src/", "table < figure"),
     (
         "src/",
-        "scene < sweep comparison fitting < csv experiments < explorer claims < theorems < report < archive < cli < main",
+        "scene < sweep comparison fitting < csv experiments < explorer claims charts < theorems < report < archive < cli < main",
     ),
 ];
 

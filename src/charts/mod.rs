@@ -1,0 +1,43 @@
+//! Charts of what the equations of a report say: lines, and maps of where the roots of a polynomial lie. Each comes with a table of
+//! its numbers.
+
+mod lines;
+mod modes;
+#[cfg(test)]
+mod tests;
+
+use std::collections::BTreeMap;
+
+use crate::experiments::Figure;
+use crate::scene::{EquationChart, Sampled};
+use slipmode_algebra::{Literal, Symbol};
+use slipmode_core::number::Rational;
+use slipmode_plot::table::Table;
+
+/// The figure of a chart, and the table of its numbers, which has the figure's id.
+#[must_use]
+pub fn draw(chart: &EquationChart) -> (Figure, Table) {
+    let (svg, table) = match &chart.map {
+        None => lines::draw(chart),
+        Some(map) => modes::draw(chart, map),
+    };
+    let figure = Figure::own(&chart.caption, &chart.caption_markdown, svg);
+    (figure.with_data(&[&chart.caption.id]), table)
+}
+
+/// Values of variables.
+type Point = BTreeMap<Symbol, Rational>;
+
+/// The value of an axis as the rational that it is; every number of an axis is finite.
+fn exact(value: f64) -> Rational {
+    Rational::from_f64(value).unwrap_or_default()
+}
+
+fn point<'s>(values: impl IntoIterator<Item = (&'s Sampled, f64)>) -> Point {
+    values.into_iter().map(|(axis, value)| (axis.variable.clone(), exact(value))).collect()
+}
+
+/// Whether all conditions hold at a point with certainty.
+fn hold(conditions: &[Literal], at: &Point) -> bool {
+    conditions.iter().all(|one| one.holds_at(at) == Some(true))
+}
