@@ -2,9 +2,9 @@
 
 use std::cmp::Ordering;
 
-use rug::Rational;
+use rug::{Integer, Rational};
 
-use crate::UnivariatePolynomial;
+use crate::{SturmSequence, UnivariatePolynomial};
 
 /// Numbers of distinct roots of a polynomial.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -34,12 +34,11 @@ impl UnivariatePolynomial {
         let zero = usize::from(opposite.coefficients()[0] == 0);
         // What is left of these is even: a polynomial in the square.
         let squares = Self::new(opposite.coefficients().iter().skip(zero).step_by(2).cloned().collect());
-        let negative_squares = squares.mirrored().positive_roots();
-        let positive = distinct.positive_roots();
-        let all = distinct.degree().unwrap_or(0);
+        let [negative_squares, _] = squares.real_roots();
+        let [negative, positive] = distinct.real_roots();
         Some(RootCounts {
-            all,
-            real: positive + zero + distinct.mirrored().positive_roots(),
+            all: distinct.degree().unwrap_or(0),
+            real: negative + zero + positive,
             right: squares.degree().unwrap_or(0) - negative_squares + others.right_by_winding(),
             positive,
             on_axis: zero + 2 * negative_squares,
@@ -55,13 +54,17 @@ impl UnivariatePolynomial {
         Self::new(self.coefficients().iter().enumerate().map(signed).collect())
     }
 
-    /// How many distinct positive roots there are.
-    fn positive_roots(&self) -> usize {
-        let Some((leading, lower)) = self.coefficients().split_last() else { return 0 };
+    /// How many distinct negative roots there are, and how many positive ones.
+    fn real_roots(&self) -> [usize; 2] {
+        let Some((leading, lower @ [first, ..])) = self.coefficients().split_last() else { return [0; 2] };
         let ratios = lower.iter().map(|one| Rational::from(one / leading).abs());
-        // Cauchy's bound.
-        let bound = ratios.fold(Rational::new(), |most, one| most.max(one)) + 1;
-        self.count_roots(&Rational::new(), &bound)
+        // Cauchy's bound, as a power of two.
+        let bound: Rational = ratios.fold(Rational::new(), |most, one| most.max(one)) + 1;
+        let bound = Rational::from(Integer::from(1) << (bound.ceil().numer().significant_bits() + 1));
+        let sequence = SturmSequence::new(self);
+        let zero = usize::from(*first == 0);
+        let up_to_zero = sequence.count_roots(&Rational::from(-&bound), &Rational::new());
+        [up_to_zero - zero, sequence.count_roots(&Rational::new(), &bound)]
     }
 
     /// The roots right of the imaginary axis, for a polynomial of which no two roots are opposite: half of the degree less the turns of
