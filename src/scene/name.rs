@@ -3,7 +3,7 @@
 use thiserror::Error;
 
 use crate::scene::Problem;
-pub use slipmode_core::nearest;
+pub use slipmode_algebra::nearest;
 
 /// The longest name, in characters.
 const LONGEST: usize = 100;

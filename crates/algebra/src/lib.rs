@@ -60,7 +60,7 @@ pub use linearisation::{Linearisation, written_out};
 pub use matrix::{determinant, discriminant, resultant};
 pub use monomial::Monomial;
 pub use multivariate::Polynomial;
-pub use named::nearest;
+pub use named::{UnknownWord, nearest};
 pub use parser::{Demand, ParseError};
 pub use proof::{Proof, Step};
 pub use rational_function::RationalFunction;

@@ -32,7 +32,37 @@ macro_rules! named {
                 Self::ALL.into_iter().find(|variant| variant.as_str() == word)
             }
         }
+
+        impl std::fmt::Display for $name {
+            fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                formatter.pad(self.as_str())
+            }
+        }
+
+        impl std::str::FromStr for $name {
+            type Err = $crate::UnknownWord;
+
+            fn from_str(word: &str) -> Result<Self, Self::Err> {
+                Self::from_word(word).ok_or_else(|| $crate::UnknownWord::new(word, &Self::ALL.map(Self::as_str)))
+            }
+        }
     };
+}
+
+/// A text that is none of a list of words.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{written:?} is unknown (allowed: {allowed})")]
+pub struct UnknownWord {
+    written: String,
+    allowed: String,
+}
+
+impl UnknownWord {
+    #[doc(hidden)]
+    #[must_use]
+    pub fn new(written: &str, allowed: &[&str]) -> Self {
+        Self { written: written.into(), allowed: allowed.join(", ") }
+    }
 }
 
 /// The longest text that may be a misspelt word, in bytes: the distance costs the product of both lengths.

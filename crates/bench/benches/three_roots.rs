@@ -72,7 +72,7 @@ fn error(inputs: [f64; 7], found: &ThreeRoots) -> f64 {
     let exact = Parameters::from(inputs.map(|value| Rational::from_f64(value).unwrap()));
     let roots = certified_roots(&exact.characteristic_cubic_per_s(), 40).roots;
     let each = roots.iter().flat_map(|root| std::iter::repeat_n(root, root.multiplicity as usize));
-    let of = |(one, root): (&Complex<f64>, &slipmode_core::CertifiedRoot)| {
+    let of = |(one, root): (&Complex<f64>, &slipmode_core::roots::CertifiedRoot)| {
         let apart = |value: f64, part: &Float| Float::with_val(200, value) - part;
         // not f64: MPFR's.
         let distance = apart(one.re, &root.re).hypot(&apart(one.im, &root.im));

@@ -1,19 +1,20 @@
 //! Where oscillation begins at one loading velocity, and how far the asymptotes are off:
 //! `cargo run -p slipmode-core --example boundary [V0 in m/s]`.
 
-use slipmode_core::{BoundaryCurve, DecimalError, Slider, parse_decimal};
+use std::error::Error;
 
-fn main() -> Result<(), DecimalError> {
-    let velocity = parse_decimal(&std::env::args().nth(1).unwrap_or_else(|| "1e-5".into()))?;
-    let [a, b, d_c, k, m] = ["0.004", "0.006", "1e-5", "1e7", "1000"].map(parse_decimal);
-    let slider = Slider::from([a?, b?, d_c?, k?, m?]);
+use slipmode_core::Slider;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let velocity = std::env::args().nth(1).unwrap_or_else(|| "1e-5".into());
+    let slider = Slider::new("0.004", "0.006", "1e-5", "1e7", "1000")?;
     println!("arc    normal stress (Pa)   nearest asymptote   its relative error");
-    for point in BoundaryCurve::new(&slider, 15).at_velocity(&velocity) {
+    for point in slider.boundary(15).at_loading_velocity(velocity)? {
         println!(
-            "{:5}  {:<19.12e}  {:18}  {:.3e}",
-            point.arc.as_str(),
-            point.normal_stress_pa.to_f64(),
-            point.asymptote.as_str(),
+            "{:5}  {:<19}  {:18}  {:.3e}",
+            point.arc,
+            point.normal_stress_pa,
+            point.asymptote,
             point.relative_error.to_f64()
         );
     }

@@ -7,55 +7,71 @@
 //! during frictional slip*.
 //!
 //! ```
-//! use slipmode_core::{InertialThreshold, Slider, classify, parse_decimal};
+//! use slipmode_core::{EvolutionLaw, OperatingPoint, Slider};
 //!
-//! // a, b, D_c in m, K in Pa/m and M in kg/m²; decimals are exact: 0.004 is 1/250.
-//! let slider = Slider::from(["0.004", "0.006", "1e-5", "1e7", "1000"].map(|text| parse_decimal(text).unwrap()));
+//! // a, b, D_c in m, K in Pa/m and M in kg/m². Texts are exact: "0.004" is 1/250.
+//! let slider = Slider::new("0.004", "0.006", "1e-5", "1e7", "1000")?;
 //! // σ = 1 MPa and V_0 = 10 µm/s.
-//! let parameters = slider.at(parse_decimal("1e6").unwrap(), parse_decimal("1e-5").unwrap());
+//! let point = OperatingPoint::new("1e6", "1e-5")?;
 //!
-//! let found = classify(&parameters, &InertialThreshold::default());
+//! let found = slider.classify(&point);
 //! assert_eq!(found.transition_sign, -1); // K < K_c: steady sliding is unstable
-//! assert_eq!(found.slip_mode.as_str(), "stick-slip");
+//! assert_eq!(found.slip_mode.to_string(), "stick-slip");
+//!
+//! let roots = slider.roots(&point, 30);
+//! assert!(roots[2].real_per_s.to_f64() > 0.0);
+//! let crossings = slider.boundary(20).at_loading_velocity("1e-5")?;
+//! assert_eq!(crossings.len(), 3);
+//! let run = slider.simulate(&point, EvolutionLaw::Aging, 1e-3)?;
+//! assert!(run.peak_velocity_m_per_s > 1e-3 && run.peak_relative_error < 1e-3);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! # Entry points
+//! # What is checked, and where
+//!
+//! [`Slider::new`] and [`OperatingPoint::new`] refuse what is no number, not positive or out of range, all faults at once. What they
+//! make is a slider, so that its answers need no further check: none of them panics.
 //!
 //! | question | item |
 //! |---|---|
-//! | Is steady sliding stable, does it oscillate, how fast does a disturbance grow? | [`classify`] |
-//! | What are the three exponents s of a small disturbance, in 64-bit numbers? | [`three_roots`], [`stability::batch::three_roots_of_points`] |
-//! | The same to any number of digits? | [`certified_roots`] of [`Parameters::characteristic_cubic_per_s`] |
-//! | The classes of many points? | [`stability::batch`] |
-//! | Where does oscillation begin in the (V_0, σ) plane? | [`BoundaryCurve`], [`Asymptote`] |
-//! | What does the slider do when it is far from steady sliding? | [`simulate`] |
+//! | Is steady sliding stable, does it oscillate, how fast does a disturbance grow? | [`Slider::classify`] |
+//! | What are the three exponents s of a small disturbance, to any number of digits? | [`Slider::roots`] |
+//! | Where does oscillation begin in the (V_0, σ) plane? | [`Slider::boundary`] |
+//! | What does the slider do when it is far from steady sliding? | [`Slider::simulate`] |
 //!
 //! # Modules
 //!
-//! A module imports lower ones only: `number` < `roots` < `friction` < {`theory`, `stability`, `dynamics`}.
+//! The modules of this crate are the machinery of the program slipmode. They are public because other packages of the program use them;
+//! they are not part of the interface, and may change with any version.
+//! A module imports lower ones only: `number` < `roots` < `friction` < {`theory`, `stability`, `dynamics`} < `checked`.
 //! `theory`, `stability` and `dynamics` do not import each other, so that a simulation is an independent check of the linear theory.
 //!
 //! # Features
 //!
 //! - `rayon` (default): grids are classified on all processors; without it, on one, with the same results.
-//! - `serde`: `Serialize` for the names of slip modes, classes and precision levels, and `Deserialize` for the texts of equations.
+//! - `serde`: names of modes and classes, numbers, sliders and operating points can be written and read.
 
 // Tests compare with the system's elementary functions.
 #![cfg_attr(test, allow(clippy::disallowed_methods))]
 
+mod checked;
+#[doc(hidden)]
 pub mod dynamics;
+#[doc(hidden)]
 pub mod friction;
+#[doc(hidden)]
 pub mod number;
+#[doc(hidden)]
 pub mod roots;
+#[doc(hidden)]
 pub mod stability;
+#[doc(hidden)]
 pub mod theory;
 
-pub use dynamics::{Options as SimulationOptions, Simulation, simulate};
-pub use friction::{EvolutionLaw, Groups, OperatingPoint, Parameters, Slider, SlipMode};
-pub use number::{Ball, DecimalError, Rational, parse_decimal};
-pub use roots::{CertifiedRoot, CertifiedRoots, PrecisionLevel, certified_roots};
-pub use slipmode_algebra::nearest;
-pub use stability::{
-    Arc, Asymptote, BoundaryCurve, BoundaryPoint, Classification, InertialThreshold, RootsError,
-    SpectralClass, ThreeRoots, classify, three_roots,
+pub use checked::{
+    Boundary, BoundaryPoint, Classification, Enclosed, Exact, InputError, InputErrors, NumberError,
+    OperatingPoint, Quantity, QuantityError, Root, Slider,
 };
+pub use dynamics::{Behaviour, Failure as SimulationError, Simulation};
+pub use friction::{EvolutionLaw, SlipMode};
+pub use stability::{Arc, Asymptote, SpectralClass};

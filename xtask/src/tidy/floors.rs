@@ -6,7 +6,7 @@ use super::rust_source::{RustSource, word_positions};
 /// The source folder of each library with its top modules, from the lowest floor to the highest; modules on one floor may not import
 /// each other. What one library may take from another is in its `Cargo.toml`.
 const LIBRARIES: [(&str, &str); 3] = [
-    ("crates/core/src/", "number < roots < friction < theory stability dynamics"),
+    ("crates/core/src/", "number < roots < friction < theory stability dynamics < checked"),
     ("crates/plot/src/", "table < figure"),
     (
         "src/",

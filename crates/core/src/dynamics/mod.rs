@@ -33,7 +33,7 @@
 //! # Example
 //! ```
 //! use slipmode_core::dynamics::{Model, Options, simulate_model};
-//! use slipmode_core::{EvolutionLaw, Groups};
+//! use slipmode_core::friction::{EvolutionLaw, Groups};
 //!
 //! // Without units: η, κ and β are all that the equations of motion contain.
 //! let groups = Groups { inertial_parameter: 9.0, stiffness_group: 4.85, effect_ratio: 1.5 };

@@ -39,7 +39,7 @@ impl<R> Balance<R> {
 ///
 /// ```
 /// use slipmode_core::dynamics::Model;
-/// use slipmode_core::{EvolutionLaw, Groups};
+/// use slipmode_core::friction::{EvolutionLaw, Groups};
 ///
 /// let groups = Groups { inertial_parameter: 0.5, stiffness_group: 2.0, effect_ratio: 1.5 };
 /// let model = Model::new(groups, EvolutionLaw::Aging);

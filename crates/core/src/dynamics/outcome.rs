@@ -33,7 +33,7 @@ slipmode_algebra::named! {
 /// What a simulation showed.
 ///
 /// ```
-/// use slipmode_core::{EvolutionLaw, Parameters, Simulation, SimulationOptions, parse_decimal, simulate};
+/// use slipmode_core::{friction::{EvolutionLaw, Parameters}, dynamics::{Simulation, Options as SimulationOptions, simulate}, number::parse_decimal};
 ///
 /// let number = |text| parse_decimal(text).unwrap();
 /// let parameters = Parameters::from(["0.004", "0.006", "1e-5", "1e7", "1000", "1e4", "1e-5"].map(number));

@@ -78,7 +78,7 @@ impl Options {
 /// Simulates a slider.
 ///
 /// ```
-/// use slipmode_core::{EvolutionLaw, Parameters, SimulationOptions, parse_decimal, simulate};
+/// use slipmode_core::{friction::{EvolutionLaw, Parameters}, dynamics::{Options as SimulationOptions, simulate}, number::parse_decimal};
 ///
 /// // a, b, D_c, K, M, σ, V0: a laboratory slider under 1 MPa is driven at 10 µm/s.
 /// let number = |text| parse_decimal(text).unwrap();

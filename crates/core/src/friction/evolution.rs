@@ -4,7 +4,7 @@ slipmode_algebra::named! {
     /// How the state variable θ evolves; both laws share the steady state θ = D_c/V and the linearisation about it.
     ///
     /// ```
-    /// use slipmode_core::EvolutionLaw;
+    /// use slipmode_core::friction::EvolutionLaw;
     ///
     /// assert_eq!(EvolutionLaw::from_word("aging"), Some(EvolutionLaw::Aging));
     /// assert_eq!(EvolutionLaw::Slip.as_str(), "slip");

@@ -5,7 +5,7 @@ use crate::number::Field;
 /// η, κ and β: with time in units of D_c/V0 the slider, linear or not, has no other parameter.
 ///
 /// ```
-/// use slipmode_core::{Groups, Rational};
+/// use slipmode_core::{friction::Groups, number::Rational};
 ///
 /// let [inertial_parameter, stiffness_group, effect_ratio] = [1, 2, 3].map(Rational::from);
 /// let groups = Groups { inertial_parameter, stiffness_group, effect_ratio };

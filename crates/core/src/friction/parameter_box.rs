@@ -7,7 +7,7 @@ use crate::number::Rational;
 ///
 /// ```
 /// use slipmode_core::friction::ParameterBox;
-/// use slipmode_core::{Parameters, parse_decimal};
+/// use slipmode_core::{friction::Parameters, number::parse_decimal};
 ///
 /// let point = |b: &str| {
 ///     Parameters::from(["0.004", b, "1e-5", "1e7", "1000", "1e6", "1e-5"].map(|text| parse_decimal(text).unwrap()))

@@ -6,13 +6,13 @@ use crate::number::Field;
 /// How the slider is driven: one point of the (V0, σ) plane; both values are positive.
 ///
 /// ```
-/// use slipmode_core::{OperatingPoint, Parameters, Slider};
+/// use slipmode_core::friction::{OperatingPoint, Parameters, Slider};
 ///
 /// let point = OperatingPoint { normal_stress_pa: 1e6, loading_velocity_m_per_s: 1e-5 };
 /// let parameters = Parameters { slider: Slider::from([0.004, 0.006, 1e-5, 1e7, 1000.0]), point };
 /// assert!((parameters.rate_per_s() - 1.0).abs() < 1e-15);
 /// ```
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct OperatingPoint<R> {
     /// σ of eq 4, Pa.
     pub normal_stress_pa: R,
@@ -23,7 +23,7 @@ pub struct OperatingPoint<R> {
 /// A slider at an operating point: all that the equations of motion need.
 ///
 /// ```
-/// use slipmode_core::Parameters;
+/// use slipmode_core::friction::Parameters;
 ///
 /// // a, b, D_c, K, M, σ, V0.
 /// let parameters = Parameters::from([0.004, 0.006, 1e-5, 1e7, 1000.0, 1e6, 1e-5]);

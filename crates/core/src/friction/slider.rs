@@ -6,14 +6,14 @@ use crate::number::{Field, Real};
 /// Rate-and-state friction on a spring and a mass; every value is positive.
 ///
 /// ```
-/// use slipmode_core::{Slider, parse_decimal};
+/// use slipmode_core::{friction::Slider, number::parse_decimal};
 ///
 /// // A laboratory slider: a, b, D_c in m, K in Pa/m, M in kg/m².
 /// let slider = Slider::from(["0.004", "0.006", "1e-5", "1e7", "1000"].map(|text| parse_decimal(text).unwrap()));
 /// assert!(slider.has_transition()); // b > a
 /// assert_eq!(slider.critical_normal_stress_pa(), 50_000); // K D_c/(b − a)
 /// ```
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Slider<R> {
     /// a of eq 1, dimensionless.
     pub direct_effect: R,
@@ -57,7 +57,7 @@ impl<R: Clone> Slider<R> {
     /// The slider driven at V0 (m/s) under σ (Pa).
     ///
     /// ```
-    /// use slipmode_core::Slider;
+    /// use slipmode_core::friction::Slider;
     ///
     /// let parameters = Slider::from([0.004, 0.006, 1e-5, 1e7, 1000.0]).at(1e6, 1e-5);
     /// assert_eq!(parameters.point.normal_stress_pa, 1e6);

@@ -4,7 +4,7 @@ slipmode_algebra::named! {
     /// How the slider slips, in the words of the paper's figures 1 and 7.
     ///
     /// ```
-    /// use slipmode_core::SlipMode;
+    /// use slipmode_core::friction::SlipMode;
     ///
     /// assert_eq!(SlipMode::HarmonicVibration.as_str(), "harmonic-vibration");
     /// assert_eq!(SlipMode::ALL.len(), 6);

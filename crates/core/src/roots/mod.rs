@@ -4,7 +4,7 @@
 //! rounded roots: the sign of the [`discriminant`] decides it exactly, and enclosures are computed afterwards.
 //!
 //! ```
-//! use slipmode_core::Rational;
+//! use slipmode_core::number::Rational;
 //! use slipmode_core::roots::{certified_roots, discriminant};
 //!
 //! // (x − 1)²(x + 2) = x³ − 3x + 2: the double root is found as one, because the discriminant is exactly zero.

@@ -4,7 +4,7 @@ slipmode_algebra::named! {
     /// Which arithmetic gave an answer; a higher level is slower and decides more.
     ///
     /// ```
-    /// use slipmode_core::PrecisionLevel;
+    /// use slipmode_core::roots::PrecisionLevel;
     ///
     /// assert!(PrecisionLevel::F64 < PrecisionLevel::DoubleDouble);
     /// assert_eq!(PrecisionLevel::Exact.as_str(), "exact");

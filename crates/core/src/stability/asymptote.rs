@@ -11,7 +11,7 @@ slipmode_algebra::named! {
     /// One of the asymptotes of max Im(s) = 0.
     ///
     /// ```
-    /// use slipmode_core::{Asymptote, Slider};
+    /// use slipmode_core::{stability::Asymptote, friction::Slider};
     ///
     /// let slider = Slider::from([0.004, 0.006, 1e-5, 1e7, 1000.0]);
     /// // Eq 16: σ = K D_c/(√a + √b)², Pa.

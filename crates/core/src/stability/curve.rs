@@ -4,7 +4,7 @@ slipmode_algebra::named! {
     /// A connected piece of the boundary in the (V0, σ) plane.
     ///
     /// ```
-    /// use slipmode_core::{Arc, Asymptote};
+    /// use slipmode_core::stability::{Arc, Asymptote};
     ///
     /// assert_eq!(Asymptote::quasi_static(Arc::Lower).as_str(), "eq16");
     /// assert_eq!(Asymptote::InertialUpper.arc(), Arc::Upper);

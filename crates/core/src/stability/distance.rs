@@ -12,7 +12,7 @@ use crate::number::{Ball, Wide};
 ///
 /// ```
 /// use slipmode_core::stability::LogDistance;
-/// # use slipmode_core::{Slider, parse_decimal};
+/// # use slipmode_core::{friction::Slider, number::parse_decimal};
 /// # let number = |text| parse_decimal(text).unwrap();
 /// # let slider = Slider::from(["0.004", "0.006", "1e-5", "1e7", "1000"].map(number));
 /// // Without inertia K = K_c at σ_c = 50 kPa: from 5 kPa it is one decade up.

@@ -25,7 +25,7 @@ const NATURAL_ERROR: f64 = 3.0 * Dd::UNIT;
 ///
 /// ```
 /// use slipmode_core::stability::Frequencies;
-/// use slipmode_core::{InertialThreshold, Slider, classify, parse_decimal};
+/// use slipmode_core::{stability::{InertialThreshold, classify}, friction::Slider, number::parse_decimal};
 ///
 /// let slider = Slider::from(["0.004", "0.006", "1e-5", "1e7", "1000"].map(|text| parse_decimal(text).unwrap()));
 /// let parameters = slider.at(parse_decimal("1e4").unwrap(), parse_decimal("0.5").unwrap());

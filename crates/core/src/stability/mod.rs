@@ -2,7 +2,7 @@
 //!
 //! ```
 //! use slipmode_core::stability::{boundary_sign, transition_sign};
-//! use slipmode_core::{Groups, Rational};
+//! use slipmode_core::{friction::Groups, number::Rational};
 //!
 //! // η = 1, κ = 1, β = 3/2: κ_c = (β − 1)(1 + η) is exactly 1, so this is a point of the transition K = K_c.
 //! let groups = Groups {

@@ -14,7 +14,7 @@ use crate::roots::Depressed;
 /// the asymptotes V0 = V_c and σ = σ_c of the transition cross; eq 23 taken beyond V_c would exceed ω_n.
 ///
 /// ```
-/// use slipmode_core::{InertialThreshold, Rational};
+/// use slipmode_core::{stability::InertialThreshold, number::Rational};
 ///
 /// assert_eq!(*InertialThreshold::default().squared_ratio(), 0.5);
 /// assert!(InertialThreshold::from_ratio(&Rational::from((9, 10))).is_some());

@@ -4,7 +4,7 @@ slipmode_algebra::named! {
     /// What the three roots of eq 8 say, decided by two signs.
     ///
     /// ```
-    /// use slipmode_core::SpectralClass;
+    /// use slipmode_core::stability::SpectralClass;
     ///
     /// // Unstable (K < K_c) with a complex pair of roots.
     /// assert_eq!(SpectralClass::from_signs(-1, -1).as_str(), "unstable-complex");

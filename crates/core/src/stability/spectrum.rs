@@ -19,8 +19,8 @@ const TOLERANCE: f64 = 5e-15;
 /// What is known of a point: signs and names exactly, values to 1e-14.
 ///
 /// ```
-/// use slipmode_core::{Classification, InertialThreshold, SpectralClass, classify};
-/// # use slipmode_core::{Slider, parse_decimal};
+/// use slipmode_core::stability::{Classification, InertialThreshold, SpectralClass, classify};
+/// # use slipmode_core::{friction::Slider, number::parse_decimal};
 /// # let number = |text| parse_decimal(text).unwrap();
 /// # let slider = Slider::from(["0.004", "0.006", "1e-5", "1e7", "1000"].map(number));
 /// let found: Classification = classify(&slider.at(number("1e3"), number("1e-5")), &InertialThreshold::default());
@@ -72,8 +72,8 @@ pub(super) struct LargestParts<R> {
 /// Classifies a point. Signs and names are right for the decimals as written, of any length.
 ///
 /// ```
-/// use slipmode_core::{InertialThreshold, classify};
-/// # use slipmode_core::{Slider, parse_decimal};
+/// use slipmode_core::stability::{InertialThreshold, classify};
+/// # use slipmode_core::{friction::Slider, number::parse_decimal};
 /// # let number = |text| parse_decimal(text).unwrap();
 /// # let slider = Slider::from(["0.004", "0.006", "1e-5", "1e7", "1000"].map(number));
 /// let fast = slider.at(number("1e4"), number("0.5"));

@@ -39,7 +39,7 @@ const MODULI: std::ops::RangeInclusive<f64> = 1e-300..=1e300;
 /// The three roots of a point, 1/s.
 ///
 /// ```
-/// use slipmode_core::Parameters;
+/// use slipmode_core::friction::Parameters;
 /// use slipmode_core::stability::{ROOT_ERROR, ThreeRoots, three_roots};
 ///
 /// let found: ThreeRoots = three_roots(&Parameters::from([0.004, 0.006, 1e-5, 1e7, 1000.0, 1e6, 1e-5])).unwrap();
@@ -63,7 +63,7 @@ pub struct ThreeRoots {
 /// Why a point has no roots in 64-bit numbers.
 ///
 /// ```
-/// use slipmode_core::Parameters;
+/// use slipmode_core::friction::Parameters;
 /// use slipmode_core::stability::{RootsError, three_roots};
 ///
 /// let at_rest = Parameters::from([0.004, 0.006, 1e-5, 1e7, 1000.0, 1e6, 0.0]);
@@ -126,7 +126,7 @@ impl ExactInput for Rational {
 ///
 /// ```
 /// use slipmode_core::stability::{ROOT_ERROR, three_roots};
-/// use slipmode_core::{Parameters, certified_roots, parse_decimal};
+/// use slipmode_core::{friction::Parameters, roots::certified_roots, number::parse_decimal};
 ///
 /// let decimals = ["0.004", "0.006", "1e-5", "1e7", "1000", "1e6", "0.1"].map(|text| parse_decimal(text).unwrap());
 /// let parameters = Parameters::from(decimals);

@@ -150,7 +150,10 @@ mod tests {
         for value in [1.234_567_8e-5, 2.5e7, 0.01] {
             let [first, second] = [0, 1].map(|layout| FAMILIES[0].layouts[layout].1(value));
             assert!(!second.contains('e'), "{second}");
-            assert_eq!(slipmode_core::parse_decimal(&first), slipmode_core::parse_decimal(&second));
+            assert_eq!(
+                slipmode_core::number::parse_decimal(&first),
+                slipmode_core::number::parse_decimal(&second)
+            );
         }
     }
 }

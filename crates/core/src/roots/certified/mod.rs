@@ -21,7 +21,7 @@ const GUARD_BITS: u32 = 16;
 /// One root of a cubic: the true root lies within `radius` of re + i·im.
 ///
 /// ```
-/// use slipmode_core::{Rational, certified_roots};
+/// use slipmode_core::{number::Rational, roots::certified_roots};
 ///
 /// // x³ − 2: the real root encloses the cube root of 2.
 /// let roots = certified_roots(&[-2, 0, 0, 1].map(Rational::from), 40).roots;
@@ -44,7 +44,7 @@ pub struct CertifiedRoot {
 /// The roots of a cubic with what was decided exactly about them.
 ///
 /// ```
-/// use slipmode_core::{Rational, certified_roots};
+/// use slipmode_core::{number::Rational, roots::certified_roots};
 ///
 /// // (x + 1)³: one root of multiplicity three, exactly.
 /// let found = certified_roots(&[1, 3, 3, 1].map(Rational::from), 20);
@@ -98,7 +98,7 @@ fn component_ball(part: &Float, radius: &Float) -> Ball {
 /// A polynomial of degree below three (c3 = 0) is not a cubic and gives no roots.
 ///
 /// ```
-/// use slipmode_core::{Parameters, certified_roots, parse_decimal};
+/// use slipmode_core::{friction::Parameters, roots::certified_roots, number::parse_decimal};
 ///
 /// let number = |text| parse_decimal(text).unwrap();
 /// let parameters = Parameters::from(["0.004", "0.006", "1e-5", "1e7", "1000", "1e6", "0.1"].map(number));

@@ -20,7 +20,7 @@ const ROW_BITS: u32 = 192;
 /// ```
 /// use slipmode_core::stability::InertialThreshold;
 /// use slipmode_core::stability::batch::{GridCell, GridKernel, SignPair};
-/// # use slipmode_core::{SlipMode, Slider, parse_decimal};
+/// # use slipmode_core::{friction::{SlipMode, Slider}, number::parse_decimal};
 /// # let number = |text| parse_decimal(text).unwrap();
 /// # let slider = Slider::from(["0.004", "0.006", "1e-5", "1e7", "1000"].map(number));
 /// // One row: V0 = 10 µm/s under three normal stresses in Pa.

@@ -21,7 +21,7 @@ use crate::stability::{Classification, InertialThreshold, SpectralClass};
 /// bounds do not allow them, and the exact inputs are needed.
 ///
 /// ```
-/// use slipmode_core::InertialThreshold;
+/// use slipmode_core::stability::InertialThreshold;
 /// use slipmode_core::friction::Parameters;
 /// use slipmode_core::number::parse_decimal_to_dd;
 /// use slipmode_core::stability::batch::classify_points;

@@ -19,8 +19,8 @@ const SECTION_GUARD_BITS: u32 = 40;
 /// The boundary of one friction, spring and mass, ready for points of a given number of digits.
 ///
 /// ```
-/// use slipmode_core::BoundaryCurve;
-/// # use slipmode_core::{Slider, parse_decimal};
+/// use slipmode_core::stability::BoundaryCurve;
+/// # use slipmode_core::{friction::Slider, number::parse_decimal};
 /// # let number = |text| parse_decimal(text).unwrap();
 /// # let slider = Slider::from(["0.004", "0.006", "1e-5", "1e7", "1000"].map(number));
 /// let curve = BoundaryCurve::new(&slider, 20);

@@ -9,9 +9,9 @@ use crate::stability::Arc;
 /// A line across the plane: one coordinate given, the other sought.
 ///
 /// ```
-/// use slipmode_core::BoundaryCurve;
+/// use slipmode_core::stability::BoundaryCurve;
 /// use slipmode_core::stability::Section;
-/// # use slipmode_core::{Slider, parse_decimal};
+/// # use slipmode_core::{friction::Slider, number::parse_decimal};
 /// # let number = |text| parse_decimal(text).unwrap();
 /// # let slider = Slider::from(["0.004", "0.006", "1e-5", "1e7", "1000"].map(number));
 /// let section = Section::AtNormalStress(number("1e4"));

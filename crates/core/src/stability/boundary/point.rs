@@ -21,8 +21,8 @@ slipmode_algebra::named! {
 /// A point of the boundary, every number enclosed.
 ///
 /// ```
-/// use slipmode_core::{BoundaryCurve, BoundaryPoint};
-/// # use slipmode_core::{Slider, parse_decimal};
+/// use slipmode_core::stability::{BoundaryCurve, BoundaryPoint};
+/// # use slipmode_core::{friction::Slider, number::parse_decimal};
 /// # let number = |text| parse_decimal(text).unwrap();
 /// # let slider = Slider::from(["0.004", "0.006", "1e-5", "1e7", "1000"].map(number));
 /// let cusp: BoundaryPoint = BoundaryCurve::new(&slider, 20).cusp();

@@ -113,7 +113,7 @@ pub struct Undecided;
 ///
 /// ```
 /// use slipmode_core::stability::inverse::{Target, Unknown, solve};
-/// use slipmode_core::{Parameters, parse_decimal};
+/// use slipmode_core::{friction::Parameters, number::parse_decimal};
 ///
 /// let number = |text| parse_decimal(text).unwrap();
 /// let parameters = Parameters::from(["0.004", "0.006", "1e-5", "1e7", "1000", "1", "1e-3"].map(number));

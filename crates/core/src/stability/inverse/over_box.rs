@@ -33,7 +33,7 @@ pub struct SolutionRange {
 /// ```
 /// use slipmode_core::stability::ParameterBox;
 /// use slipmode_core::stability::inverse::{Target, Unknown, solve_over_box};
-/// use slipmode_core::{Parameters, Rational, parse_decimal};
+/// use slipmode_core::{friction::Parameters, number::{Rational, parse_decimal}};
 ///
 /// let point = |b: &str| {
 ///     Parameters::from(["0.004", b, "1e-5", "1e7", "1000", "1", "1e-5"].map(|text| parse_decimal(text).unwrap()))

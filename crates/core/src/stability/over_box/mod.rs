@@ -2,7 +2,7 @@
 //!
 //! ```
 //! use slipmode_core::stability::{ParameterBox, over_box};
-//! use slipmode_core::{InertialThreshold, Parameters, SlipMode, parse_decimal};
+//! use slipmode_core::{stability::InertialThreshold, friction::{Parameters, SlipMode}, number::parse_decimal};
 //!
 //! // b = 0.006 ± 0.001; the other six values are certain.
 //! let point = |b: &str| {

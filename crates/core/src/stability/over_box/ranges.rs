@@ -49,7 +49,7 @@ pub struct Ranges {
 ///
 /// ```
 /// use slipmode_core::stability::{ParameterBox, over_box, ranges_over_box};
-/// use slipmode_core::{InertialThreshold, Parameters, parse_decimal};
+/// use slipmode_core::{stability::InertialThreshold, friction::Parameters, number::parse_decimal};
 ///
 /// let point = |b: &str| {
 ///     Parameters::from(["0.004", b, "1e-5", "1e7", "1000", "1e6", "1e-5"].map(|text| parse_decimal(text).unwrap()))

@@ -59,7 +59,7 @@ impl LimitOverBox {
 /// ```
 /// use slipmode_core::stability::tolerance::limit_over_box;
 /// use slipmode_core::stability::{Asymptote, ParameterBox};
-/// use slipmode_core::{Parameters, parse_decimal};
+/// use slipmode_core::{friction::Parameters, number::parse_decimal};
 ///
 /// let point = |b: &str| {
 ///     Parameters::from(["0.004", b, "1e-5", "1e7", "1000", "1", "1"].map(|text| parse_decimal(text).unwrap()))

@@ -1,0 +1,110 @@
+//! The seven inputs of a slider, and what is wrong with a value of one of them.
+
+use std::fmt;
+
+use thiserror::Error;
+
+use super::exact::{Exact, NumberError};
+use crate::number::{Rational, parse_decimal};
+
+slipmode_algebra::named! {
+    /// An input of the slider, by its name with its unit.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    #[non_exhaustive]
+    pub enum Quantity {
+        /// a of eq 1.
+        DirectEffect = "direct_effect",
+        /// b of eq 1.
+        EvolutionEffect = "evolution_effect",
+        /// D_c, m.
+        CriticalSlipDistance = "critical_slip_distance_m",
+        /// K, Pa/m.
+        Stiffness = "stiffness_pa_per_m",
+        /// M, kg/m².
+        MassPerArea = "mass_per_area_kg_per_m2",
+        /// σ, Pa.
+        NormalStress = "normal_stress_pa",
+        /// V0, m/s.
+        LoadingVelocity = "loading_velocity_m_per_s",
+    }
+}
+
+/// What is wrong with the value of one input.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[error("{quantity}: {problem}")]
+#[non_exhaustive]
+pub struct InputError {
+    /// The input.
+    pub quantity: Quantity,
+    /// What is wrong.
+    pub problem: QuantityError,
+}
+
+/// All that is wrong with the values of a slider or an operating point: one at least.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct InputErrors(pub(super) Vec<InputError>);
+
+impl InputErrors {
+    /// Each of them, in the order of the inputs.
+    pub fn iter(&self) -> std::slice::Iter<'_, InputError> {
+        self.0.iter()
+    }
+}
+
+impl<'e> IntoIterator for &'e InputErrors {
+    type Item = &'e InputError;
+    type IntoIter = std::slice::Iter<'e, InputError>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.iter()
+    }
+}
+
+/// One after the other, between semicolons.
+impl fmt::Display for InputErrors {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let each: Vec<String> = self.iter().map(ToString::to_string).collect();
+        formatter.pad(&each.join("; "))
+    }
+}
+
+impl std::error::Error for InputErrors {}
+
+/// Why a value is none of an input.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum QuantityError {
+    /// It is no number.
+    #[error(transparent)]
+    Number(#[from] NumberError),
+    /// It is zero or negative.
+    #[error("{0} is not positive")]
+    NotPositive(Exact),
+    /// It is beyond what the exact arithmetic is meant for.
+    #[error("out of range (allowed: {LEAST} to {MOST})")]
+    OutOfRange,
+}
+
+/// The least value of an input.
+pub const LEAST: &str = "1e-300";
+/// The largest one.
+pub const MOST: &str = "1e300";
+
+impl Quantity {
+    /// The value, if it is one of this input.
+    pub(super) fn checked<N>(self, value: N) -> Result<Rational, InputError>
+    where
+        N: TryInto<Exact, Error: Into<NumberError>>,
+    {
+        let refused = |problem| InputError { quantity: self, problem };
+        let exact = value.try_into().map_err(|error| refused(QuantityError::Number(error.into())))?;
+        if exact.0 <= 0 {
+            return Err(refused(QuantityError::NotPositive(exact)));
+        }
+        let is_inside = |[least, most]: [Rational; 2]| least <= exact.0 && exact.0 <= most;
+        match [LEAST, MOST].map(|end| parse_decimal(end).unwrap_or_default()) {
+            ends if is_inside(ends.clone()) => Ok(exact.0),
+            _ => Err(refused(QuantityError::OutOfRange)),
+        }
+    }
+}
