@@ -89,7 +89,7 @@ pub(crate) fn faults(view: &ReportView) -> Vec<String> {
                     found.push(format!("chapter {chapter}: `{id}` is placed a second time"));
                 }
                 Piece::Unknown(line) => found.push(format!(
-                    "chapter {chapter}: `{line}` names no block; known are figure, table, equation, claim"
+                    "chapter {chapter}: `{line}` names no block; a line has one figure, table, equation or claim"
                 )),
                 _ => {}
             }

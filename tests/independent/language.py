@@ -1,4 +1,4 @@
-"""The language of claims, read by a parser of its own: expressions, formulas, derivations (docs/claims.md)."""
+"""The language of claims, read by a parser of its own: expressions, formulas, derivations (docs/claims-forms.md, docs/claims-derivations.md)."""
 
 import re
 from dataclasses import dataclass

@@ -1,34 +1,22 @@
-//! The worked example of docs/claims.md: its files are decided as it says, and its suggestions come true.
+//! The pages on claims: docs/claims.md works as written, each form is decided as its example says, and the gallery shows what
+//! `check` decides.
+
+use serde_json::Value;
 
 use crate::harness::Workplace;
+use crate::readme::check_examples;
 
 const GUIDE: &str = include_str!("../../docs/claims.md");
-
-/// The block of TOML behind the words that name a file.
-fn block(file: &str) -> &'static str {
-    let (_, after) = GUIDE.split_once(&format!("This is `mine/{file}`:\n\n```toml\n")).expect(file);
-    after.split_once("```").expect("the end of the block").0
-}
+const FORMS: &str = include_str!("../../docs/claims-forms.md");
+const GALLERY: &str = include_str!("../../docs/gallery.md");
 
 #[test]
-fn the_worked_example_is_decided_as_the_guide_says() {
+fn ten_minutes_with_claims_work_as_written() {
     let place = Workplace::new();
-    let listed = place.run(["new", "--paper", "mine"]).expect_success();
-    assert!(GUIDE.contains(&listed), "the guide prints: {listed}");
-    place.run(["verify", "mine"]).expect_success();
-    let (equations, claims) = (block("equations.toml"), block("claims.toml"));
-    place.write("mine/equations.toml", equations);
-    place.write("mine/claims.toml", claims);
-    let decided = place.run(["verify", "mine", "--claim", "C1"]).expect_warnings();
-    assert!(decided.contains("holds, exact"), "{decided}");
-    // Each step of the proof, with its certificate.
-    assert!(decided.contains("\n  1. ") && decided.contains("= det(s - J), J = "), "{decided}");
-    // What the faults show to be missing from the claim, and with it.
-    let planted = || place.run(["verify", "mine", "--planted-faults"]).stdout;
-    assert!(planted().contains("21 of 24 wrong versions noticed"), "{}", planted());
-    let (_, missing) = GUIDE.split_once("This part says it:\n\n```toml\n").expect("the part");
-    place.write("mine/claims.toml", format!("{claims}\n{}", missing.split_once("```").expect("its end").0));
-    assert!(planted().contains("24 of 24 wrong versions noticed"), "{}", planted());
+    check_examples(GUIDE, 7, &place);
+    let claims = place.read("mine/claims.toml");
+    let proof = place.run(["verify", "mine", "--claim", "C1"]).expect_warnings();
+    assert!(proof.contains("\n  1. ") && proof.contains("= det(s - J), J = "), "{proof}");
     // Without its condition the second part fails, and the counter-example has B <= A.
     let open =
         claims.replacen("formula = \"K_c > K_cr\"\ngiven = [\"B > A\"]", "formula = \"K_c > K_cr\"", 1);
@@ -37,4 +25,62 @@ fn the_worked_example_is_decided_as_the_guide_says() {
     let ended = place.run(["verify", "mine", "--claim", "C1"]);
     assert_eq!(ended.code, 1);
     assert!(ended.stdout.contains("left minus right is 0"), "{}", ended.stdout);
+}
+
+/// The cells of the rows of all tables whose last column is *verdict*, in pairs: example and verdict.
+fn decided_rows() -> Vec<(&'static str, &'static str)> {
+    let mut rows = Vec::new();
+    for table in FORMS.split("\n\n").filter(|table| table.contains("| example | verdict |\n")) {
+        for row in table.lines().filter(|line| line.starts_with("| `")) {
+            let (rest, verdict) = row.strip_suffix(" |").unwrap().rsplit_once(" | ").unwrap();
+            rows.push((rest.rsplit_once(" | ").unwrap().1.trim_matches('`'), verdict));
+        }
+    }
+    rows
+}
+
+#[test]
+fn every_form_is_decided_as_its_example_says() {
+    let (_, equations) = GUIDE.split_once("This is `mine/equations.toml`:\n\n```toml\n").unwrap();
+    let rows = decided_rows();
+    assert_eq!(rows.len(), 15);
+    let claim = |(number, (example, verdict)): (usize, &(&str, &str))| {
+        format!(
+            "{{ id = \"E{number}\", place = \"a form\", words = \"An example.\", expected = \"{verdict}\", leaves_out = \"nothing\", {example} }}"
+        )
+    };
+    let claims: Vec<String> = (1..).zip(&rows).map(claim).collect();
+    let text = format!("claim = [{}]\n{}", claims.join(", "), equations.split_once("```").unwrap().0);
+    let place = Workplace::new();
+    place.write("forms.toml", text);
+    let ended = place.run(["check", "forms.toml"]);
+    assert!(ended.code == 0, "{}{}", ended.stdout, ended.stderr);
+}
+
+/// What the gallery has to show of a claim, as `check` decides it.
+fn entry(file: &str, id: &str) -> String {
+    let path = format!("{}/examples/check/{file}.toml", env!("CARGO_MANIFEST_DIR"));
+    let said = Workplace::new().run(["check", &path, "--claim", id, "--json"]);
+    let said: Value = serde_json::from_str(&said.stdout).unwrap();
+    let claim = &said["claims"][0];
+    let text = |key: &str| claim[key].as_str().unwrap_or_default().trim_end_matches('.').to_owned();
+    let formula =
+        if text("criterion").is_empty() { String::new() } else { format!("`{}`: ", text("criterion")) };
+    let reason = [text("counter_example"), text("limit")].into_iter().find(|it| !it.is_empty());
+    let reason = reason.map_or_else(String::new, |reason| format!(" {reason}"));
+    format!("{}.\n\n{formula}**{}, {}**{reason}.\n", text("words"), text("verdict"), text("strength"))
+}
+
+#[test]
+fn the_gallery_shows_what_check_decides() {
+    let entries: Vec<&str> = GALLERY.split("\n### ").skip(1).collect();
+    assert_eq!(entries.len(), 12);
+    for shown in entries {
+        let (heading, body) = shown.split_once("\n\n").unwrap();
+        let (_, link) = heading.split_once("[").unwrap();
+        let (file, id) = link.split_once(".toml").unwrap();
+        let id = id.trim_start_matches(", ").split(']').next().unwrap();
+        let expected = entry(file, id);
+        assert!(body.starts_with(&expected), "{heading}: {body}: {expected}");
+    }
 }

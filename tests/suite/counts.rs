@@ -5,8 +5,9 @@ use std::path::PathBuf;
 
 use serde_json::Value;
 
-const REPORTS: [&str; 7] = [
+const REPORTS: [&str; 8] = [
     "gu-et-al-1984",
+    "hoffmann-et-al-2002",
     "im-avouac",
     "paper-on-paper",
     "ranjith-rice-1999",

@@ -67,3 +67,13 @@ fn every_wrong_version_of_the_equations_of_three_reports_on_other_papers_is_noti
         assert!(!said.contains("not noticed"), "{said}");
     }
 }
+
+#[test]
+fn the_wrong_versions_on_mode_coupling_are_noticed_but_for_two_with_the_same_values() {
+    let report = concat!(env!("CARGO_MANIFEST_DIR"), "/reports/hoffmann-et-al-2002");
+    let said = Workplace::new().run(["verify", report, "--planted-faults"]).expect_success();
+    assert!(said.contains(" 90 of 92 wrong versions noticed"), "{said}");
+    let missed: Vec<&str> = said.lines().filter(|line| line.contains("not noticed")).collect();
+    assert_eq!(missed.len(), 2, "{said}");
+    assert!(missed.iter().all(|line| line.contains("sqrt((k_y + k_x")), "{said}");
+}

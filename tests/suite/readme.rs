@@ -1,4 +1,4 @@
-//! What README.md, docs/guide.md, docs/fit.md and docs/from-pandas-or-matlab.md show is what the program prints.
+//! What README.md, docs/guide.md, docs/claims.md, docs/fit.md and docs/from-pandas-or-matlab.md show is what the program prints.
 
 use std::path::Path;
 use std::process::Command;
@@ -55,13 +55,29 @@ fn is_as_shown(printed: &str, shown: &str) -> bool {
     skipping || printed.next().is_none()
 }
 
-/// Runs the examples of a text, this many, and compares what they print with what it shows.
-fn check_examples(text: &str, count: usize, place: &Workplace) {
-    let examples = examples(text);
-    assert_eq!(examples.len(), count);
-    for (arguments, shown) in examples {
-        let printed = printed(&arguments, &place.path(""));
-        assert!(is_as_shown(&printed, &shown), "slipmode {arguments} printed:\n{printed}");
+/// The file that a sentence before a block names, and whether the block is added to it.
+fn file_of(before: &str) -> Option<(&str, bool)> {
+    let sentence = before.trim_end().strip_suffix("`:")?;
+    let (verb, file) = sentence.rsplit_once(" `")?;
+    [("This is", false), ("Add to", true)]
+        .into_iter()
+        .find_map(|(words, adds)| verb.ends_with(words).then_some((file, adds)))
+}
+
+/// Follows a text in a new folder: writes the files that it shows, runs its examples, this many, and compares what they print with
+/// what it shows.
+pub fn check_examples(text: &str, count: usize, place: &Workplace) {
+    assert_eq!(examples(text).len(), count);
+    let parts: Vec<&str> = text.split("```").collect();
+    for pair in parts.chunks_exact(2) {
+        let (before, (_, block)) = (pair[0], pair[1].split_once('\n').unwrap());
+        if let Some((arguments, shown)) = block.strip_prefix(PROMPT).and_then(|it| it.split_once('\n')) {
+            let printed = printed(arguments, &place.path(""));
+            assert!(is_as_shown(&printed, shown), "slipmode {arguments} printed:\n{printed}");
+        } else if let Some((file, adds)) = file_of(before) {
+            let earlier = if adds { place.read(file) + "\n" } else { String::new() };
+            place.write(file, earlier + block);
+        }
     }
 }
 

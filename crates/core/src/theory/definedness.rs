@@ -75,7 +75,11 @@ fn message(Demand { column, condition }: &Demand, domain: &Domain, tried: &str) 
         Relation::NonNegative => format!("'{part}' may be negative: its square root may have no value"),
         Relation::Positive => format!("'{part}' may be zero or negative: its logarithm may have no value"),
     };
-    format!("column {column}: {fault} (assumed: {domain}{tried})")
+    let open: Vec<String> =
+        part.variables().iter().filter(|name| !domain.is_positive(name)).map(ToString::to_string).collect();
+    let open =
+        if open.is_empty() { open.join("") } else { format!("; {} may be of either sign", open.join(", ")) };
+    format!("column {column}: {fault} (assumed: {domain}{tried}{open}); `given` may exclude this")
 }
 
 #[cfg(test)]

@@ -75,8 +75,19 @@ impl Reader<'_> {
             faults.extend(fault.map(|message| (format!("equation {}", equation.number), message)));
         }
         let mut said = BTreeSet::new();
+        // An equation contains variables only, so that it is shown as the paper has it.
+        let is_left = |message: &str| {
+            equations.iter().find(|one| message.ends_with(&format!("'{}' has no unit", one.left)))
+        };
         for (key, message) in faults.into_iter().filter(|fault| said.insert(fault.clone())) {
-            self.fault(&key, message);
+            let hint =
+                is_left(&message).filter(|_| key.starts_with("equation")).map_or(String::new(), |one| {
+                    format!(
+                        ": write the right side of equation {} in its place, or use a [[definition]]",
+                        one.number
+                    )
+                });
+            self.fault(&key, message + &hint);
         }
         self.names.units = Some(units);
     }

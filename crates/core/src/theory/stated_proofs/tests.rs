@@ -151,7 +151,7 @@ over = "none"
 
 #[test]
 fn the_example_of_the_documentation_is_a_proof() {
-    let page = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/claims.md");
+    let page = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/claims-derivations.md");
     let text = std::fs::read_to_string(page).expect("the page");
     let start = text.find("```toml\n[let]\n").expect("the example") + "```toml\n".len();
     let example = &text[start..start + text[start..].find("```").expect("its end")];
