@@ -247,6 +247,7 @@ impl OpenFile {
         for lemma in &theorem.lemmas {
             if self.lemmas.insert(lemma.name.clone()) {
                 self.text += &format!("{}\n", lemma.text);
+                self.faults += &format!("{}\n", lemma.text);
             }
         }
         self.text += &format!("(** {} *)\n{}\n", comment(words), theorem.text);

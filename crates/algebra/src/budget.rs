@@ -3,10 +3,18 @@
 //! A step is a product of two terms of polynomials (one for each machine word of the longest coefficient), a term of a sum, or a part
 //! of an expression that is converted. Where no budget is set, nothing is counted.
 
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
+use std::collections::HashMap;
+use std::hash::Hash;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 
 use thiserror::Error;
+
+/// Results of a kind that a thread remembers, each with the steps that it took.
+pub(super) type Memory<K, V> = RefCell<HashMap<K, (u64, V)>>;
+
+/// How many results of a kind are remembered at most.
+const MOST_REMEMBERED: usize = 2000;
 
 thread_local! {
     /// The steps that are left; none without a budget.
@@ -46,8 +54,12 @@ pub fn within_budget<T>(steps: u64, compute: impl FnOnce() -> T) -> Result<T, Ex
 
 /// Takes steps from the budget.
 pub(super) fn spend(steps: usize) {
+    take(steps as u64);
+}
+
+fn take(steps: u64) {
     let Some(left) = LEFT.get() else { return };
-    match left.checked_sub(steps as u64) {
+    match left.checked_sub(steps) {
         Some(rest) => LEFT.set(Some(rest)),
         None => {
             LEFT.set(Some(0));
@@ -55,6 +67,36 @@ pub(super) fn spend(steps: usize) {
             resume_unwind(Box::new(Stop));
         }
     }
+}
+
+/// What the work gives for a question, done once by each thread. The question names everything that the result depends on.
+///
+/// A result that is remembered takes as many steps from the budget as the work does, so that no decision depends on what a thread did
+/// before.
+pub(super) fn remembered<K: Hash + Eq, V: Clone>(
+    memory: &RefCell<HashMap<K, (u64, V)>>,
+    question: K,
+    work: impl FnOnce() -> V,
+) -> V {
+    let known = memory.borrow().get(&question).cloned();
+    if let Some((steps, found)) = known {
+        take(steps);
+        return found;
+    }
+    let before = LEFT.get();
+    LEFT.set(before.or(Some(u64::MAX)));
+    let start = LEFT.get();
+    let found = work();
+    let steps = start.unwrap_or_default() - LEFT.get().unwrap_or_default();
+    if before.is_none() {
+        LEFT.set(None);
+    }
+    let mut memory = memory.borrow_mut();
+    if memory.len() >= MOST_REMEMBERED {
+        memory.clear();
+    }
+    memory.insert(question, (steps, found.clone()));
+    found
 }
 
 #[cfg(test)]

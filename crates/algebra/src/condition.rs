@@ -6,7 +6,7 @@ use super::{Expression, ParseError};
 
 crate::named! {
     /// How an expression compares with zero.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     pub enum Relation {
         /// Greater than zero.
         Positive = " > 0",
@@ -18,7 +18,7 @@ crate::named! {
 }
 
 /// One condition, such as `b - a > 0`; serialised as its text.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(try_from = "String", into = "String"))]
 pub struct Condition {

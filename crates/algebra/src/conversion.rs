@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use rug::Rational;
 use thiserror::Error;
 
-use super::budget::spend;
+use super::budget::{Memory, remembered, spend};
 use super::size::{Extent, TooLarge};
 use super::squares::{Known, as_squares, is_imaginary};
 use super::{
@@ -54,6 +54,13 @@ impl ConversionError {
 /// What a numerator or denominator may come to when it is multiplied out.
 const LARGEST: Extent = Extent { terms: 20_000, degree: 256, bits: 1 << 20 };
 
+/// What a converter knows of a domain: squares, and polynomials with the relation that a condition states.
+type Assumptions = (BTreeMap<Generator, RationalFunction>, Vec<(Polynomial, Relation)>);
+
+thread_local! {
+    static ASSUMPTIONS: Memory<Domain, Assumptions> = Memory::default();
+}
+
 /// Converts expressions to rational functions and decides their signs, under the assumptions of a domain.
 pub(super) struct Converter<'d> {
     domain: &'d Domain,
@@ -64,6 +71,17 @@ pub(super) struct Converter<'d> {
 
 impl<'d> Converter<'d> {
     pub(super) fn new(domain: &'d Domain) -> Self {
+        let question = domain.clone().without_example();
+        let (squares, conditions) = ASSUMPTIONS.with(|known| {
+            remembered(known, question, || {
+                let Self { squares, conditions, .. } = Self::of_assumptions(domain);
+                (squares, conditions)
+            })
+        });
+        Self { domain, squares, conditions }
+    }
+
+    fn of_assumptions(domain: &'d Domain) -> Self {
         let imaginary = (Symbol::read("i").into(), RationalFunction::from(-1));
         let either_sign = (Symbol::read("pm").into(), RationalFunction::from(1));
         let squares = BTreeMap::from([imaginary, either_sign]);
@@ -211,7 +229,7 @@ impl<'d> Converter<'d> {
     }
 
     /// A real generator of the polynomial whose square is known.
-    fn real_root(&self, polynomial: &Polynomial) -> Option<(&Generator, &RationalFunction)> {
+    pub(super) fn real_root(&self, polynomial: &Polynomial) -> Option<(&Generator, &RationalFunction)> {
         let is_real = |name: &Generator| matches!(name.function(), Some((Function::Sqrt | Function::Sin, _)));
         self.squares.iter().find(|(name, _)| is_real(name) && polynomial.degree(*name) > 0)
     }
@@ -257,7 +275,7 @@ impl<'d> Converter<'d> {
     }
 
     /// Is this positive or, as a condition says, not negative?
-    fn is_not_negative(&self, name: &Generator) -> bool {
+    pub(super) fn is_not_negative(&self, name: &Generator) -> bool {
         let says = |(known, relation): &(Polynomial, Relation)| {
             *relation != Relation::NonZero && *known == Polynomial::generator(name)
         };
@@ -323,9 +341,12 @@ impl<'d> Converter<'d> {
         }
     }
 
+    pub(super) fn copy(&self) -> Self {
+        Self { domain: self.domain, squares: self.squares.clone(), conditions: self.conditions.clone() }
+    }
+
     fn is_positive_expression(&self, expression: &Expression) -> bool {
-        let mut inner =
-            Self { domain: self.domain, squares: self.squares.clone(), conditions: self.conditions.clone() };
+        let mut inner = self.copy();
         inner.reduced(expression).is_ok_and(|function| inner.sign_of(&function) == Some(1))
     }
 

@@ -5,6 +5,7 @@ use std::fmt;
 
 use rug::Rational;
 
+use super::budget::{Memory, remembered};
 use super::conversion::Converter;
 use super::refutation::evaluate;
 use super::{Condition, ConversionError, Expression, Function, RationalFunction, Relation, Symbol};
@@ -16,7 +17,7 @@ use super::{Condition, ConversionError, Expression, Function, RationalFunction, 
 /// stands for an assumption on a and b, here a, b > 0 and b − a > 0, and must reach every point of it: α and γ are
 /// parameters, each with its value in the original variables, and [`Domain::check`] computes that these values are
 /// positive and give a and b back. A variable that carries no assumption is defined by its substitution.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Domain {
     positive: Vec<Symbol>,
@@ -61,6 +62,12 @@ pub enum DomainError {
     /// An assumption is no rational function.
     #[error(transparent)]
     Conversion(#[from] ConversionError),
+}
+
+thread_local! {
+    /// Searches and checks ask for the same functions and signs many times.
+    static FUNCTIONS: Memory<(Domain, Expression), Result<RationalFunction, ConversionError>> = Memory::default();
+    static SIGNS: Memory<(Domain, RationalFunction), Option<i8>> = Memory::default();
 }
 
 impl Domain {
@@ -214,7 +221,10 @@ impl Domain {
     /// When the assumptions do not exclude that it divides by zero or takes the root of a negative number, when a logarithm
     /// or absolute value cannot be resolved under them, and when it is too large to be expanded.
     pub fn rational_function(&self, expression: &Expression) -> Result<RationalFunction, ConversionError> {
-        Converter::new(self).convert(&self.as_written(expression))
+        let question = (self.clone().without_example(), expression.clone());
+        FUNCTIONS.with(|known| {
+            remembered(known, question, || Converter::new(self).convert(&self.as_written(expression)))
+        })
     }
 
     /// left − right as a rational function: zero exactly when both sides are the same.
@@ -262,7 +272,10 @@ impl Domain {
     }
 
     pub(super) fn sign_of(&self, function: &RationalFunction) -> Option<i8> {
-        Converter::for_sign_of(self, function).sign_of(function)
+        let question = (self.clone().without_example(), function.clone());
+        SIGNS.with(|known| {
+            remembered(known, question, || Converter::for_sign_of(self, function).sign_of(function))
+        })
     }
 
     /// Checks that the domain means what it says: every name stands for one thing, the assumptions can hold, and the

@@ -9,7 +9,7 @@ use rug::Rational;
 
 crate::named! {
     /// The functions of one argument that the paper's equations use.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     pub enum Function {
         /// Natural logarithm.
         Ln = "ln",
@@ -29,7 +29,7 @@ crate::named! {
 }
 
 /// An expression tree; serialised as its text.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(try_from = "String", into = "String"))]
 pub enum Expression {
@@ -99,6 +99,36 @@ impl Expression {
             Self::Number(value) => value.is_negative(),
             Self::Negation(_) => true,
             _ => false,
+        }
+    }
+
+    /// Whether this variable is in it.
+    #[must_use]
+    pub fn contains(&self, variable: &Symbol) -> bool {
+        match self {
+            Self::Number(_) => false,
+            Self::Variable(name) => name == variable,
+            Self::Sum(parts) | Self::Product(parts) => parts.iter().any(|part| part.contains(variable)),
+            Self::Quotient(left, right) => left.contains(variable) || right.contains(variable),
+            Self::Negation(inner)
+            | Self::Power(inner, _)
+            | Self::Call(_, inner)
+            | Self::Generic(_, inner) => inner.contains(variable),
+        }
+    }
+
+    /// Whether a square root is in it.
+    #[must_use]
+    pub fn has_root(&self) -> bool {
+        match self {
+            Self::Number(_) | Self::Variable(_) => false,
+            Self::Sum(parts) | Self::Product(parts) => parts.iter().any(Self::has_root),
+            Self::Quotient(left, right) => left.has_root() || right.has_root(),
+            Self::Call(Function::Sqrt, _) => true,
+            Self::Negation(inner)
+            | Self::Power(inner, _)
+            | Self::Call(_, inner)
+            | Self::Generic(_, inner) => inner.has_root(),
         }
     }
 

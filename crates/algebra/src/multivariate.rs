@@ -9,7 +9,7 @@ use super::{Expression, Generator, Monomial, Symbol};
 /// A polynomial over ℚ: a sum of rational coefficients times monomials, none of them zero.
 ///
 /// The terms are in ascending order of their monomials.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash, Default)]
 pub struct Polynomial(Vec<(Monomial, Rational)>);
 
 impl Polynomial {

@@ -12,7 +12,7 @@ use crate::number::Field;
 /// numerator/denominator without common factor, the denominator's leading coefficient 1.
 ///
 /// It is a [`Field`], so that every equation written once for numbers can be run on symbols and compared with the paper.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct RationalFunction {
     numerator: Polynomial,
     denominator: Polynomial,

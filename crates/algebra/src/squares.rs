@@ -32,6 +32,12 @@ impl Known<'_> {
         monomial.factors().all(|(name, exponent)| exponent % 2 == 0 || (self.not_negative)(name))
     }
 
+    /// The first and the last term of any such sum, and of its product with a square, are not negative.
+    fn allows_ends(&self, polynomial: &Polynomial) -> bool {
+        let mut ends = polynomial.terms().take(1).chain(polynomial.terms().next_back());
+        !polynomial.is_zero() && ends.all(|(monomial, coefficient)| *coefficient > 0 && self.allows(monomial))
+    }
+
     /// A polynomial that has a term in positive generators, and no term below zero, is positive.
     fn has_positive_term(&self, polynomial: &Polynomial) -> bool {
         polynomial.terms().any(|(monomial, coefficient)| {
@@ -43,7 +49,7 @@ impl Known<'_> {
 /// Whether a polynomial in real generators is positive everywhere (`Some(true)`) or at least nowhere negative (`Some(false)`).
 pub(super) fn as_squares(polynomial: &Polynomial, known: &Known<'_>) -> Option<bool> {
     let is_small = polynomial.term_count() <= MOST_TERMS && polynomial.total_degree() <= MOST_DEGREE;
-    if !is_small || polynomial.is_zero() || polynomial.generators().iter().any(is_imaginary) {
+    if !is_small || !known.allows_ends(polynomial) || polynomial.generators().iter().any(is_imaginary) {
         return None;
     }
     let found = within_budget(STEPS, || {
@@ -72,7 +78,7 @@ fn without_squares(polynomial: &Polynomial) -> (Polynomial, Vec<Polynomial>) {
 
 /// A factor that occurs twice, as its derivative shows, and the quotient by its square.
 fn square_factor(polynomial: &Polynomial, name: &Generator) -> Option<(Polynomial, Polynomial)> {
-    if polynomial.degree(name) < 2 {
+    if polynomial.degree(name) < 2 || !may_have_square(polynomial, name) {
         return None;
     }
     let shared = polynomial.gcd(&polynomial.derivative(name));
@@ -81,10 +87,49 @@ fn square_factor(polynomial: &Polynomial, name: &Generator) -> Option<(Polynomia
     factor.as_constant().is_none().then_some((quotient, factor))
 }
 
+/// A polynomial as Σ root²·terms, where no term of the factors is negative.
+pub(super) fn addends(polynomial: &Polynomial, known: &Known<'_>) -> Option<Vec<(Polynomial, Polynomial)>> {
+    let found = within_budget(STEPS, || {
+        let (rest, squared) = without_squares(polynomial);
+        let root = squared.iter().fold(Polynomial::one(), |product, root| &product * root);
+        let mut parts = match squares_and_terms(&rest, known) {
+            Some((squares, terms)) => {
+                let squares = squares.into_iter().map(|(factor, root)| (root, Polynomial::constant(factor)));
+                squares.chain([(Polynomial::one(), terms)]).collect()
+            }
+            None => rest.generators().iter().find_map(|x| {
+                let (factor, square, left) = square_in(&rest, x)?;
+                let mut parts = if left.is_zero() { Vec::new() } else { addends(&left, known)? };
+                parts.push((square, Polynomial::constant(factor)));
+                Some(parts)
+            })?,
+        };
+        parts.iter_mut().for_each(|(own, _)| *own = &*own * &root);
+        parts.retain(|(_, terms)| !terms.is_zero());
+        Some(parts)
+    });
+    found.ok().flatten()
+}
+
+/// Whether a factor in this generator may occur twice: it does then at any values of the others at which the degree stays.
+fn may_have_square(polynomial: &Polynomial, name: &Generator) -> bool {
+    let others = polynomial.generators().into_iter().filter(|other| other != name);
+    let there = others.zip(2_u32..).fold(polynomial.clone(), |there, (other, value)| {
+        there.substitute(&other, &Polynomial::constant(Rational::from(2 * value - 1)))
+    });
+    there.degree(name) < polynomial.degree(name) || there.gcd(&there.derivative(name)).degree(name) > 0
+}
+
 fn sum_of_squares(polynomial: &Polynomial, known: &Known<'_>) -> Option<bool> {
-    // The first and the last term are squares of their own in any such sum.
-    let mut ends = polynomial.terms().take(1).chain(polynomial.terms().next_back());
-    if !ends.all(|(monomial, coefficient)| *coefficient > 0 && known.allows(monomial)) {
+    squares_and_terms(polynomial, known).map(|(_, rest)| known.has_positive_term(&rest))
+}
+
+/// The squares with their positive factors, and the terms that are left.
+fn squares_and_terms(
+    polynomial: &Polynomial,
+    known: &Known<'_>,
+) -> Option<(Vec<(Rational, Polynomial)>, Polynomial)> {
+    if !known.allows_ends(polynomial) {
         return None;
     }
     let mut squares = Vec::new();
@@ -95,29 +140,29 @@ fn sum_of_squares(polynomial: &Polynomial, known: &Known<'_>) -> Option<bool> {
     let is_proved = sum == *polynomial
         && squares.iter().all(|(coefficient, _)| *coefficient > 0)
         && rest.terms().all(|(monomial, coefficient)| *coefficient > 0 && known.allows(monomial));
-    is_proved.then(|| known.has_positive_term(&rest))
+    is_proved.then_some((squares, rest))
 }
 
 /// The same of c (q x + r)² + rest with c > 0 in a generator x, where the rest is no longer one of x.
 fn square_and_rest(polynomial: &Polynomial, known: &Known<'_>) -> Option<bool> {
     let of = |x: &Generator| {
-        let [below, middle, leading]: [Polynomial; 3] = polynomial.coefficients(x).try_into().ok()?;
-        let (factor, roots) = without_squares(&leading);
-        let factor = factor.as_constant().filter(|factor| *factor > 0)?;
-        let root = roots.iter().fold(Polynomial::one(), |product, root| &product * root);
-        let other = middle.divide_exact(&root.scale(&(factor.clone() * 2)))?;
-        let square = &(&root * &Polynomial::generator(x)) + &other;
-        let rest = &below - &(&other * &other).scale(&factor);
-        let is_whole = &(&square * &square).scale(&factor) + &rest == *polynomial;
-        if !is_whole {
-            None
-        } else if rest.is_zero() {
-            Some(false)
-        } else {
-            as_squares(&rest, known)
-        }
+        let (_, _, rest) = square_in(polynomial, x)?;
+        if rest.is_zero() { Some(false) } else { as_squares(&rest, known) }
     };
     polynomial.generators().iter().find_map(of)
+}
+
+/// c, q x + r and the rest of such a form.
+fn square_in(polynomial: &Polynomial, x: &Generator) -> Option<(Rational, Polynomial, Polynomial)> {
+    let [below, middle, leading]: [Polynomial; 3] = polynomial.coefficients(x).try_into().ok()?;
+    let (factor, roots) = without_squares(&leading);
+    let factor = factor.as_constant().filter(|factor| *factor > 0)?;
+    let root = roots.iter().fold(Polynomial::one(), |product, root| &product * root);
+    let other = middle.divide_exact(&root.scale(&(factor.clone() * 2)))?;
+    let square = &(&root * &Polynomial::generator(x)) + &other;
+    let rest = &below - &(&other * &other).scale(&factor);
+    let is_whole = &(&square * &square).scale(&factor) + &rest == *polynomial;
+    is_whole.then_some((factor, square, rest))
 }
 
 /// Completes squares until no term is below zero; the squares are added to the list. What is left.

@@ -19,10 +19,21 @@ impl Expression {
         Some(match self {
             Self::Number(value) => value.clone(),
             Self::Variable(name) => values.get(name)?.clone(),
-            Self::Sum(parts) => parts.iter().try_fold(Rational::new(), |sum, part| Some(sum + go(part)?))?,
-            Self::Product(parts) => {
-                parts.iter().try_fold(Rational::from(1), |product, part| Some(product * go(part)?))?
-            }
+            Self::Sum(parts) => parts.iter().try_fold(Rational::new(), |sum, part| {
+                Some(match part {
+                    Self::Number(value) => sum + value,
+                    Self::Variable(name) => sum + values.get(name)?,
+                    Self::Negation(inner) => sum - go(inner)?,
+                    _ => sum + go(part)?,
+                })
+            })?,
+            Self::Product(parts) => parts.iter().try_fold(Rational::from(1), |product, part| {
+                Some(match part {
+                    Self::Number(value) => product * value,
+                    Self::Variable(name) => product * values.get(name)?,
+                    _ => product * go(part)?,
+                })
+            })?,
             Self::Quotient(left, right) => go(left)? / Some(go(right)?).filter(|below| !below.is_zero())?,
             Self::Negation(inner) => -go(inner)?,
             Self::Power(inner, exponent) => {
@@ -45,6 +56,15 @@ impl Expression {
                 Some(Rational::from(1)).filter(|_| go(inner).is_some_and(|zero| zero.is_zero()))?
             }
         })
+    }
+
+    /// The expression with its value at these numbers in the place of each part without this variable.
+    #[must_use]
+    pub fn along(&self, variable: &Symbol, values: &BTreeMap<Symbol, Rational>) -> Self {
+        if self.contains(variable) {
+            return self.with_parts(&|part| part.along(variable, values));
+        }
+        self.rational_value(values).map_or_else(|| self.clone(), Self::Number)
     }
 
     /// How the value at these numbers compares with zero: exactly where it is rational, else enclosed; none where the value does not

@@ -1,5 +1,6 @@
 //! Rational points at which conditions are met: examples of a domain, and counter-examples.
 
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 
 use rug::float::Round;
@@ -33,12 +34,17 @@ const VALUES: [(u32, u32); 14] = [
 /// How often a point is moved towards the literals that it does not meet.
 const REPAIRS: usize = 3;
 
+/// Points among which an example is sought.
+const EXAMPLES: usize = 256;
+
 /// The points of a fixed sequence.
 pub(super) struct Points {
     /// The variables and what is to be known of functions, and whether each is positive.
     variables: Vec<(Symbol, bool)>,
     /// The ends of those that have some.
     within: BTreeMap<Symbol, [Rational; 2]>,
+    /// The examples that were asked for, with their literals.
+    examples: RefCell<Vec<(Vec<Literal>, Option<Point>)>>,
 }
 
 impl Points {
@@ -59,12 +65,31 @@ impl Points {
                 (name, positive)
             });
         let within = within.iter().cloned().collect();
-        Self { variables: variables.collect(), within }
+        Self { variables: variables.collect(), within, examples: RefCell::default() }
     }
 
     /// The first so many points, each moved so that it meets the literals, where that succeeds.
     pub fn meeting<'p>(&'p self, literals: &'p [Literal], count: usize) -> impl Iterator<Item = Point> + 'p {
         (0..count).filter_map(move |index| self.repaired(self.point(index), literals, index))
+    }
+
+    /// The first point that meets the literals, one at which they are rational if there is one.
+    pub fn example(&self, literals: &[Literal]) -> Option<Point> {
+        let known = self.examples.borrow().iter().find(|(of, _)| of == literals).cloned();
+        if let Some((_, example)) = known {
+            return example;
+        }
+        // Coq computes the conditions at the example: rational roots are the easy ones.
+        let is_rational =
+            |point: &Point| literals.iter().all(|one| one.expression.rational_value(point).is_some());
+        let mut first = None;
+        let rational = self.meeting(literals, EXAMPLES).find(|point| {
+            first.get_or_insert_with(|| point.clone());
+            is_rational(point)
+        });
+        let example = rational.or(first);
+        self.examples.borrow_mut().push((literals.to_vec(), example.clone()));
+        example
     }
 
     /// The point moved onto the zeros of expressions and to both sides of them, one variable at a time.
@@ -145,14 +170,20 @@ impl Points {
 
 /// The zero of an expression that is linear in a variable, the others as at a point.
 fn zero(expression: &Expression, name: &Symbol, point: &Point) -> Option<Rational> {
-    let at = |value: u32| {
-        let mut point = point.clone();
+    // What is known of a function stands in no expression.
+    let is_seen = name.function_at_zero().is_none();
+    if is_seen && !expression.contains(name) {
+        return None;
+    }
+    let expression = if is_seen { &expression.along(name, point) } else { expression };
+    let mut point = point.clone();
+    let mut at = |value: u32| {
         point.insert(name.clone(), Rational::from(value));
         expression.rational_value(&point)
     };
-    let [one, two, three] = [at(1)?, at(2)?, at(3)?];
+    let (one, two) = (at(1)?, at(2)?);
     let slope = Rational::from(&two - &one);
-    (slope != 0 && Rational::from(&three - &two) == slope).then(|| 1 - one / &slope)
+    (slope != 0 && at(3)? - two == slope).then(|| 1 - one / &slope)
 }
 
 /// The value of an expression at a point: exact where it is rational, else to twelve digits.

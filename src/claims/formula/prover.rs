@@ -9,7 +9,7 @@ use slipmode_algebra::{
 };
 use slipmode_core::number::Rational;
 
-use super::points::{Point, Points};
+use super::points::Points;
 use crate::scene::Premises;
 
 /// A step of a proof: its words and its certificate.
@@ -32,9 +32,6 @@ const MOST_DIVISIONS: usize = 8;
 
 /// The highest derivative that shows that something grows.
 const MOST_ORDER: u32 = 3;
-
-/// Points among which an example of the assumptions is sought.
-const EXAMPLES: usize = 256;
 
 /// Looks for certificates, with a bound on the work.
 pub(super) struct Prover<'p> {
@@ -244,10 +241,7 @@ impl<'p> Prover<'p> {
         let mut assumed = premises.clone();
         assumed.conditions.extend(literals.iter().filter(|literal| literal.sign != Sign::Zero).cloned());
         let expressions = || assumed.conditions.iter().map(|literal| &literal.expression);
-        let meeting = || self.points.meeting(&assumed.conditions, EXAMPLES);
-        // Coq computes the conditions at the example: rational roots are the easy ones.
-        let is_rational = |point: &Point| expressions().all(|one| one.rational_value(point).is_some());
-        let point = meeting().find(is_rational).or_else(|| meeting().next())?;
+        let point = self.points.example(&assumed.conditions)?;
         let named: BTreeSet<Symbol> = expressions().flat_map(Expression::variables).collect();
         let functions: BTreeSet<Symbol> = expressions().flat_map(Expression::functions).collect();
         let values = point.into_iter().filter(|(name, _)| match name.function_at_zero() {

@@ -110,7 +110,33 @@ fn a_search_without_a_result_ends_within_its_steps() {
     let read = ClaimFormula::read(text, Scope::default(), &equations).unwrap();
     let found = within_budget(STEPS / 4, || decide_equations("f", "", &read, &equations)).unwrap();
     assert_eq!(found.verdict, Verdict::NotChecked);
-    assert!(found.remarks[0].contains("no certificate was found"), "{:?}", found.remarks);
+    assert!(found.remarks[0].contains("no proof was found"), "{:?}", found.remarks);
+    assert!(found.remarks[0].chars().count() <= 300, "{:?}", found.remarks);
+}
+
+#[test]
+fn what_is_not_decided_says_what_was_tried_and_what_may_help() {
+    let equations: Equations = read_equations("equations.toml", EQUATIONS).unwrap();
+    let remark = |text: &str| {
+        let read = ClaimFormula::read(text, Scope::default(), &equations).unwrap();
+        let found = decide_equations("f", "", &read, &equations);
+        assert_eq!(found.verdict, Verdict::NotChecked, "{text}");
+        assert!(found.remarks[0].chars().count() <= 300, "{:?}", found.remarks);
+        found.remarks[0].clone()
+    };
+    // The mean of three positive numbers is at least their geometric mean, and the difference is no sum of squares.
+    let plain = remark("K^4*M^2 + K^2*M^4 + V^3 >= 3*K^2*M^2*V");
+    assert_eq!(
+        plain,
+        "Not decided: no proof was found, and no counter-example among 4096 points. Tried: signs of terms, sums of squares, \
+         conditions solved for variables. What may help: a further condition in `given`."
+    );
+    let with_root = remark("K^4*M^2 + K^2*M^4 + sqrt(V)^3 >= 3*K^2*M^2*sqrt(V) and K + M > 0");
+    assert!(
+        with_root
+            .ends_with("; one part for each clause; a parameter r for a root, with r^2 = ... in `given`."),
+        "{with_root}"
+    );
 }
 
 /// The theorem of the last step of the proof of a formula, without its proof.

@@ -371,6 +371,9 @@ impl Steps<'_> {
                 "assert (is' : {name} = {value}) by (apply (solved_for _ _ {slope} _ _ {label}); \
                  first [ring | field; divisors | symmetry; {step}]); clear {label}; subst {name}; "
             );
+            if solved.value.is_zero() {
+                tactics += "repeat rewrite ?Rmult_0_l, ?Rmult_0_r, ?Rplus_0_l, ?Rplus_0_r, ?Rminus_0_r; ";
+            }
         }
         let rest = match statement {
             Statement::True(formula) => self.formula(formula)?,

@@ -39,8 +39,10 @@ impl Problem<'_> {
         let on_edges = refuted(on_edges(&points, conditions, &negated, FIRST_POINTS));
         let refuted = on_edges.or_else(|| refuted(among(&points, conditions, &negated, Points::MOST)));
         refuted.or_else(|| self.enclosed(lowered)).unwrap_or_else(|| {
-            let points = Points::MOST;
-            Finding::not_checked(format!("Not decided: {tried}, and {points} points do not refute it."))
+            let (points, help) = (Points::MOST, help(formula, &lowered.expressions()));
+            Finding::not_checked(format!(
+                "Not decided: {tried}, and no counter-example among {points} points. {help}"
+            ))
         })
     }
 
@@ -110,11 +112,10 @@ impl Problem<'_> {
             steps.extend(found.ok_or_else(|| {
                 let words =
                     if count == 1 { String::new() } else { format!(" for clause {number} of {count}") };
-                let (attempts, most) = (prover.attempts(), Prover::MOST);
-                format!(
-                    "no certificate was found{words} in {} of at most {most} attempts",
-                    attempts.min(most)
-                )
+                let most = Prover::MOST;
+                let all =
+                    if prover.attempts() < most { String::new() } else { format!(" in {most} attempts") };
+                format!("no proof was found{words}{all}")
             })?);
         }
         let step =
@@ -138,6 +139,19 @@ impl Problem<'_> {
         };
         self.is_allowed(&full).then(|| Finding::failing(words).seen_at([points::named(&full)]))
     }
+}
+
+/// What was tried on a formula in these expressions, and what may help.
+fn help(formula: &Formula, expressions: &[Expression]) -> String {
+    let mut ways = vec!["a further condition in `given`"];
+    if !matches!(formula, Formula::Compare(..)) {
+        ways.push("one part for each clause");
+    }
+    if expressions.iter().any(Expression::has_root) {
+        ways.push("a parameter r for a root, with r^2 = ... in `given`");
+    }
+    let tried = "signs of terms, sums of squares, conditions solved for variables";
+    format!("Tried: {tried}. What may help: {}.", ways.join("; "))
 }
 
 /// Which comparisons and predicates are true at a point.

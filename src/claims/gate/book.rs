@@ -5,9 +5,10 @@
 //! sides of equation 8 and their difference, in which the name that the equation defines stays a variable. A definition means what
 //! its derivation says.
 
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
+use std::rc::Rc;
 
 use slipmode_algebra::{Expression, Function};
 use slipmode_core::number::Rational;
@@ -68,6 +69,8 @@ pub(super) struct Book {
     coefficients: Vec<Range<usize>>,
     /// How many steps the evaluations of one claim took.
     steps: Cell<u32>,
+    /// The variables that defined names reach, as far as somebody asked.
+    reaches: RefCell<BTreeMap<usize, Rc<BTreeSet<usize>>>>,
 }
 
 /// How many values at 0 a function has: that of itself and those of its derivatives up to one order.
@@ -278,6 +281,18 @@ impl Book {
 
     pub fn is_positive(&self, variable: usize) -> bool {
         self.positive.contains(&variable)
+    }
+
+    /// The variables that a defined name reaches.
+    pub fn reach_of(&self, name: usize) -> Rc<BTreeSet<usize>> {
+        let known = self.reaches.borrow().get(&name).cloned();
+        known.unwrap_or_else(|| {
+            let mut found = BTreeSet::new();
+            self.reached(&Term::Defined(name), &mut found);
+            let found = Rc::new(found);
+            self.reaches.borrow_mut().insert(name, Rc::clone(&found));
+            found
+        })
     }
 
     /// The variables that a term reaches, through what its names mean.

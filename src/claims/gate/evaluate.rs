@@ -15,14 +15,17 @@ use super::book::{Book, Derived, EITHER_SIGN, Meaning, Term, UNIT};
 use super::number::{Found, Number, Trouble};
 use super::value::{IMAGINARY, Kind, Mark, Value};
 
+/// The values of defined names, and their coefficients as polynomials in a variable.
+type Known = BTreeMap<(usize, Option<usize>), Found<Vec<Value>>>;
+
 /// A point, with what was worked out there.
 pub(super) struct Place<'b> {
     pub book: &'b Book,
     /// The precision of balls.
     pub bits: u32,
     values: Vec<Option<Value>>,
-    /// What defined names mean here, and after each change of variables that is in force.
-    known: Vec<BTreeMap<usize, Found<Value>>>,
+    /// What was found here, and after each change of variables that is in force, with the variables that changed.
+    known: Vec<(Vec<usize>, Known)>,
     marks: u32,
 }
 
@@ -35,12 +38,13 @@ impl<'b> Place<'b> {
         if let Some(sign) = book.place(EITHER_SIGN) {
             values[sign] = Some(Value::whole(1));
         }
-        Self { book, bits, values, known: vec![BTreeMap::new()], marks: 0 }
+        Self { book, bits, values, known: vec![Default::default()], marks: 0 }
     }
 
     pub fn set(&mut self, variable: usize, value: Value) {
         self.values[variable] = Some(value);
-        self.known = vec![BTreeMap::new()];
+        self.known.truncate(1);
+        self.known[0].1.clear();
     }
 
     pub fn get(&self, variable: usize) -> Found<Value> {
@@ -59,11 +63,11 @@ impl<'b> Place<'b> {
 
     /// Something found while variables have other values.
     pub fn with<T>(&mut self, changes: Vec<(usize, Value)>, find: impl FnOnce(&mut Self) -> T) -> T {
+        self.known.push((changes.iter().map(|(variable, _)| *variable).collect(), Known::new()));
         let before: Vec<(usize, Option<Value>)> = changes
             .into_iter()
             .map(|(variable, value)| (variable, self.values[variable].replace(value)))
             .collect();
-        self.known.push(BTreeMap::new());
         let found = find(self);
         self.known.pop();
         for (variable, value) in before.into_iter().rev() {
@@ -74,6 +78,15 @@ impl<'b> Place<'b> {
 
     /// The coefficients of a term as a polynomial in a variable, by ascending power.
     pub fn coefficients(&mut self, term: &Term, variable: usize) -> Found<Vec<Value>> {
+        match term {
+            Term::Defined(name) => {
+                self.once(*name, Some(variable), |place| place.coefficients_of(term, variable))
+            }
+            _ => self.coefficients_of(term, variable),
+        }
+    }
+
+    fn coefficients_of(&mut self, term: &Term, variable: usize) -> Found<Vec<Value>> {
         let mark = self.quantity(Kind::Free);
         let free = Value::with_quantity(Value::whole(0), mark);
         let value = self.with(vec![(variable, free)], |place| place.value(term))?;
@@ -93,18 +106,14 @@ impl<'b> Place<'b> {
             Term::Variable(variable) => self.get(*variable),
             Term::Defined(name) => self.meaning(*name),
             Term::Sum(parts) => {
-                let mut sum = Value::whole(0);
-                for part in parts {
-                    sum = sum.plus(&self.value(part)?)?;
-                }
-                Ok(sum)
+                let Some((first, others)) = parts.split_first() else { return Ok(Value::whole(0)) };
+                let first = self.value(first)?;
+                others.iter().try_fold(first, |sum, part| sum.plus(&self.value(part)?))
             }
             Term::Product(parts) => {
-                let mut product = Value::whole(1);
-                for part in parts {
-                    product = product.times(&self.value(part)?)?;
-                }
-                Ok(product)
+                let Some((first, others)) = parts.split_first() else { return Ok(Value::whole(1)) };
+                let first = self.value(first)?;
+                others.iter().try_fold(first, |product, part| product.times(&self.value(part)?))
             }
             Term::Quotient(above, below) => {
                 let above = self.value(above)?;
@@ -137,17 +146,33 @@ impl<'b> Place<'b> {
     }
 
     fn meaning(&mut self, name: usize) -> Found<Value> {
-        if let Some(found) = self.known.last().and_then(|known| known.get(&name)) {
+        let book = self.book;
+        let found = self.once(name, None, |place| {
+            let found = match book.meaning(name) {
+                Meaning::Term(term) => place.value(term),
+                Meaning::Derived(derived) => place.derived(derived),
+            };
+            found.map(|value| vec![value])
+        });
+        found.map(|mut alone| alone.swap_remove(0))
+    }
+
+    /// What is found of a name, once for as long as nothing changes that it reaches; the variable of a polynomial has no value in it.
+    fn once(
+        &mut self,
+        name: usize,
+        of: Option<usize>,
+        find: impl FnOnce(&mut Self) -> Found<Vec<Value>>,
+    ) -> Found<Vec<Value>> {
+        let reached = self.book.reach_of(name);
+        let changes = |variable: &usize| Some(*variable) != of && reached.contains(variable);
+        let changed = self.known.iter().rposition(|(changed, _)| changed.iter().any(changes));
+        let place = changed.unwrap_or_default();
+        if let Some(found) = self.known[place].1.get(&(name, of)) {
             return found.clone();
         }
-        let book = self.book;
-        let found = match book.meaning(name) {
-            Meaning::Term(term) => self.value(term),
-            Meaning::Derived(derived) => self.derived(derived),
-        };
-        if let Some(known) = self.known.last_mut() {
-            known.insert(name, found.clone());
-        }
+        let found = find(self);
+        self.known[place].1.insert((name, of), found.clone());
         found
     }
 
@@ -192,12 +217,20 @@ impl<'b> Place<'b> {
 
     /// The derivative of a term along a direction, at values of some variables.
     fn slope(&mut self, term: &Term, along: Vec<(usize, Value, Value)>) -> Found<Value> {
+        self.slopes_of(std::slice::from_ref(term), along).map(|mut alone| alone.swap_remove(0))
+    }
+
+    fn slopes_of(&mut self, terms: &[Term], along: Vec<(usize, Value, Value)>) -> Found<Vec<Value>> {
         let mark = self.quantity(Kind::Small);
         let moved = along
             .into_iter()
-            .map(|(variable, start, by)| (variable, Value::Series(mark, vec![start, by])))
+            .map(|(variable, start, by)| {
+                let rests = by.is_exactly_zero();
+                (variable, if rests { start } else { Value::Series(mark, vec![start, by]) })
+            })
             .collect();
-        Ok(self.with(moved, |place| place.value(term))?.coefficient(mark, 1))
+        let slope = |value: Found<Value>| value.map(|value| value.coefficient(mark, 1));
+        self.with(moved, |place| terms.iter().map(|term| slope(place.value(term))).collect())
     }
 
     fn steady(&mut self, derived: &Derived) -> Found<Vec<Value>> {
@@ -218,7 +251,7 @@ impl<'b> Place<'b> {
             .enumerate()
             .map(|(at, (state, value))| (*state, value, direction(at)))
             .collect();
-        derived.rates.iter().map(|rate| self.slope(rate, along.clone())).collect()
+        self.slopes_of(&derived.rates, along)
     }
 
     /// det(s − J).

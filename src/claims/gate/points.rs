@@ -83,18 +83,24 @@ impl Claim {
             let Some(unmet) = unmet else { return Some(base) };
             let count = self.chosen.len();
             let variables = (0..count).map(|at| self.chosen[(at + turn as usize) % count]);
-            base = variables.filter_map(|variable| self.near_zero(&base, unmet, variable)).flatten().find(
-                |moved| {
-                    self.decided(moved, |place| unmet.truth(place)) == Ok(true)
-                        && self.chosen.iter().all(|one| !self.book.is_positive(*one) || moved[one] > 0)
-                },
-            )?;
+            let mut moved = variables.filter_map(|variable| self.near_zero(&base, unmet, variable)).flatten();
+            let next = moved.find(|moved| {
+                self.chosen.iter().all(|one| !self.book.is_positive(*one) || moved[one] > 0)
+                    && self.decided(moved, |place| unmet.truth(place)) == Ok(true)
+            })?;
+            drop(moved);
+            base = next;
         }
         None
     }
 
     /// The point with the value of one variable at which two sides are equal, and values next to it, where they are linear in it.
-    pub fn near_zero(&self, base: &Base, compared: &Compared, variable: usize) -> Option<[Base; 7]> {
+    pub fn near_zero(
+        &self,
+        base: &Base,
+        compared: &Compared,
+        variable: usize,
+    ) -> Option<impl Iterator<Item = Base>> {
         let mut place = self.place(base, 96)?;
         let Ok([rest, slope]) =
             <[Value; 2]>::try_from(place.coefficients(&compared.difference(), variable).ok()?)
@@ -114,7 +120,7 @@ impl Claim {
             Rational::from(&zero + 1_u32),
             Rational::from(&zero - 1_u32),
         ];
-        Some(values.map(|value| {
+        Some(values.into_iter().map(move |value| {
             let mut moved = base.clone();
             moved.insert(variable, value);
             moved

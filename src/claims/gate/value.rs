@@ -85,17 +85,17 @@ impl Value {
     }
 
     /// The latest of the two quantities, and the terms of both in it; none for two numbers.
-    fn aligned(&self, other: &Self) -> Option<(Mark, Vec<Self>, Vec<Self>)> {
-        let alone = |one: &Self| vec![one.clone()];
+    fn aligned<'v>(&'v self, other: &'v Self) -> Option<(Mark, &'v [Self], &'v [Self])> {
+        use std::slice::from_ref as alone;
         match (self, other) {
             (Self::Number(_), Self::Number(_)) => None,
-            (Self::Series(mark, terms), Self::Number(_)) => Some((*mark, terms.clone(), alone(other))),
-            (Self::Number(_), Self::Series(mark, terms)) => Some((*mark, alone(self), terms.clone())),
+            (Self::Series(mark, terms), Self::Number(_)) => Some((*mark, terms, alone(other))),
+            (Self::Number(_), Self::Series(mark, terms)) => Some((*mark, alone(self), terms)),
             (Self::Series(left, terms), Self::Series(right, others)) => {
                 Some(match left.number.cmp(&right.number) {
-                    Ordering::Equal => (*left, terms.clone(), others.clone()),
-                    Ordering::Greater => (*left, terms.clone(), alone(other)),
-                    Ordering::Less => (*right, alone(self), others.clone()),
+                    Ordering::Equal => (*left, terms, others),
+                    Ordering::Greater => (*left, terms, alone(other)),
+                    Ordering::Less => (*right, alone(self), others),
                 })
             }
         }

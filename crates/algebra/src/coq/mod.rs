@@ -6,6 +6,7 @@
 
 mod characteristic;
 mod setting;
+mod sign;
 mod statement;
 mod tactic;
 mod term;
@@ -115,6 +116,8 @@ impl Theorem {
             );
         }
         lemmas.extend(setting.witness(&original));
+        let proofs: String = lemmas.iter().map(|lemma| lemma.text.as_str()).chain([text.as_str()]).collect();
+        lemmas.splice(0..0, sign::lemmas_for(&proofs));
         let fault = format!(
             "Lemma fault_{name}{binders} :\n  {}.\nProof. tryif (solve [{tactics}]) then fail 0 \"accepted\" else idtac \"refused {name}\". Abort.\n",
             shown(true, true)
@@ -246,5 +249,30 @@ mod tests {
         let domain = domain.given(parsed("b") - root, Relation::Positive);
         let witness = of("a", &domain).lemmas.pop().expect("a lemma").text;
         assert!(witness.contains("try root_is (3 / 2); possible"), "{witness}");
+    }
+
+    #[test]
+    fn signs_rest_on_squares_on_variables_that_are_not_negative_and_on_the_parts_of_a_sum_with_a_root() {
+        let sign = |text: &str, domain: Domain| {
+            Theorem::of(&Certificate::Sign { expression: parsed(text), sign: 1, domain }).expect("a theorem")
+        };
+        let theorem = sign("x + (x - z)^2", Domain::positive("x"));
+        assert!(theorem.text.contains("apply pow2_ge_0") && theorem.lemmas.len() == 1, "{}", theorem.text);
+        let domain = Domain::positive("x").given(parsed("z"), Relation::NonNegative);
+        let theorem = sign("x/(x + z)", domain);
+        assert!(theorem.text.contains("apply Rplus_lt_le_0_compat"), "{}", theorem.text);
+        // The root is the larger part: (x - y)^2 + 4 y z is more than (x - y)^2.
+        let theorem = sign("x - y + sqrt((x - y)^2 + 4*y*z)", Domain::positive("x y z"));
+        assert!(theorem.text.contains("apply (root_part_other_lt ("), "{}", theorem.text);
+        assert_eq!(theorem.lemmas[0].name, "root_part");
+    }
+
+    #[test]
+    fn an_irrational_root_of_a_condition_has_rational_bounds_at_the_example() {
+        let domain = Domain::positive("x y").given(parsed("y - sqrt(2)*x"), Relation::Positive);
+        let domain = domain.example("y", parsed("2"));
+        let certificate = Certificate::Sign { expression: parsed("x"), sign: 1, domain };
+        let witness = Theorem::of(&certificate).expect("a theorem").lemmas.pop().expect("a lemma").text;
+        assert!(witness.contains("(1414213562373 / 1000000000000) < sqrt x"), "{witness}");
     }
 }

@@ -3,6 +3,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 
+use rug::ops::{DivRounding, Pow};
+
 use super::Block;
 use super::Obstacle;
 use super::tactic::Tactics;
@@ -318,8 +320,19 @@ impl Setting<'_> {
                 None => proof += "eexists; ",
             }
         }
-        for root in self.roots_at_the_example() {
+        let (rational, others) = self.roots_at_the_example();
+        for root in rational {
             let _ = write!(proof, "try root_is {}; ", real(&Expression::Number(root)));
+        }
+        for ends in others {
+            let [low, high] = ends.map(|end| real(&Expression::Number(end)));
+            let _ = write!(
+                proof,
+                "try (match goal with |- context [sqrt ?x] => \
+                 assert ({low} < sqrt x < {high}) by (split; \
+                 [ rewrite <- (sqrt_square {low}) by lra; apply sqrt_lt_1; lra \
+                 | rewrite <- (sqrt_square {high}) by lra; apply sqrt_lt_1; lra ]) end); "
+            );
         }
         let names: Vec<String> =
             original.variables.iter().map(|(symbol, kind)| format!("({} : {kind})", name(symbol))).collect();
@@ -332,10 +345,10 @@ impl Setting<'_> {
         Some(Block { name: label, text })
     }
 
-    /// The rational values that square roots of the conditions have at the example, inner roots first.
-    fn roots_at_the_example(&self) -> Vec<Rational> {
+    /// The rational values that square roots of the conditions have at the example, inner roots first, and bounds of the others.
+    fn roots_at_the_example(&self) -> (Vec<Rational>, Vec<[Rational; 2]>) {
         let domain = self.domain.original();
-        let mut values = Vec::new();
+        let (mut values, mut others) = (Vec::new(), Vec::new());
         let mut waiting: Vec<Expression> =
             domain.conditions().iter().map(|given| given.expression.clone()).collect();
         while let Some(next) = waiting.pop() {
@@ -346,10 +359,24 @@ impl Setting<'_> {
                 waiting.push((**inner).clone());
                 let names = inner.variables().into_iter();
                 let point = names.map(|name| (name.clone(), domain.example_of(&name))).collect();
-                values.extend(call.rational_value(&point).filter(|_| *function == Function::Sqrt));
+                match (function, call.rational_value(&point)) {
+                    (Function::Sqrt, Some(value)) => values.push(value),
+                    (Function::Sqrt, None) => {
+                        others.extend(inner.rational_value(&point).and_then(root_bounds))
+                    }
+                    _ => {}
+                }
             }
         }
         values.reverse();
-        values
+        (values, others)
     }
+}
+
+/// Rational numbers below and above the root of a positive number.
+fn root_bounds(square: Rational) -> Option<[Rational; 2]> {
+    let scale = rug::Integer::from(10).pow(12);
+    let scaled = square * scale.clone() * &scale;
+    let root = (scaled > 0).then(|| scaled.numer().clone().div_floor(scaled.denom()).sqrt())?;
+    Some([root.clone(), root + 1_u32].map(|end| Rational::from((end, scale.clone()))))
 }

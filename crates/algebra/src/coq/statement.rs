@@ -37,6 +37,14 @@ pub(super) fn term(expression: &Expression) -> Piece {
     Piece::Term(expression.clone())
 }
 
+/// What stands below the root, if an expression is the square of one.
+fn square_of_root(expression: &Expression) -> Option<&Expression> {
+    match expression {
+        Expression::Power(root, 2) => root.below_root(),
+        _ => None,
+    }
+}
+
 impl Statement {
     /// A statement over the reals that binds no variable.
     pub(super) fn plain(pieces: Vec<Piece>, altered: Vec<Piece>, tactics: String) -> Self {
@@ -103,7 +111,11 @@ impl Statement {
         let [l, r] = [left, right].map(|side| domain.as_written(side));
         let imaginary = Symbol::from("i");
         let is_complex = [&l, &r].iter().any(|side| side.variables().contains(&imaginary));
-        let proof = if is_complex { tactics.equal_complex(&[&l, &r])? } else { tactics.equal(&l, &r)? };
+        let proof = match square_of_root(&l).filter(|inner| real(inner) == real(&r)) {
+            Some(inner) => format!("apply root_squared; {}", tactics.not_negative_by_form(inner)?),
+            None if is_complex => tactics.equal_complex(&[&l, &r])?,
+            None => tactics.equal(&l, &r)?,
+        };
         let sides = |left: &Expression, right: &Expression| vec![term(left), text(" = "), term(right)];
         let altered = altered_side(right, left, domain)?;
         Ok(Self {

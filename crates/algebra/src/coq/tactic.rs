@@ -100,6 +100,10 @@ impl Tactics<'_> {
                 for value in [divisor, &above].into_iter().take(1 + usize::from(divides(divisor))) {
                     tactics += &format!("assert ({} <> 0) by ({}); ", real(value), self.nonzero(value)?);
                 }
+            } else if !self.is_plain(&function)
+                && let Some(proof) = self.sign_of_parts(divisor, true)
+            {
+                tactics += &format!("assert ({} <> 0) by (apply Rgt_not_eq; red; {proof}); ", real(divisor));
             }
         }
         Ok(tactics)
@@ -188,6 +192,13 @@ impl Tactics<'_> {
             return Ok("pos".to_owned());
         }
         let function = self.0.rational_function(value)?;
+        if !self.is_plain(&function) {
+            let above = if sign > 0 { value.clone() } else { Expression::Negation(Box::new(value.clone())) };
+            let close = if sign > 0 { "" } else { "apply Ropp_lt_cancel; rewrite Ropp_0; " };
+            if let Some(proof) = self.sign_of_parts(&above, true) {
+                return Ok(format!("{close}{proof}"));
+            }
+        }
         let form = self.signed_form(&function).ok_or_else(|| {
             Obstacle(format!(
                 "the sign of {} rests on more than coefficients of one sign",
@@ -204,8 +215,13 @@ impl Tactics<'_> {
     }
 
     /// Proves 0 <= value: by the conditions that speak of its factors where the converter sees them.
-    fn not_negative_by_form(&self, value: &Expression) -> Result<String, Obstacle> {
-        match self.not_negative_form(value)? {
+    pub(super) fn not_negative_by_form(&self, value: &Expression) -> Result<String, Obstacle> {
+        let form = self.not_negative_form(value)?;
+        let is_seen = form.is_some() && self.is_plain(&self.0.rational_function(value)?);
+        if let Some(proof) = (!is_seen).then(|| self.sign_of_parts(value, false)).flatten() {
+            return Ok(proof);
+        }
+        match form {
             Some(form) if real(&form) != real(value) => {
                 let equal = self.equal(value, &form)?;
                 Ok(format!("replace {} with {} by (symmetry; {equal}); nonneg", real(value), real(&form)))
@@ -222,6 +238,20 @@ impl Tactics<'_> {
         Ok(above.zip(below).map(|(above, below)| above / below))
     }
 
+    /// Whether coefficients of one sign show the sign, in the factors of which no condition speaks: all in them is positive.
+    fn is_plain(&self, function: &RationalFunction) -> bool {
+        let converter = Converter::for_sign_of(self.0, function);
+        [function.numerator(), function.denominator()].into_iter().all(|side| {
+            let (_, rest) = converter.factors(side, |relation| relation != Relation::NonZero);
+            rest.coefficient_sign().is_some()
+                && rest.generators().iter().all(|name| {
+                    let inner = name.argument_of(Function::Sqrt).map(|inner| self.0.rational_function(inner));
+                    converter.is_positive(name)
+                        && inner.is_none_or(|inner| inner.is_ok_and(|one| self.is_plain(&one)))
+                })
+        })
+    }
+
     /// The function's absolute value as a quotient of products of what is positive by its form.
     fn signed_form(&self, function: &RationalFunction) -> Option<Expression> {
         let positive = |relation| relation == Relation::Positive;
@@ -236,9 +266,13 @@ impl Tactics<'_> {
         let rest = if rest.coefficient_sign()? < 0 { rest.scale(&rug::Rational::from(-1)) } else { rest };
         let factors =
             factors.iter().map(|factor| self.expression_of(factor)).collect::<Result<Vec<_>, _>>().ok()?;
-        factors
-            .into_iter()
-            .try_fold(self.expression_of(&rest).ok()?, |product, factor| Some(product * factor))
+        factors.into_iter().try_fold(self.expression_of(&rest).ok()?, |product, factor| {
+            Some(match factor {
+                // The product with it is the absolute value, and its sign stays inside.
+                Expression::Negation(_) => Expression::Product(vec![product, factor]),
+                _ => product * factor,
+            })
+        })
     }
 
     /// A function as an expression.
