@@ -1,17 +1,30 @@
 """When does a slider with rate-and-state friction stick, creep, oscillate or vibrate?
 
-Start from :class:`Slider`, or from :func:`fit` with a record of velocity steps. Numbers may be texts, ``Decimal``, ``Fraction``
-(exact) or floats (the exact binary numbers that they are). All units are those of SI.
+Start from :class:`Slider`, from :func:`classify` with columns of points, or from :func:`fit` with a record of velocity steps.
+``str``, ``Decimal``, ``Fraction`` and ``int`` are exact; floats are the exact binary numbers that they are. All units are those of
+SI.
 """
 
-from slipmode._classified import BoundaryTable, Categories, Classification, Classifications, Map, Possibilities
+from slipmode._classified import BoundaryTable, Classification, Classifications, Map, Possibilities
+from slipmode._errors import CheckFailed, InputError, SlipmodeError, SlipmodeWarning
 from slipmode._fit import Fit, FittedValue, LawComparison, Residuals, fit
+from slipmode._frames import Categories
+from slipmode._questions import (
+    Distance,
+    Root,
+    Solution,
+    boundary,
+    classify,
+    distance,
+    roots,
+    simulate,
+    solve,
+    tolerance,
+)
 from slipmode._reports import Comparison, Report, compare, report, verify
-from slipmode._run import SlipmodeWarning
 from slipmode._simulated import Failed, Observable, Simulation, Simulations, Trajectory
-from slipmode._slider import Root, Slider, Solution
+from slipmode._slider import OperatingPoint, Slider
 from slipmode._slipmode import VERSION as __version__
-from slipmode._slipmode import CheckFailed, InputError
 from slipmode._table import Table
 
 __all__ = [
@@ -21,6 +34,7 @@ __all__ = [
     "Classification",
     "Classifications",
     "Comparison",
+    "Distance",
     "Failed",
     "Fit",
     "FittedValue",
@@ -28,6 +42,7 @@ __all__ = [
     "LawComparison",
     "Map",
     "Observable",
+    "OperatingPoint",
     "Possibilities",
     "Report",
     "Residuals",
@@ -35,13 +50,21 @@ __all__ = [
     "Simulation",
     "Simulations",
     "Slider",
+    "SlipmodeError",
     "SlipmodeWarning",
     "Solution",
     "Table",
     "Trajectory",
     "__version__",
+    "boundary",
+    "classify",
     "compare",
+    "distance",
     "fit",
     "report",
+    "roots",
+    "simulate",
+    "solve",
+    "tolerance",
     "verify",
 ]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -11,44 +12,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipmode import _slipmode
-from slipmode._table import Table, html_table
+from slipmode._exact import exact
+from slipmode._frames import Categories, filled, pandas_column
+from slipmode._table import Table, axes, html_table, series
 
 if TYPE_CHECKING:
     import pandas
     import xarray
 
+    from slipmode._rows import Rows
+    from matplotlib.axes import Axes
 
-@dataclass(frozen=True)
-class Categories:
-    """Words as an array of codes: ``categories[codes]``."""
-
-    codes: NDArray[np.int8]
-    categories: tuple[str, ...]
-
-    def __array__(self, dtype: Any = None, copy: Any = None) -> NDArray[Any]:
-        return np.asarray(np.array(self.categories, dtype=str)[self.codes], dtype=dtype)
-
-    def __eq__(self, other: object) -> Any:
-        if isinstance(other, str):
-            code = self.categories.index(other) if other in self.categories else -1
-            return self.codes == code
-        return np.asarray(self) == np.asarray(other)
-
-    def __hash__(self) -> int:
-        raise TypeError("categories are an array, which has no hash")
-
-    def __getitem__(self, index: Any) -> Any:
-        codes = self.codes[index]
-        return Categories(codes, self.categories) if isinstance(codes, np.ndarray) else self.categories[codes]
-
-    def __len__(self) -> int:
-        return len(self.codes)
-
-    def to_pandas(self) -> pandas.Categorical:
-        """Return the words as a categorical of pandas."""
-        import pandas
-
-        return pandas.Categorical.from_codes(self.codes.ravel().tolist(), categories=list(self.categories))
+#: The attributes of points that are numbers.
+NUMBERS = ("growth_rate", "angular_frequency", "frequency")
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,19 +45,24 @@ class Classification:
     angular_frequency: float
     #: max Im(s)/2π, Hz, correctly rounded; NaN beyond the range of 64-bit numbers.
     frequency: float = field(repr=False)
-    _question: tuple[list[str], str | None] = field(repr=False)
+    _question: tuple[tuple[str | float, ...], str | None] = field(repr=False, compare=False)
 
     @cached_property
     def details(self) -> dict[str, Any]:
         """The object that ``slipmode classify --json`` prints; it is computed when it is read."""
-        found: dict[str, Any] = json.loads(_slipmode.describe_point(*self._question))
+        values, threshold = self._question
+        found: dict[str, Any] = json.loads(_slipmode.describe_point([exact(value) for value in values], threshold))
         return found
 
     def __eq__(self, other: object) -> bool:
         return self.details == other.details if isinstance(other, Classification) else NotImplemented
 
-    #: The object has a dictionary.
-    __hash__ = None  # type: ignore[assignment]
+    def __hash__(self) -> int:
+        return hash((self.slip_mode, self.growth_rate, self.angular_frequency))
+
+    def to_pandas(self) -> pandas.Series[Any]:
+        """Return the values by the names of the command line."""
+        return series(self.details)
 
     def _repr_html_(self) -> str:
         shown = {name: value for name, value in self.details.items() if isinstance(value, (int, float, str))}
@@ -122,20 +103,23 @@ class Possibilities:
             details=found,
         )
 
+    def to_pandas(self) -> pandas.Series[Any]:
+        """Return the values by the names of the command line."""
+        return series(self.details)
+
     def _repr_html_(self) -> str:
         sure = "certain" if self.certain else "possible"
         rows = [[mode, str(witness or "")] for mode, witness in zip(self.slip_modes, self.witnesses)]
         return html_table([f"{sure} slip mode", "at"], rows)
 
 
-@dataclass(frozen=True, repr=False)
-class Classifications:
-    """Arrays of points, of the shape to which normal stresses and loading velocities broadcast."""
+@dataclass(frozen=True, repr=False, eq=False)
+class Classifications(Sequence["Classification | None"]):
+    """Points of the shape to which the inputs broadcast: an array for each result, and a :class:`Classification` for each index.
 
-    #: σ, Pa.
-    normal_stress: NDArray[np.float64]
-    #: V0, m/s.
-    loading_velocity: NDArray[np.float64]
+    Where a value is missing, signs are masked, words are empty, numbers are NaN, and the point is ``None``.
+    """
+
     #: The signs of K − K_c: 1 is linearly stable.
     transition_sign: NDArray[np.int8]
     #: The signs of the discriminant: -1 is a complex pair.
@@ -150,43 +134,86 @@ class Classifications:
     angular_frequency: NDArray[np.float64]
     #: max Im(s)/2π, Hz, correctly rounded; NaN beyond the range of 64-bit numbers.
     frequency: NDArray[np.float64]
+    _rows: Rows
+    _threshold: str | None
+    _part: NDArray[np.int64] | None = None
+
+    @cached_property
+    def _places(self) -> NDArray[np.int64]:
+        """The rows of the call that the points are."""
+        return np.arange(self._rows.size).reshape(self._rows.shape) if self._part is None else self._part
+
+    @cached_property
+    def inputs(self) -> dict[str, NDArray[Any]]:
+        """The inputs in SI by the names of the command line: 64-bit numbers, or texts where they are no plain numbers."""
+        inputs = self._rows.inputs()
+        if self._part is None:
+            return inputs
+        return {name: array.ravel()[self._part] for name, array in inputs.items()}
+
+    @property
+    def normal_stress(self) -> NDArray[Any]:
+        """σ, Pa."""
+        return self.inputs["normal_stress_pa"]
+
+    @property
+    def loading_velocity(self) -> NDArray[Any]:
+        """V0, m/s."""
+        return self.inputs["loading_velocity_m_per_s"]
 
     @property
     def shape(self) -> tuple[int, ...]:
         """The shape of every array."""
         return self.transition_sign.shape
 
-    def _columns(self) -> dict[str, Any]:
+    def __len__(self) -> int:
+        return len(self.transition_sign)
+
+    def __getitem__(self, index: Any) -> Any:
+        """Return the point of an index, or the points of a slice or an array of indices."""
+        names = ("transition_sign", "boundary_sign", "spectral_class", "slip_mode", *NUMBERS)
+        results: list[Any] = [getattr(self, name)[index] for name in names]
+        places = self._places[index]
+        if isinstance(places, np.ndarray):
+            results += [self._rows, self._threshold, places]
+            return Classifications(*results)
+        if not results[3]:
+            return None
+        question = (self._rows.values_of(int(places)), self._threshold)
+        fields: list[Any] = [*map(int, results[:2]), *results[2:4], *map(float, results[4:]), question]
+        return Classification(*fields)
+
+    def results(self) -> dict[str, Any]:
+        """Return the results by the names of the command line."""
         return {
-            "normal_stress_pa": self.normal_stress,
-            "loading_velocity_m_per_s": self.loading_velocity,
             "transition_sign": self.transition_sign,
             "boundary_sign": self.boundary_sign,
             "spectral_class": self.spectral_class,
             "slip_mode": self.slip_mode,
             "max_real_per_s": self.growth_rate,
             "max_imaginary_per_s": self.angular_frequency,
+            "frequency_hz": self.frequency,
         }
 
-    def to_dataframe(self) -> pandas.DataFrame:
+    def to_pandas(self) -> pandas.DataFrame:
         """Return a row for each point, with the column names of the command line; words are categories."""
         import pandas
 
-        flat = {
-            name: column.to_pandas() if isinstance(column, Categories) else column.ravel()
-            for name, column in self._columns().items()
-        }
-        return pandas.DataFrame(flat)
+        columns = {**self.inputs, **self.results()}
+        return pandas.DataFrame({name: pandas_column(column) for name, column in columns.items()})
+
+    def to_dataframe(self) -> pandas.DataFrame:
+        """Return :meth:`to_pandas`."""
+        return self.to_pandas()
 
     def to_xarray(self) -> xarray.Dataset:
         """Return a data set with a variable for each column; an axis along which one input varies alone has it as coordinate."""
         import xarray
 
-        columns = self._columns()
-        inputs = {name: columns.pop(name) for name in ("normal_stress_pa", "loading_velocity_m_per_s")}
+        columns = self.results()
         names = [f"dim_{axis}" for axis in range(len(self.shape))]
         coordinates: dict[str, Any] = {}
-        for name, values in inputs.items():
+        for name, values in self.inputs.items():
             axes = [axis for axis in range(values.ndim) if not np.array_equal(values, first_along(values, axis))]
             if len(axes) == 1 and names[axes[0]].startswith("dim_"):
                 (axis,) = axes
@@ -194,13 +221,14 @@ class Classifications:
                 coordinates[name] = values[tuple(slice(None) if i == axis else 0 for i in range(values.ndim))]
             else:
                 columns[name] = values
-        return xarray.Dataset({name: (names, np.asarray(array)) for name, array in columns.items()}, coordinates)
+        return xarray.Dataset({name: (names, filled(array)) for name, array in columns.items()}, coordinates)
 
     def __repr__(self) -> str:
         return f"<{type(self).__name__} of shape {self.shape}: {self._counts()}>"
 
     def _counts(self) -> dict[str, int]:
-        counts = np.bincount(self.slip_mode.codes.ravel(), minlength=len(self.slip_mode.categories))
+        codes = self.slip_mode.codes.ravel()
+        counts = np.bincount(codes[codes >= 0], minlength=len(self.slip_mode.categories))
         return {mode: int(count) for mode, count in zip(self.slip_mode.categories, counts) if count}
 
     def _repr_html_(self) -> str:
@@ -208,12 +236,26 @@ class Classifications:
         return html_table(["slip mode", "points"], rows)
 
 
-@dataclass(frozen=True, repr=False)
+@dataclass(frozen=True, repr=False, eq=False)
 class Map(Classifications):
     """A grid of normal stresses (first axis) and loading velocities (second axis), with a picture."""
 
     #: The picture of the slip modes.
-    svg: str
+    svg: str = ""
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw the slip modes with matplotlib; return the axes. ``svg`` has a picture that does not need matplotlib."""
+        from matplotlib.colors import ListedColormap
+
+        ax = axes(ax, "loading velocity (m/s)", "normal stress (Pa)")
+        found = np.unique(self.slip_mode.codes)
+        colours = ListedColormap([f"C{place}" for place in range(len(found))])
+        places = np.searchsorted(found, self.slip_mode.codes)
+        mesh = ax.pcolormesh(self.loading_velocity, self.normal_stress, places, cmap=colours, shading="nearest")
+        mesh.set_clim(-0.5, len(found) - 0.5)
+        bar = ax.figure.colorbar(mesh, ax=ax, ticks=range(len(found)))
+        bar.ax.set_yticklabels([self.slip_mode.categories[code] for code in found])
+        return ax
 
     def _repr_svg_(self) -> str:
         return self.svg
@@ -231,6 +273,16 @@ class BoundaryTable(Table):
         super().__init__(columns)
         #: The picture of the boundary with its asymptotes and the transition.
         self.svg = svg
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw the arcs with matplotlib; return the axes. ``svg`` has a picture that does not need matplotlib."""
+        ax = axes(ax, "loading velocity (m/s)", "normal stress (Pa)")
+        for arc in dict.fromkeys(self["arc"]):
+            on_arc = self["arc"] == arc
+            points = (self[name][on_arc].astype(float) for name in ("loading_velocity_m_per_s", "normal_stress_pa"))
+            ax.plot(*points, label=f"{arc} arc")
+        ax.legend()
+        return ax
 
     def _repr_svg_(self) -> str:
         return self.svg

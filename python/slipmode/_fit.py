@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import math
 import os
 import re
 import tempfile
@@ -20,7 +19,7 @@ from slipmode._exact import Number, exact
 from slipmode._run import remark
 from slipmode._simulated import Observable
 from slipmode._slider import Slider
-from slipmode._slipmode import InputError
+from slipmode._errors import InputError
 from slipmode._table import Table, columns_of_csv, html_table, write_csv
 
 if TYPE_CHECKING:
@@ -50,12 +49,8 @@ class FittedValue(Observable):
     high: float | None
 
     def __str__(self) -> str:
-        # As many digits as the error has.
-        ratio = abs(self.value / self.error) if self.error else math.inf
-        digits = min(max(math.ceil(math.log10(ratio)), 1) + 1, 16) if 0 < ratio < math.inf else 16
-        low, high = ("no bound" if end is None else f"{end:.{digits}g}" for end in (self.low, self.high))
-        value = f"{self.value:.{digits}g} ± {self.error:.2g} {self.unit}".strip()
-        return f"{value} (95 %: {low} to {high})"
+        value, interval = _slipmode.fitted_words(self.value, self.error, self.low, self.high, self.unit)
+        return f"{value} (95 %: {interval})"
 
 
 @dataclass(frozen=True)
@@ -155,6 +150,13 @@ class Fit:
         """Return the object that ``slipmode fit --json`` prints."""
         return dict(self._found)
 
+    def to_pandas(self) -> pandas.DataFrame:
+        """Return a row for each fitted value: value, error, and the ends of its 95 % interval."""
+        import pandas
+
+        found = {name: value for name in UNITS if (value := getattr(self, name)) is not None}
+        return pandas.DataFrame.from_dict({name: vars(value) for name, value in found.items()}, orient="index")
+
     def slider(self) -> Slider:
         """Return the slider whose error bars are the 95 % intervals.
 
@@ -174,14 +176,16 @@ class Fit:
             m=repr(mass),
         )
 
-    def plot(self) -> NDArray[np.object_]:
+    def plot(self, ax: NDArray[np.object_] | None = None) -> NDArray[np.object_]:
         """Draw the record with the fit, and the residuals below, with matplotlib; return both axes.
 
-        ``svg`` has a picture that does not need matplotlib.
+        ``ax`` are two axes to draw on. ``svg`` has a picture that does not need matplotlib.
         """
         from matplotlib import pyplot
 
-        _, axes = pyplot.subplots(2, sharex=True, layout="constrained", height_ratios=(2, 1))
+        axes = ax
+        if axes is None:
+            _, axes = pyplot.subplots(2, sharex=True, layout="constrained", height_ratios=(2, 1))
         way, deviation = 1e6 * self.fitted["load_point_displacement_m"], self.residuals.standard_deviation
         axes[0].plot(way, self.fitted["friction"], ".", markersize=2, color="0.5", label="measured")
         axes[0].plot(way, self.fitted["fitted_friction"], label=f"fitted, {self.law} law")

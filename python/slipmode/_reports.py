@@ -30,6 +30,10 @@ class Comparison:
     runs: list[dict[str, Any]] = field(repr=False)
 
     def to_dataframe(self) -> pandas.DataFrame:
+        """Return :meth:`to_pandas`."""
+        return self.to_pandas()
+
+    def to_pandas(self) -> pandas.DataFrame:
         """Return a row for each finding of each run."""
         import pandas
 
@@ -62,6 +66,12 @@ class Report:
     def verdicts(self) -> dict[str, str]:
         """The verdict of each claim."""
         return {claim["id"]: claim["verdict"] for claim in self.ledger["claims"]}
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """Return a row for each claim of the ledger."""
+        import pandas
+
+        return pandas.DataFrame(self.ledger["claims"])
 
     def _repr_html_(self) -> str:
         rows = [[claim["id"], claim["verdict"], claim["strength"]] for claim in self.ledger["claims"]]

@@ -3,33 +3,62 @@
 from __future__ import annotations
 
 import json
+import os
+import re
 import subprocess
 import sys
 import warnings
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from typing import Any, TypeVar
 
 from slipmode import _slipmode
-from slipmode._slipmode import CheckFailed, InputError
+from slipmode._errors import CheckFailed, InputError, SlipmodeWarning
 
 T = TypeVar("T")
+R = TypeVar("R")
 WARNING = "warning: "
 
+#: What Python calls the keys and the options of the command line, where the names differ.
+ARGUMENTS = {
+    "direct_effect": "a",
+    "evolution_effect": "b",
+    "critical_slip_distance_m": "d_c",
+    "stiffness_pa_per_m": "k",
+    "mass_per_area_kg_per_m2": "m",
+    "normal_stress_pa": "sigma",
+    "loading_velocity_m_per_s": "v",
+    "for": "unknown",
+    "points": "n",
+    "relative_error": "errors",
+    "tolerance": "rtol",
+    "grid_normal_stress": "sigma",
+    "grid_loading_velocity": "v",
+}
 
-class SlipmodeWarning(UserWarning):
-    """A value looks like another unit's, or lies outside of the range that was tested."""
 
-
-def call(*arguments: str) -> str:
-    """Run a command in this process and return what it prints."""
+def call(*arguments: str, warned: list[str] | None = None) -> str:
+    """Run a command in this process and return what it prints; warnings are collected in ``warned`` if it is given."""
     code, output, messages = _slipmode.call(arguments)
-    remark(code, messages)
+    remark(code, in_python(messages), warned)
     return output.decode()
 
 
-def call_json(*arguments: str) -> Any:
+def call_json(*arguments: str, warned: list[str] | None = None) -> Any:
     """Run a command in this process and return the object that it prints."""
-    return json.loads(call(*arguments, "--json"))
+    return json.loads(call(*arguments, "--json", warned=warned))
+
+
+def in_python(messages: str) -> str:
+    """Return messages with the names that Python has for options and quantities."""
+
+    def name(found: re.Match[str]) -> str:
+        key = found[1].replace("-", "_")
+        return ARGUMENTS.get(key, key)
+
+    text = messages.replace("command line: ", "").partition("\n\nFor more information")[0]
+    text = re.sub(r"--([a-z]+(?:-[a-z0-9]+)*)", name, text)
+    return re.sub(r"(?<!column )\b([a-z]+_[a-z0-9_]+)(?= = )", name, text)
 
 
 def run(*arguments: str, may_differ: bool = False) -> tuple[bool, str]:
@@ -48,15 +77,23 @@ def run(*arguments: str, may_differ: bool = False) -> tuple[bool, str]:
     return code == 0, output.decode() + (messages.decode() if code == 1 else "")
 
 
-def remark(code: int, messages: str) -> None:
-    """Raise what a command reported, and warn of what looks wrong."""
+def remark(code: int, messages: str, warned: list[str] | None = None) -> None:
+    """Raise what a command reported, and warn once of what looks wrong, or collect it."""
     lines = [line for line in messages.splitlines() if not line.startswith("in SI: ")]
-    for line in lines:
-        if line.startswith(WARNING):
-            warnings.warn(line.removeprefix(WARNING), SlipmodeWarning, stacklevel=caller_level())
+    found = [line.removeprefix(WARNING) for line in lines if line.startswith(WARNING)]
+    if warned is None:
+        warn("\n".join(dict.fromkeys(found)))
+    else:
+        warned.extend(found)
     if code != 0:
         text = "\n".join(line.removeprefix("error: ") for line in lines if not line.startswith(WARNING))
         raise (CheckFailed if code == 1 else InputError)(text)
+
+
+def warn(text: str) -> None:
+    """Warn where the package was called, if there is a text."""
+    if text:
+        warnings.warn(text, SlipmodeWarning, stacklevel=caller_level())
 
 
 def caller_level() -> int:
@@ -65,6 +102,26 @@ def caller_level() -> int:
     while frame.f_back is not None and frame.f_globals.get("__name__", "").partition(".")[0] == "slipmode":
         frame, level = frame.f_back, level + 1
     return level
+
+
+def each(items: Sequence[T | None], work: Callable[[T, list[str]], R]) -> list[R | None]:
+    """Do the work of every item, in parallel; none stays none. ``work`` collects warnings, of which one is given."""
+
+    def one(item: T | None) -> tuple[R | None, list[str]]:
+        warned: list[str] = []
+        return (None if item is None else work(item, warned)), warned
+
+    pool = ThreadPoolExecutor(max_workers=os.cpu_count())
+    try:
+        done = list(progress(pool.map(one, items), len(items)))
+    finally:
+        # Ctrl-C does not wait for the runs that have begun.
+        pool.shutdown(wait=False, cancel_futures=True)
+    with_warning = [(row, warned) for row, (_, warned) in enumerate(done) if warned]
+    if with_warning:
+        row, first = with_warning[0]
+        warn(f"row {row}: {'; '.join(first)}; {len(with_warning)} of {len(items)} rows have a warning")
+    return [found for found, _ in done]
 
 
 def progress(items: Iterable[T], total: int) -> Iterator[T]:

@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, overload
 
-import numpy as np
+from numpy.typing import NDArray
 
 from slipmode._exact import Number, exact
 from slipmode._run import call
-from slipmode._table import Table, columns_of_csv, html_table
+from slipmode._table import Table, axes, columns_of_csv, html_table, series
 
 if TYPE_CHECKING:
     import pandas
+    from matplotlib.axes import Axes
 
 
 #: What has a range over error bars.
@@ -112,6 +113,20 @@ class Simulation:
             svg = picture.read_text()
         return Trajectory(columns_of_csv(text), svg)
 
+    def cells(self) -> dict[str, Any]:
+        """Return the values by the names of the command line, and the ends of ranges."""
+        row = {name: value for name, value in self.details.items() if name not in NOT_IN_TABLES}
+        for name, (low, high) in (self.ranges or {}).items():
+            row |= {f"{name}_low": low, f"{name}_high": high}
+        return row
+
+    def to_pandas(self) -> pandas.Series[Any]:
+        """Return the values by the names of the command line, and the ends of ranges."""
+        return series(self.cells())
+
+    def __hash__(self) -> int:
+        return hash((self.mode, self.slip_mode, self.peak_velocity))
+
     def _repr_html_(self) -> str:
         names = ("peak_velocity", "period", "frequency", "stress_drop", "minimum_velocity_log10_ratio")
         rows = [["mode", self.mode], ["slip mode", self.slip_mode]]
@@ -129,6 +144,13 @@ class Trajectory(Table):
         #: The picture of velocity, shear stress and slip against time.
         self.svg = svg
 
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw the velocity against time with matplotlib; return the axes. ``svg`` has a picture that does not need matplotlib."""
+        ax = axes(ax, "time (s)", "velocity (m/s)", "linear")
+        ax.set_yscale("log")
+        ax.plot(self["time_s"], self["velocity_m_per_s"])
+        return ax
+
     def _repr_svg_(self) -> str:
         return self.svg
 
@@ -143,9 +165,10 @@ class Failed:
 class Simulations(Sequence["Simulation | Failed"]):
     """Runs of several points, in their order."""
 
-    def __init__(self, runs: Sequence[Simulation | Failed], inputs: Sequence[tuple[float, float]]) -> None:
+    def __init__(self, runs: Sequence[Simulation | Failed], inputs: Mapping[str, NDArray[Any]]) -> None:
         self._runs = tuple(runs)
-        self._inputs = tuple(inputs)
+        #: The inputs, by the names of the command line.
+        self.inputs = dict(inputs)
 
     @overload
     def __getitem__(self, index: int) -> Simulation | Failed: ...
@@ -160,21 +183,24 @@ class Simulations(Sequence["Simulation | Failed"]):
     def __iter__(self) -> Iterator[Simulation | Failed]:
         return iter(self._runs)
 
-    def to_dataframe(self) -> pandas.DataFrame:
-        """Return a row for each run, with the column names of the command line, and columns of the ends of ranges."""
+    def rows(self) -> list[dict[str, Any]]:
+        """Return the results of each run, with the column names of the command line, and the ends of ranges."""
+        rows = []
+        for run in self._runs:
+            row: dict[str, Any] = {"status": run.reason} if isinstance(run, Failed) else run.cells() | {"status": "ok"}
+            rows.append(row)
+        return rows
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """Return a row for each run: its inputs and its results."""
         import pandas
 
-        rows = []
-        for run, (stress, velocity) in zip(self._runs, self._inputs):
-            row: dict[str, Any] = {"normal_stress_pa": stress, "loading_velocity_m_per_s": velocity}
-            if isinstance(run, Simulation):
-                row |= {name: value for name, value in run.details.items() if name not in NOT_IN_TABLES}
-                for name, (low, high) in (run.ranges or {}).items():
-                    row |= {f"{name}_low": low, f"{name}_high": high}
-            else:
-                row["status"] = run.reason
-            rows.append(row)
-        return pandas.DataFrame(rows)
+        results = pandas.DataFrame(self.rows())
+        return pandas.concat([pandas.DataFrame(self.inputs), results], axis=1)
+
+    def to_dataframe(self) -> pandas.DataFrame:
+        """Return :meth:`to_pandas`."""
+        return self.to_pandas()
 
     def __repr__(self) -> str:
         failed = sum(isinstance(run, Failed) for run in self._runs)

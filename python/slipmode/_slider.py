@@ -1,86 +1,103 @@
-"""The slider: a, b, D_c, K and M."""
+"""The slider, a, b, D_c, K and M, and the operating point, σ and V0."""
 
 from __future__ import annotations
 
-import csv
-import io
-import os
-import tempfile
-
-from collections.abc import Sequence
-from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
-from decimal import Decimal
-from pathlib import Path
-from typing import Any, TypeGuard, Union, overload
+import dataclasses
+from collections.abc import Iterator
+from typing import Any, TypeVar, overload
 
 import numpy as np
-from numpy.typing import NDArray
 
 from slipmode import _slipmode
-from slipmode._classified import BoundaryTable, Categories, Classification, Classifications, Map, Possibilities
-from slipmode._exact import Number, exact
-from slipmode._run import call, call_json, progress, remark
-from slipmode._simulated import Failed, Simulation, Simulations
-from slipmode._slipmode import CheckFailed, InputError
-from slipmode._table import Table
+from slipmode import _questions as questions
+from slipmode._classified import BoundaryTable, Classification, Classifications, Map, Possibilities
+from slipmode._exact import Number, exact, given
+from slipmode._frames import array_of
+from slipmode._questions import Root, Solution
+from slipmode._rows import NAMES, Arrays, Rows, Value
+from slipmode._run import in_python, remark
+from slipmode._simulated import Simulation, Simulations
+from slipmode._table import Table, html_table
 
-#: Points between two looks at signals and at the bar of progress.
-POINTS_TOGETHER = 1 << 20
-OPTIONS = {
-    "a": "--direct-effect",
-    "b": "--evolution-effect",
-    "d_c": "--critical-slip-distance-m",
-    "k": "--stiffness-pa-per-m",
-    "m": "--mass-per-area-kg-per-m2",
-}
-STRESS, VELOCITY = "--normal-stress-pa", "--loading-velocity-m-per-s"
-UNKNOWNS = {"normal_stress": STRESS, "loading_velocity": VELOCITY, "stiffness": OPTIONS["k"], "mass": OPTIONS["m"]}
-
-#: Several numbers of 64 bits.
-Arrays = Union[NDArray[Any], Sequence[float]]
-Value = Union[Number, Arrays]
-Signs = NDArray[np.int8]
-Rates = NDArray[np.float64]
-Columns = tuple[Signs, Signs, Categories, Categories, Rates, Rates, Rates]
+S = TypeVar("S", bound="Frozen")
 
 
-def refuse_error_bars(command: str, is_uncertain: bool) -> None:
-    """Say which command takes error bars, where a call does not."""
-    if is_uncertain:
-        raise InputError(f"this call takes values without error bars; `slipmode {command}` takes error bars")
+class Frozen:
+    """Named numbers that do not change; equal if all their exact values are."""
+
+    __slots__ = ("_exact", "_values")
+    _names: tuple[str, ...]
+    _values: dict[str, Any]
+    _exact: tuple[str, ...]
+
+    def _set(self, values: dict[str, Number]) -> None:
+        kept = {name: given(value) for name, value in values.items()}
+        texts = [exact(value) for value in kept.values()]
+        found = _slipmode.exact_values(list(kept), texts, NAMES.index(self._names[0]))
+        object.__setattr__(self, "_values", kept)
+        object.__setattr__(self, "_exact", tuple(found))
+
+    def __setattr__(self, name: str, value: object) -> None:
+        raise AttributeError(f"{name}: a {type(self).__name__} does not change; `replace({name}=...)` makes another one")
+
+    def __delattr__(self, name: str) -> None:
+        raise AttributeError(f"{name}: a {type(self).__name__} does not change")
+
+    @property
+    def is_uncertain(self) -> bool:
+        """Whether a value has an error bar."""
+        return any(text.startswith("[") for text in self._exact)
+
+    def replace(self: S, **changes: Number) -> S:
+        """Return the same with other values."""
+        return type(self)(**{**self._values, **changes})
+
+    def __iter__(self) -> Iterator[Any]:
+        return iter(self._values.values())
+
+    def __eq__(self, other: object) -> bool:
+        return self._exact == other._exact if isinstance(other, Frozen) and type(other) is type(self) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash((type(self).__name__, self._exact))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (_make, (type(self), self._values))
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({', '.join(f'{name}={value!r}' for name, value in self._values.items())})"
+
+    def _repr_html_(self) -> str:
+        return html_table(["quantity", "value"], [[name, str(value)] for name, value in self._values.items()])
 
 
-@dataclass(frozen=True)
-class Root:
-    """A root s of eq 8, 1/s: the true one lies within ``radius`` of re + i·im."""
-
-    re: Decimal
-    im: Decimal
-    radius: Decimal
-    multiplicity: int
-
-    def __complex__(self) -> complex:
-        return complex(float(self.re), float(self.im))
+def _make(kind: type[S], values: dict[str, str | float]) -> S:
+    return kind(**values)
 
 
-@dataclass(frozen=True)
-class Solution:
-    """A solution of an inverse question, in SI."""
+class OperatingPoint(Frozen):
+    """The normal stress ``sigma`` (σ, Pa) and the loading velocity ``v`` (V0, m/s), numbers as those of :class:`Slider`."""
 
-    value: Decimal
-    #: Whether the value is exact; else all its digits are certain.
-    is_exact: bool
-    #: The sign of K − K_c there.
-    transition_sign: int
-    #: ``complex-pair``, ``real-root``, ``upper-arc`` or ``lower-arc``.
-    kind: str
+    __slots__ = ()
+    _names = NAMES[5:]
 
-    def __float__(self) -> float:
-        return float(self.value)
+    def __init__(self, *, sigma: Number, v: Number) -> None:
+        self._set({"sigma": sigma, "v": v})
+
+    @property
+    def sigma(self) -> str | float:
+        """σ as it was given: a float, or a text with exactly the value."""
+        found: str | float = self._values["sigma"]
+        return found
+
+    @property
+    def v(self) -> str | float:
+        """V0 as it was given."""
+        found: str | float = self._values["v"]
+        return found
 
 
-class Slider:
+class Slider(Frozen):
     """A spring-slider with rate-and-state friction.
 
     ``a`` and ``b`` are the direct and the evolution effect of eq 1, ``d_c`` the critical slip distance D_c in m, ``k`` the
@@ -88,120 +105,109 @@ class Slider:
 
     Texts, ``Decimal``, ``Fraction`` and whole numbers are exact: ``"0.004"`` is 1/250. A float is the exact binary number that it
     is: ``0.004`` is not 1/250 but differs from it by less than 1e-18. Texts may have a unit (``"8um"``, ``"2MPa/mm"``) and an error
-    bar (``"0.009±0.001"``, ``"[0.008, 0.010]"``).
+    bar (``"0.009±0.001"``, ``"[0.008, 0.010]"``); ``(0.009, 0.001)`` is a value with its error. Numbers of ``uncertainties`` and
+    quantities of ``pint`` are taken with their error and their unit.
+
+    A slider does not change. Sliders with the same exact values are equal.
     """
 
+    __slots__ = ()
+    _names = NAMES[:5]
+
     def __init__(self, *, a: Number, b: Number, d_c: Number, k: Number, m: Number) -> None:
-        self._texts = {"a": exact(a), "b": exact(b), "d_c": exact(d_c), "k": exact(k), "m": exact(m)}
-        #: Whether a value has an error bar.
-        self.is_uncertain = _slipmode.check_slider(list(self._texts.values()))
+        self._set({"a": a, "b": b, "d_c": d_c, "k": k, "m": m})
 
-    def __repr__(self) -> str:
-        return f"Slider({', '.join(f'{name}={text!r}' for name, text in self._texts.items())})"
+    @property
+    def a(self) -> str | float:
+        """The direct effect as it was given: a float, or a text with exactly the value."""
+        found: str | float = self._values["a"]
+        return found
 
-    def _options(self, without: str | None = None) -> tuple[str, ...]:
-        return tuple(f"{OPTIONS[name]}={text}" for name, text in self._texts.items() if OPTIONS[name] != without)
+    @property
+    def b(self) -> str | float:
+        """The evolution effect as it was given."""
+        found: str | float = self._values["b"]
+        return found
 
-    def _point(self, sigma: Number, v: Number) -> tuple[str, ...]:
-        return (*self._options(), f"{STRESS}={exact(sigma)}", f"{VELOCITY}={exact(v)}")
+    @property
+    def d_c(self) -> str | float:
+        """D_c as it was given."""
+        found: str | float = self._values["d_c"]
+        return found
+
+    @property
+    def k(self) -> str | float:
+        """K as it was given."""
+        found: str | float = self._values["k"]
+        return found
+
+    @property
+    def m(self) -> str | float:
+        """M as it was given."""
+        found: str | float = self._values["m"]
+        return found
 
     @overload
-    def classify(
-        self, sigma: Number, v: Number, *, inertial_threshold: Number | None = None
-    ) -> Classification | Possibilities: ...
+    def classify(self, sigma: OperatingPoint, *, inertial_threshold: Number | None = None) -> Classification | Possibilities: ...
+    @overload
+    def classify(self, sigma: Number, v: Number, *, inertial_threshold: Number | None = None) -> Classification | Possibilities: ...
     @overload
     def classify(self, sigma: Arrays, v: Value, *, inertial_threshold: Number | None = None) -> Classifications: ...
     @overload
     def classify(self, sigma: Number, v: Arrays, *, inertial_threshold: Number | None = None) -> Classifications: ...
-    def classify(
-        self, sigma: Value, v: Value, *, inertial_threshold: Number | None = None
-    ) -> Classification | Classifications | Possibilities:
-        """Decide stability and slip mode at the normal stresses ``sigma`` (Pa) and the loading velocities ``v`` (m/s).
+    def classify(self, sigma: Any, v: Any = None, *, inertial_threshold: Number | None = None) -> Any:
+        """Decide stability and slip mode at ``sigma`` (Pa) and ``v`` (m/s), or at an :class:`OperatingPoint`.
 
-        Two numbers give a :class:`Classification`, or :class:`Possibilities` if a value has an error bar. Arrays broadcast and give
-        :class:`Classifications`; their values are bit for bit those of ``slipmode classify --points``. Floats are taken as the
-        exact binary numbers that they are. Signs are exact. Frequencies in Hz are correctly rounded; growth rates and angular
-        frequencies have a relative error below 1e-14.
-
-        An oscillation is inertial from ω/ω_n > ``inertial_threshold``; √(1/2) without it.
+        Two numbers give a :class:`Classification`, or :class:`Possibilities` if a value has an error bar; arrays and columns give
+        what :func:`slipmode.classify` gives. The values are bit for bit those of ``slipmode classify --points``.
         """
-        texts = None if inertial_threshold is None else exact(inertial_threshold)
-        if is_number(sigma) and is_number(v):
-            return self._classify_point([*self._texts.values(), exact(sigma), exact(v)], texts)
-        if self.is_uncertain:
-            raise InputError("values with error bars are classified at one point, not at an array of points")
-        stress, velocity = np.broadcast_arrays(as_floats(sigma), as_floats(v))
-        return Classifications(stress, velocity, *self._columns(stress, velocity, texts))
+        return questions.classify(**self._at(sigma, v), inertial_threshold=inertial_threshold)
 
-    def _classify_point(self, values: list[str], threshold: str | None) -> Classification | Possibilities:
-        answer = _slipmode.classify_point(values, threshold)
-        if answer is None:
-            limit = () if threshold is None else (f"--inertial-threshold={threshold}",)
-            return Possibilities.of(call_json("classify", *self._point(*values[5:]), *limit))
-        code, messages, fields = answer
-        remark(code, messages)
-        assert fields is not None  # A command without a result has raised.
-        return Classification(*fields, (values, threshold))
-
-    def _columns(self, stress: NDArray[np.float64], velocity: NDArray[np.float64], threshold: str | None) -> Columns:
-        slider, shape, size = list(self._texts.values()), stress.shape, stress.size
-        flat = [np.ascontiguousarray(array, dtype="<f8").ravel() for array in (stress, velocity)]
-        starts = range(0, size, POINTS_TOGETHER)
-        parts = []
-        for start in progress(starts, len(starts)):
-            stresses, velocities = (array[start : start + POINTS_TOGETHER].tobytes() for array in flat)
-            parts.append(_slipmode.classify_points(slider, stresses, velocities, threshold, start))
-        types = [np.int8] * 4 + [np.float64] * 3
-        buffers = [bytearray().join(columns) for columns in zip(*parts)] if len(parts) != 1 else list(parts[0])
-        buffers = buffers or [bytearray() for _ in types]
-        arrays: list[NDArray[Any]] = [np.frombuffer(bytes_, kind).reshape(shape) for bytes_, kind in zip(buffers, types)]
-        transition_sign, boundary_sign, classes, modes, growth_rate, angular_frequency, frequency = arrays
-        spectral_class = Categories(classes, tuple(_slipmode.SPECTRAL_CLASSES))
-        slip_mode = Categories(modes, tuple(_slipmode.SLIP_MODES))
-        return transition_sign, boundary_sign, spectral_class, slip_mode, growth_rate, angular_frequency, frequency
+    def _at(self, sigma: Any, v: Any) -> dict[str, Any]:
+        if isinstance(sigma, OperatingPoint):
+            sigma, v = sigma
+        return {**self._values, "sigma": sigma, "v": v}
 
     def map(
         self,
-        sigma: tuple[Number, Number, int],
-        v: tuple[Number, Number, int],
+        sigma: tuple[Number, Number, int] = ("10kPa", "100MPa", 200),
+        v: tuple[Number, Number, int] = ("0.1um/s", "10cm/s", 200),
         *,
         inertial_threshold: Number | None = None,
     ) -> Map:
         """Classify a grid with equal logarithmic steps, each axis given as (from, to, number of coordinates), and draw it."""
         stresses, velocities = (f"{exact(low)}:{exact(high)}:{points}" for low, high, points in (sigma, v))
         threshold = None if inertial_threshold is None else exact(inertial_threshold)
-        code, messages, grid = _slipmode.draw_grid(list(self._texts.values()), velocities, stresses, threshold)
-        remark(code, messages)
+        texts = [exact(value) for value in self]
+        code, messages, grid = _slipmode.draw_grid(texts, velocities, stresses, threshold)
+        remark(code, in_python(messages))
         assert grid is not None  # A command without a result has raised.
         axes = (np.frombuffer(axis, "<f8").astype(np.float64) for axis in grid[:2])
         velocity, stress = np.meshgrid(*axes)
-        return Map(stress, velocity, *self._columns(stress, velocity, threshold), grid[2])
+        found = questions.classify_rows(Rows.of(None, self._at(stress, velocity)), threshold)
+        fields = {each.name: getattr(found, each.name) for each in dataclasses.fields(found)}
+        return Map(**fields, svg=grid[2])
 
-    def roots(self, sigma: Number, v: Number, digits: int = 50) -> list[Root]:
-        """Compute the three roots s of eq 8, 1/s, with this many certain digits of every part."""
-        found = call_json("roots", *self._point(sigma, v), f"--digits={digits}")
-        return [
-            Root(Decimal(root["re"]), Decimal(root["im"]), Decimal(root["radius"]), root["multiplicity"])
-            for root in found
-        ]
+    @overload
+    def roots(self, sigma: OperatingPoint, *, digits: int = 50) -> list[Root]: ...
+    @overload
+    def roots(self, sigma: Number, v: Number, digits: int = 50) -> list[Root]: ...
+    @overload
+    def roots(self, sigma: Arrays, v: Value) -> Any: ...
+    @overload
+    def roots(self, sigma: Number, v: Arrays) -> Any: ...
+    def roots(self, sigma: Any, v: Any = None, digits: int = 50) -> Any:
+        """Compute the three roots s of eq 8, 1/s, as :func:`slipmode.roots`."""
+        return questions.roots(**self._at(sigma, v), digits=digits)
+
+    def distance(self, sigma: Any, v: Any = None) -> Any:
+        """Compute the distances to the transition and to the boundary, as :func:`slipmode.distance`."""
+        return questions.distance(**self._at(sigma, v))
 
     def boundary(self, n: int = 200, digits: int | None = None) -> BoundaryTable:
-        """Compute the exact boundary max Im(s) = 0, with ``n`` points on each arc and the marked ones.
-
-        The columns are those of ``slipmode boundary``. Numbers are floats, or ``Decimal`` with this many ``digits``.
-        """
-        refuse_error_bars("boundary", self.is_uncertain)
-        with tempfile.TemporaryDirectory() as folder:
-            picture = Path(folder, "boundary.svg")
-            options = (*self._options(), f"--points={n}", f"--svg={picture}")
-            if digits is None:
-                table = Table.of_rows(call_json("boundary", *options)["points"])
-            else:
-                rows = csv.DictReader(io.StringIO(call("boundary", *options, f"--digits={digits}")))
-                words = ("arc", "asymptote", "mark")
-                cells = [{k: x if k in words else Decimal(x) for k, x in row.items()} for row in rows]
-                table = Table.of_rows(cells)
-            return BoundaryTable(table, picture.read_text())
+        """Compute the exact boundary max Im(s) = 0, as :func:`slipmode.boundary`."""
+        found: BoundaryTable = questions.boundary(**self._values, n=n, digits=digits)
+        return found
 
     def transition(self, v: float | Arrays | None = None) -> Table:
         """Compute the transition K = K_c: the normal stress at each loading velocity, where there is one.
@@ -211,61 +217,49 @@ class Slider:
         if v is None:
             velocity = self.boundary(n=2)["loading_velocity_m_per_s"].astype(np.float64)
             v = np.geomspace(velocity.min(), velocity.max(), 200)
-        points: list[tuple[float, float]] = []
-        for each in as_floats(v).ravel().tolist():
-            # With its unit, no velocity of the curve looks like another unit's.
-            found = self.solve("normal_stress", transition=True, v=f"{exact(each)}m/s")
-            points.extend((each, float(solution)) for solution in found)
-        velocities, stresses = zip(*points) if points else ((), ())
-        return Table({"loading_velocity_m_per_s": velocities, "normal_stress_pa": stresses})
+        velocities = array_of(np.atleast_1d(v)).ravel()
+        # With its unit, no velocity of the curve looks like another unit's.
+        texts = np.array([f"{exact(each)}m/s" for each in velocities.tolist()], dtype=object)
+        found = questions.solve("sigma", **self._values, v=texts, transition=True)
+        known = found["solutions"].astype(int) > 0
+        return Table({"loading_velocity_m_per_s": velocities[known], "normal_stress_pa": found["solution_1"][known]})
 
     def tolerance(self, *errors: Number) -> Table:
         """Compute where each formula of the paper may be used, for these relative errors; 0.1, 0.01 and 0.001 without any."""
-        refuse_error_bars("tolerance", self.is_uncertain)
-        given = [f"--relative-error={exact(error)}" for error in errors]
-        rows = []
-        for row in call_json("tolerance", *self._options(), *given)["formulas"]:
-            (limit,) = row.pop("limit").items()
-            names = ("formula", "relative_error", "where")
-            (value,) = [(name, number) for name, number in row.items() if name not in names]
-            of_value = {"value_of": value[0], "value": value[1]}
-            rows.append({name: row[name] for name in names} | of_value | {"limit_of": limit[0], "limit": limit[1]})
-        return Table.of_rows(rows)
+        found: Table = questions.tolerance(**self._values, errors=errors)
+        return found
 
     def solve(
         self,
         unknown: str,
         *,
-        sigma: Number | None = None,
-        v: Number | None = None,
+        sigma: Value | None = None,
+        v: Value | None = None,
         frequency: Number | None = None,
         angular_frequency: Number | None = None,
         growth_rate: Number | None = None,
         transition: bool = False,
         boundary: bool = False,
         digits: int = 17,
-    ) -> list[Solution]:
-        """Solve for ``unknown``: ``normal_stress``, ``loading_velocity``, ``stiffness`` or ``mass``.
+    ) -> list[Solution] | Any:
+        """Solve for ``unknown``, as :func:`slipmode.solve`; the slider's own value of it is not used."""
+        return questions.solve(
+            unknown,
+            **self._values,
+            sigma=sigma,
+            v=v,
+            frequency=frequency,
+            angular_frequency=angular_frequency,
+            growth_rate=growth_rate,
+            transition=transition,
+            boundary=boundary,
+            digits=digits,
+        )
 
-        One of the targets is given: a ``frequency`` (Hz), an ``angular_frequency`` or a ``growth_rate`` (1/s), the ``transition``
-        or the ``boundary``. The slider's own value of what is solved for is not used.
-        """
-        numbers = {
-            STRESS: sigma,
-            VELOCITY: v,
-            "--frequency": frequency,
-            "--angular-frequency": angular_frequency,
-            "--growth-rate": growth_rate,
-        }
-        options = [f"{name}={exact(number)}" for name, number in numbers.items() if number is not None]
-        options += [name for name, given in (("--transition", transition), ("--boundary", boundary)) if given]
-        own = self._options(without=UNKNOWNS.get(unknown))
-        asked = (f"--for={unknown.replace('_', '-')}", f"--digits={digits}")
-        names = ("is_exact", "transition_sign", "kind")
-        found = call_json("solve", *own, *options, *asked)["solutions"]
-        refuse_error_bars("solve", self.is_uncertain or any("range" in one for one in found))
-        return [Solution(Decimal(one["value"]), *(one[name] for name in names)) for one in found]
-
+    @overload
+    def simulate(
+        self, sigma: OperatingPoint, *, law: str, rtol: Number = "1e-8", start: str = "steady-at-velocity"
+    ) -> Simulation: ...
     @overload
     def simulate(
         self, sigma: Number, v: Number, *, law: str, rtol: Number = "1e-8", start: str = "steady-at-velocity"
@@ -280,53 +274,12 @@ class Slider:
     ) -> Simulations: ...
     def simulate(
         self,
-        sigma: Value,
-        v: Value,
+        sigma: Any,
+        v: Any = None,
         *,
         law: str,
         rtol: Number = "1e-8",
         start: str = "steady-at-velocity",
-    ) -> Simulation | Simulations:
-        """Simulate the nonlinear slider with the ``law`` ``slip`` (eq 3) or ``aging`` (eq 2).
-
-        ``rtol`` is the permitted relative error of peak velocity and period. Two numbers give a :class:`Simulation`. Arrays
-        broadcast and give :class:`Simulations`, where a run that fails is :class:`Failed`. With error bars, the run is that of the
-        middle values, and ``ranges`` has the sampled ranges.
-        """
-        common = (f"--law={law}", f"--tolerance={exact(rtol)}", f"--start={start}")
-        if is_number(sigma) and is_number(v):
-            return self._simulate((*self._point(sigma, v), *common))
-        arrays = np.broadcast_arrays(as_floats(sigma), as_floats(v))
-        points = list(zip(*(array.ravel().tolist() for array in arrays)))
-        pool = ThreadPoolExecutor(max_workers=os.cpu_count())
-        try:
-            options = ((*self._point(*point), *common) for point in points)
-            runs = list(progress(pool.map(self._attempt, options), len(points)))
-        finally:
-            pool.shutdown(cancel_futures=True)
-        return Simulations(runs, points)
-
-    def _simulate(self, options: tuple[str, ...]) -> Simulation:
-        return Simulation.of(call_json("simulate", *options), options)
-
-    def _attempt(self, options: tuple[str, ...]) -> Simulation | Failed:
-        try:
-            return self._simulate(options)
-        except CheckFailed as failure:
-            return Failed(str(failure))
-
-
-def is_number(value: Any) -> TypeGuard[Number]:
-    """Return whether a value is one number, and not an array of them."""
-    return isinstance(value, str) or np.ndim(value) == 0 and not isinstance(value, np.ndarray)
-
-
-def as_floats(values: Any) -> NDArray[np.float64]:
-    """Return an array of 64-bit numbers; texts and exact numbers in it are refused unless they are such numbers."""
-    array = np.asarray(values)
-    if array.dtype.kind not in "fiu":
-        raise TypeError("arrays hold 64-bit numbers; classify texts, Decimal and Fraction one by one, which is exact")
-    floats = array.astype(np.float64)
-    if not np.array_equal(floats, array, equal_nan=array.dtype.kind == "f"):
-        raise TypeError("a number of the array has more digits than a 64-bit number")
-    return floats
+    ) -> Any:
+        """Simulate the nonlinear slider, as :func:`slipmode.simulate`."""
+        return questions.simulate(**self._at(sigma, v), law=law, rtol=rtol, start=start)

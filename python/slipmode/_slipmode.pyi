@@ -2,22 +2,22 @@ from collections.abc import Sequence
 from typing import Final
 
 __all__ = [
-    "CheckFailed",
-    "InputError",
     "SLIP_MODES",
     "SPECTRAL_CLASSES",
     "VERSION",
     "call",
-    "check_slider",
     "classify_point",
     "classify_points",
     "describe_point",
     "draw_grid",
+    "exact_values",
+    "fitted_words",
+    "has_error_bar",
     "main",
+    "roots_of_points",
+    "table_columns",
+    "table_rows",
 ]
-
-class InputError(ValueError): ...
-class CheckFailed(RuntimeError): ...
 
 SLIP_MODES: Final[list[str]]
 SPECTRAL_CLASSES: Final[list[str]]
@@ -25,18 +25,23 @@ VERSION: Final[str]
 
 def main(arguments: Sequence[str]) -> int: ...
 def call(arguments: Sequence[str]) -> tuple[int, bytes, str]: ...
-def check_slider(slider: Sequence[str]) -> bool: ...
+def exact_values(names: Sequence[str], texts: Sequence[str], first: int) -> list[str]: ...
+def has_error_bar(text: str) -> bool: ...
 def classify_point(
-    values: Sequence[str], inertial_threshold: str | None = None
-) -> tuple[int, str, tuple[int, int, str, str, float, float, float] | None] | None: ...
+    columns: Sequence[tuple[str, str | float, str | None]], inertial_threshold: str | None = None
+) -> tuple[tuple[int, int, int, int, float, float, float], str] | None: ...
+def classify_points(
+    columns: Sequence[tuple[str, str | float | bytes | list[str], str | None]],
+    length: int,
+    inertial_threshold: str | None = None,
+) -> tuple[bytearray, str]: ...
+def roots_of_points(columns: Sequence[tuple[str, str | float | bytes | list[str], str | None]], length: int) -> bytearray: ...
 def describe_point(values: Sequence[str], inertial_threshold: str | None = None) -> str: ...
 def draw_grid(
     slider: Sequence[str], loading_velocity: str, normal_stress: str, inertial_threshold: str | None = None
 ) -> tuple[int, str, tuple[bytearray, bytearray, str] | None]: ...
-def classify_points(
-    slider: Sequence[str],
-    normal_stresses: bytes,
-    loading_velocities: bytes,
-    inertial_threshold: str | None = None,
-    first: int = 0,
-) -> tuple[bytearray, bytearray, bytearray, bytearray, bytearray, bytearray, bytearray]: ...
+def fitted_words(value: float, error: float, low: float | None, high: float | None, unit: str) -> tuple[str, str]: ...
+def table_columns(
+    header: bytes, unknown: str | None = None
+) -> tuple[int, str, tuple[list[int | None], list[str | None], list[int]] | None]: ...
+def table_rows(csv: bytes, unknown: str | None = None) -> tuple[int, str, list[list[str]] | None]: ...

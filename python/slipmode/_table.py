@@ -12,10 +12,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from slipmode._slipmode import InputError
+from slipmode._errors import InputError
 
 if TYPE_CHECKING:
     import pandas
+    from matplotlib.axes import Axes
 
 #: Rows that are shown in a notebook.
 SHOWN_ROWS = 10
@@ -47,11 +48,15 @@ class Table(Mapping[str, NDArray[Any]]):
         """The number of rows."""
         return max((array.size for array in self._columns.values()), default=0)
 
-    def to_dataframe(self) -> pandas.DataFrame:
+    def to_pandas(self) -> pandas.DataFrame:
         """Return the columns as a data frame of pandas."""
         import pandas
 
         return pandas.DataFrame({name: array.ravel() for name, array in self._columns.items()})
+
+    def to_dataframe(self) -> pandas.DataFrame:
+        """Return :meth:`to_pandas`."""
+        return self.to_pandas()
 
     def __repr__(self) -> str:
         return f"<{type(self).__name__}: {self.rows} rows of {', '.join(self._columns)}>"
@@ -73,6 +78,24 @@ def column(cells: list[Any]) -> NDArray[Any]:
     array = np.empty(len(cells), dtype=object)
     array[:] = cells
     return array
+
+
+def series(values: Mapping[str, Any]) -> pandas.Series[Any]:
+    """Return the numbers and words of an object as a series of pandas."""
+    import pandas
+
+    plain = {name: value for name, value in values.items() if value is None or isinstance(value, (bool, int, float, str))}
+    return pandas.Series(plain, dtype=object)
+
+
+def axes(ax: Axes | None, x: str, y: str, scale: str = "log") -> Axes:
+    """Return axes of matplotlib with these labels, new ones unless they are given."""
+    if ax is None:
+        from matplotlib import pyplot
+
+        ax = pyplot.figure(layout="constrained").subplots()
+    ax.set(xlabel=x, ylabel=y, xscale=scale, yscale=scale)
+    return ax
 
 
 def html_table(head: list[str], body: list[list[str]]) -> str:

@@ -2,22 +2,17 @@
 
 mod call;
 mod classified;
+mod columns;
 mod points;
+mod table;
 
 use std::ffi::OsString;
 
-use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
-use slipmode::scene::{Fault, Faults, first_lines};
+use slipmode::scene::{Fault, Faults, Problem, first_lines};
 use slipmode_core::stability::{InertialThreshold, SlipMode, SpectralClass};
 
-pyo3::create_exception!(_slipmode, InputError, PyValueError, "The input is at fault.");
-pyo3::create_exception!(
-    _slipmode,
-    CheckFailed,
-    PyRuntimeError,
-    "A check failed, or a computation has no result."
-);
+pyo3::import_exception!(slipmode._errors, InputError);
 
 /// The native part of the package `slipmode`.
 #[pymodule]
@@ -25,12 +20,14 @@ mod _slipmode {
     #[pymodule_export]
     use super::call::call;
     #[pymodule_export]
-    use super::classified::{classify_point, describe_point, draw_grid};
+    use super::classified::{describe_point, draw_grid};
     #[pymodule_export]
-    use super::points::{check_slider, classify_points};
+    use super::points::{classify_point, classify_points, exact_values, has_error_bar, roots_of_points};
     #[pymodule_export]
-    use super::{CheckFailed, InputError, main};
+    use super::table::{table_columns, table_rows};
     use super::{PyModule, PyModuleMethods, PyResult, classes, modes};
+    #[pymodule_export]
+    use super::{fitted_words, main};
     use pyo3::Bound;
 
     #[pymodule_init]
@@ -47,6 +44,12 @@ fn main(py: Python<'_>, arguments: Vec<OsString>) -> u8 {
     py.detach(|| slipmode::cli::main_with(arguments))
 }
 
+/// A fitted value with its standard error, and its 95 % interval, as the command line prints them.
+#[pyfunction]
+fn fitted_words(value: f64, error: f64, low: Option<f64>, high: Option<f64>, unit: &str) -> [String; 2] {
+    slipmode::experiments::fit::estimate_words(value, error, [low, high], unit)
+}
+
 /// The words of slip modes; a code is an index. On K = K_c the mode is neutral.
 fn modes() -> Vec<&'static str> {
     SlipMode::ALL.iter().map(|mode| mode.as_str()).chain([SpectralClass::Neutral.as_str()]).collect()
@@ -60,18 +63,22 @@ fn classes() -> Vec<&'static str> {
 /// The exception of faults, one a line, the first ones when there are many.
 fn input_error(faults: &Faults) -> PyErr {
     let others = |more| format!("and at least {more} more like these");
-    InputError::new_err(first_lines(faults.iter().map(Fault::to_string), others).join("\n"))
+    InputError::new_err(first_lines(faults.iter().map(message), others).join("\n"))
+}
+
+/// A fault without the place of a file.
+fn message(fault: &Fault) -> String {
+    fault.to_string().trim_start_matches(": ").to_string()
 }
 
 /// The threshold of `--inertial-threshold`, that of the command line where none is given.
 fn threshold(text: Option<&str>) -> PyResult<InertialThreshold> {
     let Some(text) = text else { return Ok(InertialThreshold::default()) };
-    let fault = |problem| Fault {
-        file: "classify".into(),
-        line: None,
-        key: "inertial_threshold".into(),
-        value: Some(text.into()),
-        problem,
-    };
+    let fault = |problem| fault("inertial_threshold".into(), text.into(), problem);
     slipmode::cli::inertial_threshold(text).map_err(|problem| input_error(&vec![fault(problem)]))
+}
+
+/// The fault of an argument.
+fn fault(key: String, value: String, problem: Problem) -> Fault {
+    Fault { file: String::new(), line: None, key, value: Some(value), problem }
 }

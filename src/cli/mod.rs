@@ -35,6 +35,7 @@ mod shell;
 mod simulate;
 mod solve;
 mod sweep;
+mod table;
 mod terminal;
 mod theorems;
 mod tolerance;
@@ -53,10 +54,12 @@ use progress::Progress;
 use slipmode::scene::{LONGEST_MESSAGE, Quantity, Uncertain, with_short_quotations};
 
 pub use capture::{Captured, capture};
-pub use classify::call::{capture_grid, capture_point, has_error_bar};
+pub use classify::call::{capture_grid, capture_point};
 pub use classify::grid_files::GridPicture;
 pub use classify::view::ClassifiedPoint;
 pub use options::inertial_threshold;
+pub use table::{TableColumns, capture_columns, capture_rows};
+pub use unit_warnings::unit_warnings;
 
 /// What the exit codes mean.
 const EXIT_CODES: &str = "Exit codes:

@@ -70,6 +70,8 @@ fn test(tools: &Path, wheel: &Path) -> Result<(), Failure> {
         &["-m", "pytest", "--quiet", "--numprocesses=auto", "--dist=worksteal", "--rootdir"],
         &[folder.clone(), "-c".into(), settings.clone(), folder.join("tests")],
     )?;
+    let example = folder.join("examples/columns.py");
+    check("mypy", &["--config-file"], &[settings.clone(), example])?;
     check("stubtest", &["slipmode", "--mypy-config-file"], &[settings, "--allowlist".into(), allowed])?;
     check("twine", &["check", "--strict"], &entries(&root().join("target/wheels"))?)?;
     check("auditwheel", &["show"], &[wheel.to_path_buf()])

@@ -2,19 +2,11 @@
 //!
 //! They read the same texts by the same routines as the command, so that faults and warnings have the same words.
 
-use slipmode::scene::Uncertain;
-
 use crate::cli::capture::{Captured, capture_work};
 use crate::cli::classify::grid::GridOptions;
 use crate::cli::classify::grid_files::GridPicture;
 use crate::cli::classify::view::ClassifiedPoint;
 use crate::cli::options::{Arguments, SliderOptions, ThresholdOption};
-
-/// Whether a value has an error bar: [`capture_point`] takes none.
-#[must_use]
-pub fn has_error_bar(values: [&str; 7]) -> bool {
-    values.into_iter().any(Uncertain::is_meant)
-}
 
 /// Classifies the point of these values, in the order of the options, as `classify` does.
 ///

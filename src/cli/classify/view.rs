@@ -32,19 +32,9 @@ impl ClassifiedPoint {
         Self { parameters, found, frequencies }
     }
 
-    /// Signs, class and values.
-    pub const fn found(&self) -> &Classification {
-        &self.found
-    }
-
     /// The slip mode as a word.
     pub fn slip_mode(&self) -> &'static str {
         slip_mode_word(&self.found)
-    }
-
-    /// max Im(s)/2π, Hz; none beyond the range of 64-bit numbers.
-    pub fn frequency_hz(&self) -> Option<f64> {
-        self.frequencies.frequency_hz.to_f64()
     }
 
     /// The object that `classify --json` prints.

@@ -9,7 +9,7 @@ pub(crate) mod words;
 pub use figures::fit_picture;
 pub use run::FitOutcome;
 pub use section::FitSection;
-pub use words::{fit_words, shares_of_modes};
+pub use words::{estimate_words, fit_words, shares_of_modes};
 
 use crate::experiments::{Experiment, FigureMaker, Requirement, Setting, TableMaker, Work};
 

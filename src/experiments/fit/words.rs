@@ -8,9 +8,13 @@ use slipmode_core::stability::SlipMode;
 /// Significant digits of a standard error; a value has as many decimals.
 const ERROR_DIGITS: usize = 2;
 
-/// Digits of a value down to those of its error: from two, for a value that its error exceeds, to all of a 64-bit number.
+/// Digits of an estimate down to those of its error: from two, for a value that its error exceeds, to all of a 64-bit number.
 pub(crate) fn digits(estimate: &Estimate) -> usize {
-    let ratio = (estimate.value / estimate.standard_error).abs();
+    digits_of(estimate.value, estimate.standard_error)
+}
+
+fn digits_of(value: f64, standard_error: f64) -> usize {
+    let ratio = (value / standard_error).abs();
     let digits = if ratio.is_finite() && ratio > 1.0 { libm::log10(ratio).ceil() } else { 1.0 };
     (digits as usize + ERROR_DIGITS - 1).clamp(ERROR_DIGITS, 16)
 }
@@ -19,12 +23,18 @@ impl Estimate {
     /// The value with its error and its interval: `0.0081 ± 0.0002` and `0.0077 to 0.0085`.
     #[must_use]
     pub fn words(&self) -> [String; 2] {
-        let digits = digits(self);
-        let end = |end: Option<f64>| end.map_or_else(|| "no bound".into(), |end| round_digits(end, digits));
-        let error = round_digits(self.standard_error, ERROR_DIGITS);
-        let value = format!("{} ± {error} {}", round_digits(self.value, digits), self.parameter.unit());
-        [value.trim_end().to_string(), format!("{} to {}", end(self.ends[0]), end(self.ends[1]))]
+        estimate_words(self.value, self.standard_error, self.ends, self.parameter.unit())
     }
+}
+
+/// [`Estimate::words`] of these numbers.
+#[must_use]
+pub fn estimate_words(value: f64, standard_error: f64, ends: [Option<f64>; 2], unit: &str) -> [String; 2] {
+    let digits = digits_of(value, standard_error);
+    let end = |end: Option<f64>| end.map_or_else(|| "no bound".into(), |end| round_digits(end, digits));
+    let error = round_digits(standard_error, ERROR_DIGITS);
+    let value = format!("{} ± {error} {unit}", round_digits(value, digits));
+    [value.trim_end().to_string(), format!("{} to {}", end(ends[0]), end(ends[1]))]
 }
 
 /// The slip modes of sampled sliders with their shares.

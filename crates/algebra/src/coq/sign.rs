@@ -163,7 +163,7 @@ impl Signs<'_> {
             true => self.converter.is_positive(name).then(|| "pos".to_owned())?,
             false if is_root => "apply sqrt_pos".to_owned(),
             false if self.converter.is_not_negative(name) => "nonneg".to_owned(),
-            false if exponent % 2 == 0 => {
+            false if exponent.is_multiple_of(2) => {
                 let form = power(power(own, exponent / 2)?, 2)?;
                 return Some(Seen { form, proof: "apply pow2_ge_0".to_owned() });
             }

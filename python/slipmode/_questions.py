@@ -1,0 +1,469 @@
+"""Questions on sliders: of one point, of arrays, or of every row of a frame."""
+
+from __future__ import annotations
+
+import csv
+import io
+import tempfile
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from decimal import Decimal
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from slipmode import _slipmode
+from slipmode._classified import BoundaryTable, Classification, Classifications, Possibilities
+from slipmode._errors import CheckFailed, InputError
+from slipmode._exact import Number, exact, given
+from slipmode._frames import Categories
+from slipmode._rows import KEYS, NAMES, Rows, Value, is_number
+from slipmode._run import call, call_json, each, in_python, warn
+from slipmode._simulated import Failed, Simulation, Simulations
+from slipmode._table import Table, column
+
+#: Options of the command line by argument.
+OPTIONS = {name: f"--{key.replace('_', '-')}" for name, key in KEYS.items()}
+OF_THE_SLIDER = NAMES[:5]
+#: What can be solved for, by argument.
+UNKNOWNS = {"sigma": "normal-stress", "v": "loading-velocity", "k": "stiffness", "m": "mass"}
+#: Columns of solutions, as the command line has them.
+MOST_SOLUTIONS = 4
+
+Warned = list[str]
+Texts = Mapping[str, str]
+
+
+@dataclass(frozen=True)
+class Root:
+    """A root s of eq 8, 1/s: the true one lies within ``radius`` of re + i·im."""
+
+    re: Decimal
+    im: Decimal
+    radius: Decimal
+    multiplicity: int
+
+    def __complex__(self) -> complex:
+        return complex(float(self.re), float(self.im))
+
+
+@dataclass(frozen=True)
+class Solution:
+    """A solution of an inverse question, in SI."""
+
+    value: Decimal
+    #: Whether the value is exact; else all its digits are certain.
+    is_exact: bool
+    #: The sign of K − K_c there.
+    transition_sign: int
+    #: ``complex-pair``, ``real-root``, ``upper-arc`` or ``lower-arc``.
+    kind: str
+
+    def __float__(self) -> float:
+        return float(self.value)
+
+
+@dataclass(frozen=True)
+class Distance:
+    """log10 of the factors by which one input has to change; none where no change suffices."""
+
+    #: Of σ, to the transition K = K_c.
+    transition_normal_stress: float | None
+    #: Of V0, to the transition.
+    transition_loading_velocity: float | None
+    #: Of σ, to the boundary max Im(s) = 0.
+    boundary_normal_stress: float | None
+    #: Of V0, to the boundary.
+    boundary_loading_velocity: float | None
+
+
+def options(texts: Texts) -> list[str]:
+    """Return the options of a point."""
+    return [f"{OPTIONS[name]}={text}" for name, text in texts.items()]
+
+
+def chosen(values: Mapping[str, Any], needed: Sequence[str], frame: Any) -> dict[str, Any]:
+    """Return the values that are given; without a frame, all that are needed have to be."""
+    found = {name: values[name] for name in needed if values[name] is not None}
+    if frame is None and len(found) < len(needed):
+        missing = ", ".join(name for name in needed if name not in found)
+        raise InputError(f"{missing}: missing (wanted: a number or an array for each, or a frame with such columns)")
+    return found
+
+
+def single(values: Mapping[str, Any], frame: Any) -> bool:
+    """Return whether every value is one number."""
+    return frame is None and all(map(is_number, values.values()))
+
+
+def refuse_error_bars(command: str, is_uncertain: bool) -> None:
+    """Say which command takes error bars, where a call does not."""
+    if is_uncertain:
+        raise InputError(f"this call takes values without error bars; `slipmode {command}` takes error bars")
+
+
+def classify(
+    frame: Any = None,
+    /,
+    *,
+    a: Value | None = None,
+    b: Value | None = None,
+    d_c: Value | None = None,
+    k: Value | None = None,
+    m: Value | None = None,
+    sigma: Value | None = None,
+    v: Value | None = None,
+    inertial_threshold: Number | None = None,
+) -> Any:
+    """Decide stability and slip mode of one point, of arrays of points, or of every row of a frame.
+
+    Arguments are in SI: a and b of eq 1, D_c (m), K (Pa/m), M (kg/m²), σ (Pa) and V0 (m/s). ``str``, ``Decimal``, ``Fraction`` and
+    ``int`` are exact: ``"0.009"`` is 9/1000. A float is the exact binary number that it is: ``0.009`` differs from 9/1000 by less
+    than 1e-18. Texts may have a unit and an error (``"8 um"``, ``"0.009±0.001"``); ``(0.009, 0.001)`` is a value with its error.
+    Numbers of ``uncertainties`` and quantities of ``pint`` are taken with their error and their unit.
+
+    Seven numbers give a :class:`Classification`, or :class:`Possibilities` if one has an error. Arrays and lists broadcast as in
+    NumPy and give :class:`Classifications`. Columns of pandas, polars, xarray or pyarrow give a frame of that package, with the
+    index of the columns.
+
+    ``frame`` has columns with the names that ``slipmode classify --points`` reads, such as ``a``, ``Dc [um]`` and ``a_err``, or is a
+    mapping of columns. Arguments add columns to it. The result is the frame with further columns, whose names are those of the
+    command line. With errors they are ranges and what is possible.
+
+    A row with a missing value (NaN, None or masked) has a missing result. Signs are exact. Frequencies in Hz are correctly
+    rounded; growth rates and angular frequencies have a relative error below 1e-14. An oscillation is inertial from
+    ω/ω_n > ``inertial_threshold``; √(1/2) without it.
+    """
+    given_values = {"a": a, "b": b, "d_c": d_c, "k": k, "m": m, "sigma": sigma, "v": v}
+    values = chosen(given_values, NAMES, frame)
+    threshold = None if inertial_threshold is None else exact(inertial_threshold)
+    if single(values, frame):
+        return classify_point({name: given(value) for name, value in values.items()}, threshold)
+    rows = Rows.of(frame, values)
+    if rows.is_uncertain:
+        return classify_uncertain(rows, threshold)
+    found = classify_rows(rows, threshold)
+    return found if rows.kind.package == "numpy" else rows.wrap(found.results())
+
+
+def classify_point(values: Mapping[str, str | float], threshold: str | None) -> Classification | Possibilities:
+    """Classify the point of seven values."""
+    answer = _slipmode.classify_point([(name, value, None) for name, value in values.items()], threshold)
+    if answer is None:
+        texts = {name: exact(value) for name, value in values.items()}
+        return Possibilities.of(possible(texts, threshold, None))
+    (transition, boundary, spectral_class, mode, growth, angular, hertz), warnings = answer
+    if warnings:
+        warn(in_python(warnings))
+    words = _slipmode.SPECTRAL_CLASSES[spectral_class], _slipmode.SLIP_MODES[mode]
+    return Classification(transition, boundary, *words, growth, angular, hertz, (tuple(values.values()), threshold))
+
+
+def possible(texts: Texts, threshold: str | None, warned: Warned | None) -> dict[str, Any]:
+    """Return what ``slipmode classify --json`` prints of a point."""
+    limit = [] if threshold is None else [f"--inertial-threshold={threshold}"]
+    found: dict[str, Any] = call_json("classify", *options(texts), *limit, warned=warned)
+    return found
+
+
+def classify_rows(rows: Rows, threshold: str | None) -> Classifications:
+    """Classify rows without error bars."""
+    buffer, warning = _slipmode.classify_points(rows.native, rows.size, threshold)
+    warn(in_python(warning))
+    size, at = rows.size, 24 * rows.size
+    numbers = np.frombuffer(buffer, "<f8", 3 * size).reshape(3, *rows.shape)
+    codes = np.frombuffer(buffer, np.int8, 4 * size, at).reshape(4, *rows.shape)
+    missing = codes[3] < 0
+    signs = [np.ma.array(sign, mask=missing) if missing.any() else sign for sign in codes[:2]]
+    words = (Categories(codes[2], WORDS[0]), Categories(codes[3], WORDS[1]))
+    fields: list[Any] = [*signs, *words, *numbers, rows, threshold]
+    return Classifications(*fields)
+
+
+#: The words of spectral classes and of slip modes.
+WORDS = (tuple(_slipmode.SPECTRAL_CLASSES), tuple(_slipmode.SLIP_MODES))
+
+
+def classify_uncertain(rows: Rows, threshold: str | None) -> Any:
+    """Classify rows with error bars: what is certain, what is possible, and ranges, in columns."""
+
+    def one(texts: Texts, warned: Warned) -> dict[str, Any]:
+        return ranges(possible(texts, threshold, warned))
+
+    return rows.wrap(columns_of_rows(each(rows.texts(), one), rows.shape))
+
+
+def ranges(found: Mapping[str, Any]) -> dict[str, Any]:
+    """Return what is found over a box, or at a point, as a row of ranges."""
+    is_box = "slip_modes" in found
+    modes = [each["mode"] for each in found["slip_modes"]] if is_box else [found["slip_mode"]]
+    row: dict[str, Any] = {"certain": found.get("certain", True), "slip_modes": ";".join(modes)}
+    row["undecided_share"] = found.get("undecided_share", 0.0)
+    for name in ("transition_sign", "boundary_sign", *RANGES):
+        ends = found[f"{name}s"] if is_box and name.endswith("_sign") else found[name]
+        low, high = (ends or (None, None)) if is_box else (ends, ends)
+        row |= {f"{name}_low": low, f"{name}_high": high}
+    return row
+
+
+#: Numbers that are ranges over error bars.
+RANGES = ("max_real_per_s", "max_imaginary_per_s", "frequency_hz", "critical_stiffness_pa_per_m")
+
+
+def columns_of_rows(rows: Sequence[Mapping[str, Any] | None], shape: tuple[int, ...]) -> dict[str, NDArray[Any]]:
+    """Return columns of objects, with None in a row that has none."""
+    names: dict[str, None] = dict.fromkeys(name for row in rows if row is not None for name in row)
+    cells = {name: [None if row is None else row.get(name) for row in rows] for name in names}
+    return {name: column(each).reshape(shape) for name, each in cells.items()}
+
+
+def roots(
+    frame: Any = None,
+    /,
+    *,
+    a: Value | None = None,
+    b: Value | None = None,
+    d_c: Value | None = None,
+    k: Value | None = None,
+    m: Value | None = None,
+    sigma: Value | None = None,
+    v: Value | None = None,
+    digits: int = 50,
+) -> Any:
+    """Compute the three roots s of eq 8, 1/s. The arguments are those of :func:`classify`.
+
+    Seven numbers give three :class:`Root` with this many certain ``digits``. Arrays give complex numbers with one more axis, of
+    three: real roots first, ascending; then the pair, negative imaginary part first. Each has an error below 1.2e-16 of its
+    modulus; NaN where a value is missing, and beyond 1e-300 to 1e300. Frames get columns ``root_1_re_per_s`` and so on.
+    """
+    values = chosen({"a": a, "b": b, "d_c": d_c, "k": k, "m": m, "sigma": sigma, "v": v}, NAMES, frame)
+    if single(values, frame):
+        texts = {name: exact(value) for name, value in values.items()}
+        found = call_json("roots", *options(texts), f"--digits={digits}")
+        return [Root(Decimal(x["re"]), Decimal(x["im"]), Decimal(x["radius"]), x["multiplicity"]) for x in found]
+    rows = Rows.of(frame, values)
+    refuse_error_bars("classify", rows.is_uncertain)
+    buffer = _slipmode.roots_of_points(rows.native, rows.size)
+    complexes = np.frombuffer(buffer, "<c16").reshape(*rows.shape, 3)
+    if rows.kind.package == "numpy" and not rows.kind.is_frame:
+        return complexes
+    parts = {"re": complexes.real, "im": complexes.imag}
+    names = ((place, part) for place in range(3) for part in parts)
+    return rows.wrap({f"root_{place + 1}_{part}_per_s": parts[part][..., place] for place, part in names})
+
+
+def distance(
+    frame: Any = None,
+    /,
+    *,
+    a: Value | None = None,
+    b: Value | None = None,
+    d_c: Value | None = None,
+    k: Value | None = None,
+    m: Value | None = None,
+    sigma: Value | None = None,
+    v: Value | None = None,
+) -> Any:
+    """Compute how far points are from the transition K = K_c and from the boundary max Im(s) = 0, in decades of σ and of V0.
+
+    The arguments are those of :func:`classify`. Seven numbers give a :class:`Distance`, arrays and frames give columns.
+    """
+    values = chosen({"a": a, "b": b, "d_c": d_c, "k": k, "m": m, "sigma": sigma, "v": v}, NAMES, frame)
+
+    def one(texts: Texts, warned: Warned | None) -> dict[str, float | None]:
+        found = possible(texts, None, warned)
+        refuse_error_bars("classify", "slip_modes" in found)
+        places = ((place, found[f"{place}_distance"]) for place in ("transition", "boundary"))
+        parts = ("normal_stress", "loading_velocity")
+        return {f"{place}_{part}": ends[f"log10_{part}"] for place, ends in places for part in parts}
+
+    if single(values, frame):
+        return Distance(**one({name: exact(value) for name, value in values.items()}, None))
+    rows = Rows.of(frame, values)
+    return rows.wrap(columns_of_rows(each(rows.texts(), one), rows.shape))
+
+
+def solve(
+    unknown: str,
+    frame: Any = None,
+    /,
+    *,
+    a: Value | None = None,
+    b: Value | None = None,
+    d_c: Value | None = None,
+    k: Value | None = None,
+    m: Value | None = None,
+    sigma: Value | None = None,
+    v: Value | None = None,
+    frequency: Number | None = None,
+    angular_frequency: Number | None = None,
+    growth_rate: Number | None = None,
+    transition: bool = False,
+    boundary: bool = False,
+    digits: int = 17,
+) -> Any:
+    """Solve for ``unknown``: ``normal_stress``, ``loading_velocity``, ``stiffness`` or ``mass`` (or ``sigma``, ``v``, ``k``, ``m``).
+
+    One of the targets is given: a ``frequency`` (Hz), an ``angular_frequency`` or a ``growth_rate`` (1/s), the ``transition``
+    or the ``boundary``. The other arguments are those of :func:`classify`; the unknown's own value is not used. Numbers give
+    a list of :class:`Solution`, arrays and frames columns ``solutions`` (their number), ``solution_1`` to ``solution_4``, and with
+    errors the ends of ranges.
+    """
+    argument = next((name for name, word in UNKNOWNS.items() if unknown.replace("_", "-") in (name, word)), None)
+    if argument is None:
+        raise InputError(f"unknown = {unknown}: not allowed (allowed: normal_stress, loading_velocity, stiffness, mass)")
+    needed = [name for name in NAMES if name != argument]
+    values = chosen({"a": a, "b": b, "d_c": d_c, "k": k, "m": m, "sigma": sigma, "v": v}, needed, frame)
+    targets = {"frequency": frequency, "angular-frequency": angular_frequency, "growth-rate": growth_rate}
+    asked = [f"--for={UNKNOWNS[argument]}", f"--digits={digits}"]
+    asked += [f"--{name}={exact(number)}" for name, number in targets.items() if number is not None]
+    asked += [name for name, is_given in (("--transition", transition), ("--boundary", boundary)) if is_given]
+
+    def one(texts: Texts, warned: Warned | None) -> list[dict[str, Any]]:
+        found: list[dict[str, Any]] = call_json("solve", *options(texts), *asked, warned=warned)["solutions"]
+        return found
+
+    if single(values, frame):
+        found = one({name: exact(value) for name, value in values.items()}, None)
+        refuse_error_bars("solve", any("range" in each for each in found))
+        return [Solution(Decimal(x["value"]), x["is_exact"], x["transition_sign"], x["kind"]) for x in found]
+    rows = Rows.of(frame, values, argument)
+    return rows.wrap(columns_of_rows(each(rows.texts(), lambda texts, warned: solutions(one(texts, warned))), rows.shape))
+
+
+def solutions(found: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
+    """Return the solutions of a row as cells."""
+    row: dict[str, Any] = {"solutions": len(found)}
+    for place in range(MOST_SOLUTIONS):
+        one = found[place] if place < len(found) else {}
+        if "range" in one:
+            low, high = map(float, one["range"])
+            row |= {f"solution_{place + 1}_low": low, f"solution_{place + 1}_high": high}
+        else:
+            row[f"solution_{place + 1}"] = float(one["value"]) if one else None
+    return row
+
+
+def simulate(
+    frame: Any = None,
+    /,
+    *,
+    a: Value | None = None,
+    b: Value | None = None,
+    d_c: Value | None = None,
+    k: Value | None = None,
+    m: Value | None = None,
+    sigma: Value | None = None,
+    v: Value | None = None,
+    law: str | None = None,
+    rtol: Number = "1e-8",
+    start: str = "steady-at-velocity",
+) -> Any:
+    """Simulate the nonlinear slider with the ``law`` ``slip`` (eq 3) or ``aging`` (eq 2), rows in parallel.
+
+    The other arguments are those of :func:`classify`. ``rtol`` is the permitted relative error of peak velocity and period. A frame
+    may have the law in a column ``law``. Numbers give a :class:`Simulation`, arrays :class:`Simulations`, where a run that fails is
+    :class:`Failed`, and frames further columns. With errors, the run is that of the middle values, and ranges are sampled.
+    """
+    values = chosen({"a": a, "b": b, "d_c": d_c, "k": k, "m": m, "sigma": sigma, "v": v}, NAMES, frame)
+    common = [f"--tolerance={exact(rtol)}", f"--start={start}"]
+    if single(values, frame):
+        return simulate_point(values, law, common, None)
+    rows = Rows.of(frame, values)
+    laws = [law] * rows.size if law is not None or not rows.kind.is_frame else np.asarray(frame["law"]).tolist()
+
+    def one(item: tuple[Texts, str], warned: Warned) -> Simulation | Failed:
+        texts, own_law = item
+        try:
+            return simulate_point(texts, own_law, common, warned)
+        except CheckFailed as failure:
+            return Failed(str(failure))
+
+    items = [None if texts is None else (texts, own) for texts, own in zip(rows.texts(), laws)]
+    inputs = {name: array.ravel() for name, array in rows.inputs().items()}
+    runs = Simulations([run or Failed("a value is missing") for run in each(items, one)], inputs)
+    if rows.kind.package == "numpy" and not rows.kind.is_frame:
+        return runs
+    return rows.wrap(columns_of_rows(runs.rows(), rows.shape))
+
+
+def simulate_point(
+    values: Mapping[str, Any], law: str | None, common: Sequence[str], warned: Warned | None
+) -> Simulation:
+    """Simulate the point of seven values."""
+    if law is None:
+        raise InputError("law: missing (allowed: slip, aging)")
+    arguments = (*options({name: exact(value) for name, value in values.items()}), f"--law={law}", *common)
+    return Simulation.of(call_json("simulate", *arguments, warned=warned), arguments)
+
+
+def boundary(
+    *, a: Value, b: Value, d_c: Value, k: Value, m: Value, n: int = 200, digits: int | None = None
+) -> Any:
+    """Compute the exact boundary max Im(s) = 0, with ``n`` points on each arc and the marked ones.
+
+    The columns are those of ``slipmode boundary``. Numbers are floats, or ``Decimal`` with this many ``digits``. Arrays of sliders
+    give one table, whose column ``row`` counts the sliders from 0; the arguments are those of :func:`classify`.
+    """
+    values: dict[str, Any] = {"a": a, "b": b, "d_c": d_c, "k": k, "m": m}
+    if single(values, None):
+        with tempfile.TemporaryDirectory() as folder:
+            picture = Path(folder, "boundary.svg")
+            texts = {name: exact(value) for name, value in values.items()}
+            found = boundary_points(texts, [f"--points={n}", f"--svg={picture}"], digits, None)
+            return BoundaryTable(Table.of_rows(found), picture.read_text())
+    return table_of(
+        values, "boundary", lambda texts, warned: boundary_points(texts, [f"--points={n}"], digits, warned)
+    )
+
+
+def boundary_points(
+    texts: Texts, asked: Sequence[str], digits: int | None, warned: Warned | None
+) -> list[dict[str, Any]]:
+    """Return the points of the boundary of a slider."""
+    refuse_error_bars("boundary", any(map(_slipmode.has_error_bar, texts.values())))
+    if digits is None:
+        found: list[dict[str, Any]] = call_json("boundary", *options(texts), *asked, warned=warned)["points"]
+        return found
+    printed = call("boundary", *options(texts), *asked, f"--digits={digits}", warned=warned)
+    words = ("arc", "asymptote", "mark")
+    cells = csv.DictReader(io.StringIO(printed))
+    return [{name: x if name in words else Decimal(x) for name, x in row.items()} for row in cells]
+
+
+def tolerance(*, a: Value, b: Value, d_c: Value, k: Value, m: Value, errors: Sequence[Number] = ()) -> Any:
+    """Compute where each formula of the paper may be used, for these relative ``errors``; 0.1, 0.01 and 0.001 without any.
+
+    Arrays of sliders give one table, whose column ``row`` counts the sliders from 0; the arguments are those of :func:`classify`.
+    """
+    values: dict[str, Any] = {"a": a, "b": b, "d_c": d_c, "k": k, "m": m}
+    asked = [f"--relative-error={exact(error)}" for error in errors]
+    if single(values, None):
+        texts = {name: exact(value) for name, value in values.items()}
+        return Table.of_rows(tolerances(texts, asked, None))
+    return table_of(values, "tolerance", lambda texts, warned: tolerances(texts, asked, warned))
+
+
+def tolerances(texts: Texts, asked: Sequence[str], warned: Warned | None) -> list[dict[str, Any]]:
+    """Return the rows of ``slipmode tolerance``."""
+    refuse_error_bars("tolerance", any(map(_slipmode.has_error_bar, texts.values())))
+    rows = []
+    for row in call_json("tolerance", *options(texts), *asked, warned=warned)["formulas"]:
+        (limit,) = row.pop("limit").items()
+        names = ("formula", "relative_error", "where")
+        (value,) = [(name, number) for name, number in row.items() if name not in names]
+        of_value = {"value_of": value[0], "value": value[1]}
+        rows.append({name: row[name] for name in names} | of_value | {"limit_of": limit[0], "limit": limit[1]})
+    return rows
+
+
+def table_of(values: Mapping[str, Any], command: str, work: Any) -> Any:
+    """Return the tables of several sliders as one, with the number of the row."""
+    rows = Rows.of(None, values)
+    refuse_error_bars(command, rows.is_uncertain)
+    tables = each(rows.texts(), work)
+    listed = [{"row": place} | cells for place, table in enumerate(tables) for cells in table or ()]
+    table = Table.of_rows(listed)
+    return table.to_pandas() if rows.kind.package == "pandas" else table
