@@ -2,12 +2,12 @@
 
 use rayon::prelude::*;
 
-use super::{Point, hold, point};
+use super::{Point, coordinate, hold, point};
 use crate::experiments::shared::cells::Digits;
 use crate::scene::{ChartLine, EquationChart};
-use slipmode_core::number::Ball;
+use slipmode_core::number::{Ball, nearest_f64};
 use slipmode_plot::figure::{LineChart, Series};
-use slipmode_plot::table::{Cell, Column, Table};
+use slipmode_plot::table::{Column, Table};
 
 /// Bits of the balls, in turn; the second one is for values that nearly cancel.
 const BITS: [u32; 2] = [128, 1024];
@@ -34,14 +34,14 @@ pub(super) fn draw(chart: &EquationChart) -> (String, Table) {
 
 /// The heights of each line at the values of the horizontal axis.
 pub(super) fn heights(chart: &EquationChart) -> Vec<Vec<Option<Ball>>> {
-    let points: Vec<Point> = chart.x.values.iter().map(|&value| point([(&chart.x, value)])).collect();
+    let points: Vec<Point> = chart.x.values.iter().map(|value| point([(&chart.x, value)])).collect();
     chart.lines.iter().map(|line| points.par_iter().map(|at| height(line, at)).collect()).collect()
 }
 
 /// The points of a line; one without a height interrupts it.
 pub(super) fn drawn(chart: &EquationChart, heights: &[Option<Ball>]) -> Vec<(f64, f64)> {
     let height = |one: &Option<Ball>| one.as_ref().map_or(f64::NAN, Ball::to_f64);
-    chart.x.values.iter().zip(heights).map(|(&x, one)| (x, height(one))).collect()
+    chart.x.values.iter().zip(heights).map(|(x, one)| (nearest_f64(x), height(one))).collect()
 }
 
 /// The height at a point; none where the expression has no value, or none that is certain.
@@ -67,9 +67,9 @@ fn table(chart: &EquationChart, heights: &[Vec<Option<Ball>>]) -> Table {
     let mut table = Table::new(&chart.caption.id, &chart.caption.title, columns.collect()).with_note(
         "Digits are certain: each value is enclosed. A cell is empty where the expression has no value.",
     );
-    for (row, &value) in x.values.iter().enumerate() {
+    for (row, value) in x.values.iter().enumerate() {
         let cells = heights.iter().map(|line| line[row].as_ref().cell(DIGITS));
-        table.push([Cell::number(value.to_string())].into_iter().chain(cells).collect());
+        table.push([coordinate(value)].into_iter().chain(cells).collect());
     }
     table
 }

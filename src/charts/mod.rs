@@ -12,7 +12,8 @@ use crate::experiments::Figure;
 use crate::scene::{EquationChart, Sampled};
 use slipmode_algebra::{Literal, Symbol};
 use slipmode_core::number::Rational;
-use slipmode_plot::table::Table;
+use slipmode_core::number::format::rational_to_decimal;
+use slipmode_plot::table::{Cell, Table};
 
 /// The figure of a chart, and the table of its numbers, which has the figure's id.
 #[must_use]
@@ -28,13 +29,13 @@ pub fn draw(chart: &EquationChart) -> (Figure, Table) {
 /// Values of variables.
 type Point = BTreeMap<Symbol, Rational>;
 
-/// The value of an axis as the rational that it is; every number of an axis is finite.
-fn exact(value: f64) -> Rational {
-    Rational::from_f64(value).unwrap_or_default()
+fn point<'s>(values: impl IntoIterator<Item = (&'s Sampled, &'s Rational)>) -> Point {
+    values.into_iter().map(|(axis, value)| (axis.variable.clone(), value.clone())).collect()
 }
 
-fn point<'s>(values: impl IntoIterator<Item = (&'s Sampled, f64)>) -> Point {
-    values.into_iter().map(|(axis, value)| (axis.variable.clone(), exact(value))).collect()
+/// A value of an axis in the table.
+fn coordinate(value: &Rational) -> Cell {
+    Cell::number(rational_to_decimal(value, 17))
 }
 
 /// Whether all conditions hold at a point with certainty.

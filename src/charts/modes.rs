@@ -3,9 +3,10 @@
 use rayon::prelude::*;
 
 use super::lines::{drawn, heights};
-use super::{Point, hold, point};
+use super::{Point, coordinate, hold, point};
 use crate::scene::{ChartMap, EquationChart};
 use slipmode_algebra::{RootCounts, UnivariatePolynomial};
+use slipmode_core::number::Rational;
 use slipmode_plot::figure::{Line, LineRole, Zone, ZoneMap, zones_of_grid};
 use slipmode_plot::table::{Cell, Column, Table};
 
@@ -55,8 +56,8 @@ const ROLES: [LineRole; 4] = [LineRole::Boundary, LineRole::Asymptote, LineRole:
 /// The map with the lines over it, and the table of its points.
 pub(super) fn draw(chart: &EquationChart, map: &ChartMap) -> (String, Table) {
     let (x, y) = (&chart.x, &map.y);
-    let points = y.values.iter().flat_map(|&height| x.values.iter().map(move |&along| (along, height)));
-    let points: Vec<(f64, f64)> = points.collect();
+    let points = y.values.iter().flat_map(|height| x.values.iter().map(move |along| (along, height)));
+    let points: Vec<(&Rational, &Rational)> = points.collect();
     let found: Vec<Option<RootCounts>> =
         points.par_iter().map(|&(along, height)| roots(map, &point([(x, along), (y, height)]))).collect();
     let class = |one: &Option<RootCounts>| {
@@ -94,7 +95,7 @@ fn roots(map: &ChartMap, at: &Point) -> Option<RootCounts> {
 fn table(
     chart: &EquationChart,
     map: &ChartMap,
-    points: &[(f64, f64)],
+    points: &[(&Rational, &Rational)],
     found: &[Option<RootCounts>],
 ) -> Table {
     let axis =
@@ -115,8 +116,8 @@ fn table(
             roots.as_ref().map_or_else(Cell::empty, |roots| Cell::number(of(roots).to_string()).certain())
         };
         table.push(vec![
-            Cell::number(along.to_string()),
-            Cell::number(height.to_string()),
+            coordinate(along),
+            coordinate(height),
             count(|roots| roots.right),
             count(|roots| roots.on_axis),
             count(|roots| roots.real),

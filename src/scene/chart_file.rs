@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 
 use slipmode_algebra::{Domain, Expression, Literal, Relation, Sign, Symbol};
-use slipmode_core::number::{Rational, nearest_f64};
+use slipmode_core::number::format::round_digits;
+use slipmode_core::number::{Rational, nearest_f64, parse_decimal};
 use slipmode_core::theory::Equations;
 use slipmode_core::theory::root_location::{MOST_DEGREE, coefficients};
 use slipmode_plot::figure::{Axis, Caption, Scale};
@@ -41,8 +42,8 @@ pub struct Sampled {
     pub variable: Symbol,
     /// Its axis.
     pub axis: Axis,
-    /// Its values, ascending; each stands for the rational that it is.
-    pub values: Vec<f64>,
+    /// Its values, ascending: decimals of few digits, so that exact arithmetic is fast.
+    pub values: Vec<Rational>,
 }
 
 /// A line of a chart.
@@ -161,7 +162,7 @@ impl Reader<'_> {
                 (0..points).map(|index| nearest_f64(&(width.clone() * index + &from))).collect()
             }
         };
-        Some(Sampled { variable, axis, values })
+        Some(Sampled { variable, axis, values: short_decimals(&values) })
     }
 
     /// An expression with the values put in, which may have these variables alone.
@@ -286,6 +287,15 @@ fn axis(section: &mut Section<'_>) -> Option<(Axis, Rational, Rational)> {
     Some((make(&title, &unit, nearest_f64(&from), nearest_f64(&to)), from, to))
 }
 
+/// The values with as few digits as keep them apart, four at least.
+fn short_decimals(values: &[f64]) -> Vec<Rational> {
+    let decimal = |text: &str| parse_decimal(text).unwrap_or_default();
+    let rounded =
+        |digits| values.iter().map(|&value| decimal(&round_digits(value, digits))).collect::<Vec<_>>();
+    let mut all = (4..=17).map(rounded);
+    all.find(|values| values.is_sorted_by(|one, next| one < next)).unwrap_or_else(|| rounded(17))
+}
+
 fn plain_axis(entry: &Entry<'_>) -> Option<Axis> {
     let mut section = entry.section()?;
     let axis = axis(&mut section);
@@ -325,12 +335,15 @@ mod tests {
     #[test]
     fn values_are_put_in_and_each_line_may_have_its_own() {
         let chart = read(LINES).unwrap();
-        assert_eq!(chart.x.values, [1.0, 10.0, 100.0]);
+        assert_eq!(chart.x.values, [1, 10, 100]);
         let at = [("k".parse().unwrap(), Rational::from(16))].into();
         let values: Vec<_> = chart.lines.iter().map(|line| line.value.rational_value(&at)).collect();
         assert_eq!(values, [Some(Rational::from(2)), Some(Rational::from(16))]);
         let map = read(MAP).unwrap();
-        assert_eq!((map.x.values, map.map.unwrap().coefficients.len()), (vec![-1.0, 0.0, 1.0], 3));
+        assert_eq!(
+            (map.x.values, map.map.unwrap().coefficients.len()),
+            ([-1, 0, 1].map(Rational::from).to_vec(), 3)
+        );
     }
 
     #[test]
