@@ -68,7 +68,7 @@ fn a_tolerance_that_no_run_can_have_is_refused() {
     let slider = Slider::new("0.004", "0.006", "1e-5", "1e7", 1000).unwrap();
     let point = OperatingPoint::new("1e6", "1e-5").unwrap();
     for tolerance in [f64::NAN, 0.0, -1.0, 1.0, f64::INFINITY] {
-        assert!(slider.simulate(&point, crate::EvolutionLaw::Slip, tolerance).is_err());
+        assert!(slider.simulate(&point, crate::friction::EvolutionLaw::Slip, tolerance).is_err());
     }
 }
 
