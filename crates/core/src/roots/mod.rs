@@ -1,7 +1,7 @@
 //! The three roots of a real cubic: 64-bit, double-double and certified, and which of them decided.
 //!
 //! Cubics are `[c0, c1, c2, c3]` by ascending power. Whether roots are real, and whether any coincide, is never read off
-//! rounded roots: the sign of the [`discriminant`] decides it exactly, and enclosures are computed afterwards.
+//! rounded roots: the sign of the discriminant decides it exactly, and enclosures are computed afterwards.
 //!
 //! ```
 //! use slipmode_core::number::Rational;
