@@ -15,9 +15,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     for root in slider.roots(&point, 20) {
         println!("root {} + i ({}) 1/s", root.real_per_s, root.imaginary_per_s);
     }
-    for point in slider.boundary(15).at_normal_stress("1e4")? {
-        println!("{} arc at V0 = {} m/s", point.arc, point.loading_velocity_m_per_s);
+    let crossings = slider.boundary(15).at_normal_stress("1e6")?;
+    for crossing in &crossings {
+        println!("{} arc at V0 = {} m/s", crossing.arc, crossing.loading_velocity_m_per_s);
     }
+    assert_eq!(crossings.len(), 1);
     let run = slider.simulate(&point, EvolutionLaw::Slip, 1e-4)?;
     println!("{}: peak {:.4e} m/s", run.behaviour, run.peak_velocity_m_per_s);
 
