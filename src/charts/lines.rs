@@ -7,7 +7,7 @@ use crate::experiments::shared::cells::Digits;
 use crate::scene::{ChartLine, EquationChart};
 use slipmode_core::number::{Ball, nearest_f64};
 use slipmode_plot::figure::{LineChart, Series};
-use slipmode_plot::table::{Column, Table};
+use slipmode_plot::table::{Cell, Column, Table};
 
 /// Bits of the balls, in turn; the second one is for values that nearly cancel.
 const BITS: [u32; 2] = [128, 1024];
@@ -61,15 +61,22 @@ fn height(line: &ChartLine, at: &Point) -> Option<Ball> {
 /// The table of a chart of lines.
 fn table(chart: &EquationChart, heights: &[Vec<Option<Ball>>]) -> Table {
     let x = &chart.x;
-    let column = |name: &str, header: &str, unit: &str| Column::number(name, header, unit);
-    let lines = chart.lines.iter().map(|line| column(&line.column, &line.label, &chart.y.unit));
-    let columns = [column(x.variable.as_str(), &x.axis.title, &x.axis.unit)].into_iter().chain(lines);
+    let columns = [x.column()].into_iter().chain(columns(chart));
     let mut table = Table::new(&chart.caption.id, &chart.caption.title, columns.collect()).with_note(
         "Digits are certain: each value is enclosed. A cell is empty where the expression has no value.",
     );
     for (row, value) in x.values.iter().enumerate() {
-        let cells = heights.iter().map(|line| line[row].as_ref().cell(DIGITS));
-        table.push([coordinate(value)].into_iter().chain(cells).collect());
+        table.push([coordinate(value)].into_iter().chain(cells(heights, row)).collect());
     }
     table
+}
+
+/// A column for each line.
+pub(super) fn columns(chart: &EquationChart) -> impl Iterator<Item = Column> {
+    chart.lines.iter().map(|line| Column::number(&line.column, &line.label, &chart.y.unit))
+}
+
+/// The heights of all lines at one value of the horizontal axis.
+pub(super) fn cells(heights: &[Vec<Option<Ball>>], place: usize) -> impl Iterator<Item = Cell> {
+    heights.iter().map(move |line| line[place].as_ref().cell(DIGITS))
 }

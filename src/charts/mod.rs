@@ -13,7 +13,7 @@ use crate::scene::{EquationChart, Sampled};
 use slipmode_algebra::{Literal, Symbol};
 use slipmode_core::number::Rational;
 use slipmode_core::number::format::rational_to_decimal;
-use slipmode_plot::table::{Cell, Table};
+use slipmode_plot::table::{Cell, Column, Table};
 
 /// The figure of a chart, and the table of its numbers, which has the figure's id.
 #[must_use]
@@ -28,6 +28,12 @@ pub fn draw(chart: &EquationChart) -> (Figure, Table) {
 
 /// Values of variables.
 type Point = BTreeMap<Symbol, Rational>;
+
+impl Sampled {
+    fn column(&self) -> Column {
+        Column::number(self.variable.as_str(), &self.axis.title, &self.axis.unit)
+    }
+}
 
 fn point<'s>(values: impl IntoIterator<Item = (&'s Sampled, &'s Rational)>) -> Point {
     values.into_iter().map(|(axis, value)| (axis.variable.clone(), value.clone())).collect()

@@ -2,11 +2,11 @@
 
 use rayon::prelude::*;
 
-use super::lines::{drawn, heights};
+use super::lines::{cells, columns, drawn, heights};
 use super::{Point, coordinate, hold, point};
 use crate::scene::{ChartMap, EquationChart};
 use slipmode_algebra::{RootCounts, UnivariatePolynomial};
-use slipmode_core::number::Rational;
+use slipmode_core::number::{Ball, Rational};
 use slipmode_plot::figure::{Line, LineRole, Zone, ZoneMap, zones_of_grid};
 use slipmode_plot::table::{Cell, Column, Table};
 
@@ -66,7 +66,8 @@ pub(super) fn draw(chart: &EquationChart, map: &ChartMap) -> (String, Table) {
     let classes: Vec<usize> = found.iter().map(|one| class(one).unwrap_or(Mode::ALL.len())).collect();
     let outlines = zones_of_grid(&x.axis, &y.axis, x.values.len(), &classes, Mode::ALL.len());
     let zones = Mode::ALL.iter().zip(outlines).filter(|(_, outlines)| !outlines.is_empty());
-    let lines = chart.lines.iter().zip(heights(chart)).zip(ROLES.iter().cycle());
+    let heights = heights(chart);
+    let lines = chart.lines.iter().zip(&heights).zip(ROLES.iter().cycle());
     let svg = ZoneMap {
         caption: chart.caption.clone(),
         x: x.axis.clone(),
@@ -75,12 +76,12 @@ pub(super) fn draw(chart: &EquationChart, map: &ChartMap) -> (String, Table) {
             .map(|(mode, outlines)| Zone { label: mode.as_str().into(), outlines, style: mode.style() })
             .collect(),
         lines: lines
-            .map(|((line, heights), role)| Line::new(&line.label, *role, drawn(chart, &heights)))
+            .map(|((line, heights), role)| Line::new(&line.label, *role, drawn(chart, heights)))
             .collect(),
         marks: Vec::new(),
         labels: Vec::new(),
     };
-    (svg.svg(), table(chart, map, &points, &found))
+    (svg.svg(), table(chart, map, &heights, &points, &found))
 }
 
 /// Where the roots lie at a point; none where the polynomial is not defined or is zero.
@@ -95,34 +96,33 @@ fn roots(map: &ChartMap, at: &Point) -> Option<RootCounts> {
 fn table(
     chart: &EquationChart,
     map: &ChartMap,
+    heights: &[Vec<Option<Ball>>],
     points: &[(&Rational, &Rational)],
     found: &[Option<RootCounts>],
 ) -> Table {
-    let axis =
-        |one: &crate::scene::Sampled| Column::number(one.variable.as_str(), &one.axis.title, &one.axis.unit);
-    let columns = vec![
-        axis(&chart.x),
-        axis(&map.y),
+    let counts = [
         Column::number("roots_right", "Roots with a positive real part", ""),
         Column::number("roots_on_axis", "Roots on the imaginary axis", ""),
         Column::number("real_roots", "Real roots", ""),
         Column::text("mode", "Mode"),
     ];
-    let mut table = Table::new(&chart.caption.id, &chart.caption.title, columns).with_note(
-        "Counts of distinct roots, exact at each point. Cells are empty where the polynomial is not defined.",
+    let columns = [chart.x.column(), map.y.column()].into_iter().chain(counts).chain(columns(chart));
+    let mut table = Table::new(&chart.caption.id, &chart.caption.title, columns.collect()).with_note(
+        "Counts of distinct roots, exact at each point; the heights of lines have certain digits. Cells are empty where the polynomial is not defined, or a line has no value.",
     );
-    for (&(along, height), roots) in points.iter().zip(found) {
+    for (place, (&(along, height), roots)) in points.iter().zip(found).enumerate() {
         let count = |of: fn(&RootCounts) -> usize| {
             roots.as_ref().map_or_else(Cell::empty, |roots| Cell::number(of(roots).to_string()).certain())
         };
-        table.push(vec![
+        let own = [
             coordinate(along),
             coordinate(height),
             count(|roots| roots.right),
             count(|roots| roots.on_axis),
             count(|roots| roots.real),
             roots.map_or_else(Cell::empty, |roots| Cell::text(Mode::of(roots).as_str())),
-        ]);
+        ];
+        table.push(own.into_iter().chain(cells(heights, place % chart.x.values.len())).collect());
     }
     table
 }

@@ -115,14 +115,20 @@ impl Reader<'_> {
                 (map.y.axis.clone(), Some(map))
             }
         };
-        let mut earlier = vec![x.variable.to_string()];
+        let taken = map.iter().flat_map(|map| [map.y.variable.as_str()].into_iter().chain(COUNTS));
+        let mut earlier = [x.variable.as_str()].into_iter().chain(taken).map(str::to_owned).collect();
         let lines = lines.map_or(Some(Vec::new()), |entry| {
             entry.list(|member| self.line(member, &values, &x.variable, &mut earlier))
         })?;
         self.check_units(top, &lines, map.as_ref())?;
-        let caption = (Caption::new(id, &title?, &description?), caption?);
-        let lines = lines.into_iter().map(|(line, _)| line).collect();
-        Some(EquationChart { caption: caption.0, caption_markdown: caption.1, x, y, lines, map })
+        Some(EquationChart {
+            caption: Caption::new(id, &title?, &description?),
+            caption_markdown: caption?,
+            x,
+            y,
+            lines: lines.into_iter().map(|(line, _)| line).collect(),
+            map,
+        })
     }
 
     /// Values of variables, together with those of the whole chart.
@@ -165,15 +171,14 @@ impl Reader<'_> {
         Some(Sampled { variable, axis, values: short_decimals(&values) })
     }
 
-    /// An expression with the values put in, which may have these variables alone.
+    /// An expression as it is written; its value with the values put in, which may have these variables alone; and where it has one.
     fn put_in(
         &self,
         entry: &Entry<'_>,
-        text: &str,
         values: &Values,
         variables: &[&Symbol],
-    ) -> Option<(Expression, Vec<Literal>)> {
-        let read = entry.sound(read_side(text, &self.names).map_err(Problem::Equation))?;
+    ) -> Option<(Expression, Expression, Vec<Literal>)> {
+        let read = entry.sound(read_side(&entry.text()?, &self.names).map_err(Problem::Equation))?;
         let put = |one: &Expression| self.names.resolved(one).substitute(values);
         let of_definitions = self.names.given_of(&read).into_iter().map(|one| {
             let sign = match one.relation {
@@ -195,7 +200,7 @@ impl Reader<'_> {
         let open = all.flat_map(Expression::variables).find(|name| !variables.contains(&name));
         match open {
             Some(name) => entry.refuse(Problem::Needs(format!("a value for {name} in `values`"))),
-            None => Some((value, given)),
+            None => Some((read, value, given)),
         }
     }
 
@@ -214,9 +219,7 @@ impl Reader<'_> {
         let is = section.required("is", "an expression");
         section.finish();
         let (is, own) = (is?, own?);
-        let text = is.text()?;
-        let (value, given) = self.put_in(&is, &text, own.as_ref().unwrap_or(values), &[x])?;
-        let written = read_side(&text, &self.names).ok()?;
+        let (written, value, given) = self.put_in(&is, own.as_ref().unwrap_or(values), &[x])?;
         Some((ChartLine { column: column?, label: label?, value, given }, written))
     }
 
@@ -230,7 +233,7 @@ impl Reader<'_> {
         let root = roots.sound(read_variable(&roots.text()?, &self.names).map_err(Problem::Equation))?;
         entry.check_points(x.values.len() as u64 * y.values.len() as u64)?;
         let variables = [&x.variable, &y.variable, &root];
-        let (value, given) = self.put_in(&polynomial, &polynomial.text()?, values, &variables)?;
+        let (_, value, given) = self.put_in(&polynomial, values, &variables)?;
         let domain = Domain::of_positive(self.names.positive().iter().cloned());
         let function = domain.rational_function(&value).ok();
         let plain = function.filter(|one| one.generators().iter().all(|one| one.symbol().is_some()));
@@ -264,6 +267,9 @@ impl Reader<'_> {
 
 /// What an axis with a variable has.
 const SAMPLED: &str = "a table with variable, title, from, to and points";
+
+/// The columns of the table of a map, besides its variables and its lines.
+const COUNTS: [&str; 4] = ["roots_right", "roots_on_axis", "real_roots", "mode"];
 
 /// The most points along an axis.
 const MOST_POINTS: u64 = 2000;
@@ -325,6 +331,12 @@ mod tests {
         [y]\nvariable = \"k\"\ntitle = \"K\"\nfrom = 1\nto = 100\npoints = 3\n\
         [map]\npolynomial = \"P\"\nroots = \"s\"\n";
 
+    const LINED_MAP: &str = "title = \"T\"\ncaption = \"C.\"\ndescription = \"D\"\nvalues = { m = 1 }\n\
+        [x]\nvariable = \"d\"\ntitle = \"D\"\nfrom = 1\nto = 10\npoints = 3\n\
+        [y]\nvariable = \"k\"\ntitle = \"K\"\nfrom = 1\nto = 100\npoints = 3\n\
+        [map]\npolynomial = \"P\"\nroots = \"s\"\n\
+        [[line]]\ncolumn = \"h\"\nlabel = \"H\"\nis = \"d^2/(4*m)\"\n";
+
     fn read(text: &str) -> Result<EquationChart, String> {
         let equations = read_equations("equations.toml", EQUATIONS.as_bytes()).expect("equations");
         read_chart("c.toml", text.as_bytes(), &Limits::default(), "c", Some(&equations))
@@ -368,6 +380,8 @@ mod tests {
             (MAP, "from = 1\n", "from = -1\n", "y.from"),
             (MAP, "points = 3\n[map]", "[map]", "y.points: missing"),
             (MAP, "[map]", "[mapp]", "mapp"),
+            (LINED_MAP, "\"h\"", "\"mode\"", "line[1].column"),
+            (LINED_MAP, "\"h\"", "\"k\"", "line[1].column"),
         ] {
             assert!(text.contains(from), "{from}");
             let faults = read(&text.replacen(from, to, 1)).unwrap_err();

@@ -1,7 +1,7 @@
 //! The keys of a claim, a part or a reading's part that state a formula and over what it is said.
 
 use slipmode_algebra::Symbol;
-use slipmode_core::number::{Rational, parse_decimal};
+use slipmode_core::number::{DecimalError, Rational, parse_quotient};
 use slipmode_core::theory::Equations;
 
 use crate::scene::Problem;
@@ -233,14 +233,10 @@ impl<'t> FormulaEntries<'t> {
 
 /// An exact number, written as a decimal or as a quotient of two.
 pub(super) fn number(entry: &Entry<'_>) -> Option<Rational> {
-    let decimal = |text: &str| {
-        parse_decimal(text.trim()).map_err(|error| Problem::Equation(format!("'{}' is {error}", text.trim())))
-    };
-    entry.number(|text| match text.split_once('/') {
-        None => decimal(text),
-        Some((above, below)) => match (decimal(above)?, decimal(below)?) {
-            (_, below) if below == 0 => Err(Problem::Equation("a division by zero".into())),
-            (above, below) => Ok(above / below),
-        },
+    entry.number(|text| {
+        parse_quotient(text).map_err(|error| match error {
+            DecimalError::DivisionByZero => Problem::Equation(error.to_string()),
+            _ => Problem::Equation(format!("'{}' is {error}", text.trim())),
+        })
     })
 }

@@ -4,6 +4,7 @@ use std::ops::RangeInclusive;
 
 use crate::scene::Problem;
 use crate::scene::units::{unit_for, with_unit};
+use slipmode_core::friction::{LEAST, MOST};
 use slipmode_core::number::{DecimalError, Rational, parse_decimal};
 
 /// A range of numbers; its ends are decimals, so that messages and checks cannot differ.
@@ -18,7 +19,7 @@ impl AllowedRange {
     /// Every physical quantity: positive, 1e-300 to 1e300, ends included.
     ///
     /// Far beyond any slider, and far inside what the exact arithmetic can do.
-    pub const PHYSICAL: Self = Self { lower: "1e-300", upper: "1e300", ends_included: true };
+    pub const PHYSICAL: Self = Self { lower: LEAST, upper: MOST, ends_included: true };
 
     /// Ratios and relative errors strictly between 0 and 1.
     pub const OPEN_UNIT: Self = Self { lower: "0", upper: "1", ends_included: false };

@@ -27,11 +27,14 @@ fn the_example_is_drawn_and_its_table_is_that_of_the_quadratic() {
     place.run(["report", "r", "-o", "out"]).expect_success();
     let table = place.read("out/tables/oscillator.csv");
     let mut rows = table.lines();
-    assert_eq!(rows.next(), Some("d,k,roots_right,roots_on_axis,real_roots,mode"));
+    assert_eq!(rows.next(), Some("d,k,roots_right,roots_on_axis,real_roots,mode,critical_spring"));
     let mut counted = 0;
     for row in rows {
-        let cells: Vec<&str> = row.splitn(6, ',').collect();
+        let cells: Vec<&str> = row.rsplitn(2, ',').collect();
+        let critical: f64 = cells[0].parse().unwrap();
+        let cells: Vec<&str> = cells[1].splitn(6, ',').collect();
         let [d, k]: [f64; 2] = [0, 1].map(|index| cells[index].parse().unwrap());
+        assert!((critical / (d * d / 4.0) - 1.0).abs() < 1e-9, "{row}");
         // Points on the line d^2 = 4k itself are left to exact arithmetic.
         let oscillates = d * d < 4.0 * k * (1.0 - 1e-9);
         let overdamped = d * d > 4.0 * k * (1.0 + 1e-9);

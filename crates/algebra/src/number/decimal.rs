@@ -35,6 +35,9 @@ pub enum DecimalError {
     /// Exponent beyond ±[`MAX_EXPONENT`].
     #[error("exponent beyond ±{MAX_EXPONENT}")]
     ExponentOutOfRange,
+    /// A quotient of two numbers, the second of which is zero.
+    #[error("a division by zero")]
+    DivisionByZero,
 }
 
 /// Reads `[+-]digits[.digits][e[+-]digits]` (or `.digits`) exactly.
@@ -68,6 +71,23 @@ pub fn parse_decimal(text: &str) -> Result<Rational, DecimalError> {
     // The digit cap keeps the fraction's length far inside i64.
     let value = scale_by_power_of_ten(integer, exponent - fraction.len() as i64);
     Ok(if negative { -value } else { value })
+}
+
+/// Reads a decimal, or a quotient of two such as `1/3`, exactly.
+///
+/// # Errors
+/// As [`parse_decimal`] for each of the two, and when the second one is zero.
+///
+/// ```
+/// use slipmode_algebra::number::{DecimalError, Rational, parse_quotient};
+///
+/// assert_eq!(parse_quotient("-1.5/3"), Ok(Rational::from((-1, 2))));
+/// assert_eq!(parse_quotient("1/0"), Err(DecimalError::DivisionByZero));
+/// ```
+pub fn parse_quotient(text: &str) -> Result<Rational, DecimalError> {
+    let Some((above, below)) = text.split_once('/') else { return parse_decimal(text.trim()) };
+    let (above, below) = (parse_decimal(above.trim())?, parse_decimal(below.trim())?);
+    if below == 0 { Err(DecimalError::DivisionByZero) } else { Ok(above / below) }
 }
 
 fn strip_sign(text: &str) -> (bool, &str) {

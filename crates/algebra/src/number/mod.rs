@@ -16,6 +16,6 @@ mod magnitude;
 mod operators;
 
 pub use ball::{Ball, bits_for_digits};
-pub use decimal::{DecimalError, MAX_DIGITS, MAX_EXPONENT, nearest_f64, parse_decimal};
+pub use decimal::{DecimalError, MAX_DIGITS, MAX_EXPONENT, nearest_f64, parse_decimal, parse_quotient};
 pub use field::{Field, Real};
 pub use rug::Rational;

@@ -6,8 +6,8 @@ use std::str::FromStr;
 
 use thiserror::Error;
 
-use crate::number::format::rational_to_decimal;
-use crate::number::{DecimalError, Rational, nearest_f64, parse_decimal};
+use crate::number::format::exact_text;
+use crate::number::{DecimalError, Rational, nearest_f64, parse_quotient};
 
 /// An exact number.
 ///
@@ -33,12 +33,9 @@ pub struct Exact(pub(super) Rational);
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum NumberError {
-    /// A text that is no decimal and no quotient of two.
+    /// A text that is no decimal and no quotient of two, or one that divides by zero.
     #[error("{0}")]
     Text(#[from] DecimalError),
-    /// A quotient that divides by zero.
-    #[error("a division by zero")]
-    DivisionByZero,
     /// A 64-bit number that is infinite or none at all.
     #[error("{0} is not a finite number")]
     NotFinite(String),
@@ -56,13 +53,7 @@ impl FromStr for Exact {
     type Err = NumberError;
 
     fn from_str(text: &str) -> Result<Self, NumberError> {
-        match text.trim().split_once('/') {
-            None => Ok(Self(parse_decimal(text.trim())?)),
-            Some((above, below)) => match (parse_decimal(above.trim())?, parse_decimal(below.trim())?) {
-                (_, below) if below.is_zero() => Err(NumberError::DivisionByZero),
-                (above, below) => Ok(Self(above / below)),
-            },
-        }
+        Ok(Self(parse_quotient(text)?))
     }
 }
 
@@ -115,15 +106,9 @@ impl From<Exact> for String {
     }
 }
 
-/// The decimal where the number has one of at most this many digits, else a quotient.
-const MOST_DIGITS: usize = 400;
-
+/// The decimal where one of at most 40 digits is exact, else a quotient.
 impl fmt::Display for Exact {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let decimal = rational_to_decimal(&self.0, MOST_DIGITS);
-        match parse_decimal(&decimal) {
-            Ok(value) if value == self.0 => formatter.pad(&decimal),
-            _ => formatter.pad(&self.0.to_string()),
-        }
+        formatter.pad(&exact_text(&self.0))
     }
 }

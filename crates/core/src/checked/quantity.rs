@@ -5,6 +5,7 @@ use std::fmt;
 use thiserror::Error;
 
 use super::exact::{Exact, NumberError};
+use crate::friction::{LEAST, MOST};
 use crate::number::{Rational, parse_decimal};
 
 slipmode_algebra::named! {
@@ -84,11 +85,6 @@ pub enum QuantityError {
     #[error("out of range (allowed: {LEAST} to {MOST})")]
     OutOfRange,
 }
-
-/// The least value of an input.
-pub const LEAST: &str = "1e-300";
-/// The largest one.
-pub const MOST: &str = "1e300";
 
 impl Quantity {
     /// The value, if it is one of this input.

@@ -25,3 +25,8 @@ pub use parameter_box::ParameterBox;
 pub use parameters::{OperatingPoint, Parameters};
 pub use slider::Slider;
 pub use slip_mode::SlipMode;
+
+/// The least value that an input of the slider may have: far below any slider, and far inside what the exact arithmetic can do.
+pub const LEAST: &str = "1e-300";
+/// The largest one.
+pub const MOST: &str = "1e300";

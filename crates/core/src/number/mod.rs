@@ -23,6 +23,6 @@ pub use double_double::Dd;
 pub(crate) use interval::{Interval, Rectangle};
 pub use slipmode_algebra::number::{
     Ball, DecimalError, Field, MAX_DIGITS, MAX_EXPONENT, Rational, Real, bits_for_digits, nearest_f64,
-    parse_decimal,
+    parse_decimal, parse_quotient,
 };
 pub use wide::Wide;

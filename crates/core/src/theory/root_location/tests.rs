@@ -1,7 +1,7 @@
 //! The signs against roots that are known beforehand, and the proofs of the lemmas.
 
 use super::*;
-use slipmode_algebra::{Literal, UnivariatePolynomial};
+use slipmode_algebra::{Literal, RootCounts, UnivariatePolynomial};
 
 fn number(value: i32) -> Expression {
     Expression::integer(value)
@@ -29,6 +29,11 @@ fn product(leading: i32, real: &[i32], pairs: &[(i32, i32)]) -> Vec<Expression> 
     product.coefficients().iter().map(|value| Expression::Number(value.clone())).collect()
 }
 
+fn counts(coefficients: &[Expression]) -> RootCounts {
+    let values = coefficients.iter().map(|one| one.rational_value(&Default::default()).unwrap());
+    UnivariatePolynomial::new(values.collect()).root_counts().unwrap()
+}
+
 #[test]
 fn signs_agree_with_roots_that_are_known_beforehand() {
     let mut compared = 0;
@@ -44,6 +49,11 @@ fn signs_agree_with_roots_that_are_known_beforehand() {
                 assert_eq!(says(RootStatement::Stable), parts.iter().all(|part| *part < 0), "{words}");
                 assert_eq!(says(RootStatement::Unstable), parts.iter().any(|part| *part > 0), "{words}");
                 assert_eq!(says(RootStatement::AllReal), pairs.is_empty(), "{words}");
+                // Charts count roots: their counts say the same.
+                let counts = counts(&coefficients);
+                assert_eq!(counts.right == 0 && counts.on_axis == 0, says(RootStatement::Stable), "{words}");
+                assert_eq!(counts.right > 0, says(RootStatement::Unstable), "{words}");
+                assert_eq!(counts.real == counts.all, says(RootStatement::AllReal), "{words}");
                 compared += 3;
             }
         }
