@@ -19,6 +19,7 @@ mod division;
 mod domain;
 mod elementary;
 mod enclose;
+mod enclosure;
 mod expression;
 mod forms;
 mod latex;
@@ -54,6 +55,7 @@ pub use domain::{Domain, DomainError};
 pub use enclose::{Coefficients, enclose_root};
 #[doc(hidden)]
 pub use enclose::{derivative, horner, polish};
+pub use enclosure::Enclosure;
 pub use expression::{Expression, Function};
 pub use limit::End;
 pub use linearisation::{Linearisation, written_out};

@@ -4,8 +4,9 @@ use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Add;
 
+use super::enclosure::Enclosure;
 use super::{Expression, Function, Generator, Symbol};
-use crate::number::{Ball, Field, Rational, Real};
+use crate::number::{Ball, Field, Interval, Rational};
 
 /// Bits of the numbers in which a value that is not rational is enclosed, in turn.
 const PRECISIONS: [u32; 2] = [96, 512];
@@ -40,7 +41,9 @@ impl Expression {
                 let base = Some(go(inner)?).filter(|base| *exponent > 0 || !base.is_zero())?;
                 rug::ops::Pow::pow(base, *exponent)
             }
-            Self::Generic(function, inner) => horner(&taylor(function, values), &go(inner)?)?,
+            Self::Generic(function, inner) => {
+                horner(&taylor(function, &|name| values.get(name).cloned()), &go(inner)?)?
+            }
             Self::Call(Function::Abs, inner) => go(inner)?.abs(),
             Self::Call(Function::Sqrt, inner) => {
                 let square = go(inner)?;
@@ -71,12 +74,19 @@ impl Expression {
     /// exist, and where it may be zero without being rational.
     #[must_use]
     pub fn order_at(&self, values: &BTreeMap<Symbol, Rational>) -> Option<Ordering> {
+        // Most values are seen to be away from zero in 64 bits.
+        let near = |name: &Symbol| values.get(name).map(Interval::enclosing);
+        if let Some(order) = self.enclosed_with(&near, f64::MANTISSA_DIGITS).and_then(Interval::sign)
+            && order.is_ne()
+        {
+            return Some(order);
+        }
         if let Some(value) = self.rational_value(values) {
             return Some(value.cmp0());
         }
         let enclosed = |bits: u32| {
-            let balls = values.iter().map(|(name, value)| (name.clone(), Ball::from_rational(value, bits)));
-            self.enclosed(&balls.collect(), bits).filter(Ball::is_bounded)?.sign()
+            let ball = |name: &Symbol| Some(Ball::from_rational(values.get(name)?, bits));
+            self.enclosed_with(&ball, bits).filter(Ball::is_bounded)?.sign()
         };
         PRECISIONS.into_iter().find_map(enclosed).filter(|order| order.is_ne())
     }
@@ -92,7 +102,8 @@ impl Expression {
     /// The polynomial that a point gives for a function, in a variable or in something else; none where the point gives nothing for it.
     #[must_use]
     pub fn polynomial(function: &Symbol, inner: &Self, point: &BTreeMap<Symbol, Rational>) -> Option<Self> {
-        let factors = Some(taylor(function, point)).filter(|factors| !factors.is_empty())?;
+        let factors =
+            Some(taylor(function, &|name| point.get(name).cloned())).filter(|factors| !factors.is_empty())?;
         let term = |(factor, power): (Rational, i32)| Self::Number(factor) * inner.clone().power(power);
         Some(factors.into_iter().zip(0..).map(term).fold(Self::integer(0), Add::add))
     }
@@ -109,35 +120,49 @@ impl Expression {
         if is_plain { polynomial() } else { inside() }
     }
 
-    /// The value with these numbers for the variables; none when a variable has no number.
+    /// The value with these numbers for the variables; none when a variable has no number, and where there may be no value.
     #[must_use]
-    pub fn enclosed(&self, values: &BTreeMap<Symbol, Ball>, precision_bits: u32) -> Option<Ball> {
-        let go = |inner: &Self| inner.enclosed(values, precision_bits);
-        let one = || Ball::from(1).with_precision(precision_bits);
+    pub fn enclosed<N: Enclosure>(&self, values: &BTreeMap<Symbol, N>, precision_bits: u32) -> Option<N> {
+        self.enclosed_with(&|name| values.get(name).cloned(), precision_bits)
+    }
+
+    /// The same with a function that gives the numbers.
+    #[must_use]
+    pub fn enclosed_with<N: Enclosure>(
+        &self,
+        value_of: &impl Fn(&Symbol) -> Option<N>,
+        precision_bits: u32,
+    ) -> Option<N> {
+        let go = |inner: &Self| inner.enclosed_with(value_of, precision_bits);
+        let number = |value: &Rational| N::of_rational(value, precision_bits);
         Some(match self {
-            Self::Number(value) => Ball::from_rational(value, precision_bits),
-            Self::Variable(name) => values.get(name)?.clone(),
+            Self::Number(value) => number(value),
+            Self::Variable(name) => value_of(name)?,
             Self::Sum(parts) => {
-                parts.iter().map(go).try_fold(one() - one(), |sum, part| Some(sum + part?))?
+                let Some((first, others)) = parts.split_first() else {
+                    return Some(number(&Rational::new()));
+                };
+                others.iter().map(go).try_fold(go(first)?, |sum, part| Some(sum + part?))?
             }
             Self::Product(parts) => {
-                parts.iter().map(go).try_fold(one(), |product, part| Some(product * part?))?
+                let Some((first, others)) = parts.split_first() else {
+                    return Some(number(&Rational::from(1)));
+                };
+                others.iter().map(go).try_fold(go(first)?, |product, part| Some(product * part?))?
             }
-            Self::Quotient(left, right) => go(left)? / go(right)?,
+            Self::Quotient(left, right) => go(left)?.over(&go(right)?)?,
             Self::Negation(inner) => -go(inner)?,
             Self::Power(inner, exponent) => {
-                let base = go(inner)?;
-                let power = (0..exponent.unsigned_abs()).fold(one(), |product, _| product * &base);
-                if *exponent < 0 { one() / power } else { power }
+                let (base, one) = (go(inner)?, number(&Rational::from(1)));
+                let power = (0..exponent.unsigned_abs()).fold(one.clone(), |product, _| product * &base);
+                match *exponent {
+                    1.. => power,
+                    0 => one.over(&base).map(|_| power)?,
+                    _ => one.over(&power)?,
+                }
             }
-            Self::Generic(function, inner) => horner(&taylor(function, values), &go(inner)?)?,
-            Self::Call(Function::Sqrt, inner) => go(inner)?.sqrt(),
-            Self::Call(Function::Abs, inner) => go(inner)?.square().sqrt(),
-            Self::Call(Function::Ln, inner) => go(inner)?.ln(),
-            Self::Call(Function::Exp, inner) => go(inner)?.exp(),
-            Self::Call(Function::Asinh, inner) => go(inner)?.asinh(),
-            Self::Call(Function::Sin, inner) => go(inner)?.sin(),
-            Self::Call(Function::Cos, inner) => go(inner)?.cos(),
+            Self::Generic(function, inner) => horner(&taylor(function, value_of), &go(inner)?)?,
+            Self::Call(function, inner) => go(inner)?.call(*function)?,
         })
     }
 }
@@ -171,15 +196,15 @@ pub fn unknowns<'e>(expressions: impl IntoIterator<Item = &'e Expression>) -> BT
 
 /// The coefficients, by ascending power, of the polynomial that a point gives for a function: f(0), f′(0), f″(0)/2, …; none where the
 /// point gives nothing for it.
-fn taylor<N: Field>(function: &Symbol, values: &BTreeMap<Symbol, N>) -> Vec<N> {
+fn taylor<N: Field>(function: &Symbol, value_of: &impl Fn(&Symbol) -> Option<N>) -> Vec<N> {
     let (mut found, mut function, mut factorial) = (Vec::new(), function.clone(), N::from(1));
-    while let Some(value) = values.get(&Symbol::at_zero(&function)) {
-        found.push(value.clone() / &factorial);
+    while let Some(value) = value_of(&Symbol::at_zero(&function)) {
+        found.push(value / &factorial);
         factorial = factorial * N::from(i32::try_from(found.len()).unwrap_or(i32::MAX));
         function = function.time_derivative();
     }
     let is_past_the_last =
-        found.is_empty() && values.contains_key(&Symbol::at_zero(&function.undifferentiated()));
+        found.is_empty() && value_of(&Symbol::at_zero(&function.undifferentiated())).is_some();
     found.extend(is_past_the_last.then(|| N::from(0)));
     found
 }

@@ -1,9 +1,11 @@
 //! Rational points at which conditions are met: examples of a domain, and counter-examples.
 
 use std::cell::RefCell;
+use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
 use rug::float::Round;
+use slipmode_algebra::number::Interval;
 use slipmode_algebra::{Expression, Literal, Symbol, unknowns};
 use slipmode_core::number::{Ball, Rational};
 
@@ -172,7 +174,7 @@ impl Points {
 fn zero(expression: &Expression, name: &Symbol, point: &Point) -> Option<Rational> {
     // What is known of a function stands in no expression.
     let is_seen = name.function_at_zero().is_none();
-    if is_seen && !expression.contains(name) {
+    if is_seen && (!expression.contains(name) || is_bent(expression, name, point)) {
         return None;
     }
     let expression = if is_seen { &expression.along(name, point) } else { expression };
@@ -184,6 +186,19 @@ fn zero(expression: &Expression, name: &Symbol, point: &Point) -> Option<Rationa
     let (one, two) = (at(1)?, at(2)?);
     let slope = Rational::from(&two - &one);
     (slope != 0 && at(3)? - two == slope).then(|| 1 - one / &slope)
+}
+
+/// Whether 64 bits show that an expression is not linear in a variable: its second difference is not zero.
+fn is_bent(expression: &Expression, name: &Symbol, point: &Point) -> bool {
+    let at = |value: f64| {
+        let number = |other: &Symbol| match other == name {
+            true => Some(Interval::point(value)),
+            false => point.get(other).map(Interval::enclosing),
+        };
+        expression.enclosed_with(&number, f64::MANTISSA_DIGITS)
+    };
+    let second = || Some(at(1.0)? - at(2.0)? * 2.0 + at(3.0)?);
+    second().and_then(Interval::sign).is_some_and(Ordering::is_ne)
 }
 
 /// The value of an expression at a point: exact where it is rational, else to twelve digits.

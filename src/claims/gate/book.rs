@@ -288,7 +288,15 @@ impl Book {
         let known = self.reaches.borrow().get(&name).cloned();
         known.unwrap_or_else(|| {
             let mut found = BTreeSet::new();
-            self.reached(&Term::Defined(name), &mut found);
+            match &self.meanings[name] {
+                Meaning::Term(term) => self.reached(term, &mut found),
+                Meaning::Derived(derived) => {
+                    let terms = derived.terms.iter().chain(&derived.rates).chain(&derived.steady);
+                    let values = derived.values.iter().map(|(_, value)| value);
+                    terms.chain(values).chain(&derived.found).for_each(|one| self.reached(one, &mut found));
+                    found.extend(&derived.variables);
+                }
+            }
             let found = Rc::new(found);
             self.reaches.borrow_mut().insert(name, Rc::clone(&found));
             found
@@ -297,39 +305,25 @@ impl Book {
 
     /// The variables that a term reaches, through what its names mean.
     pub fn reached(&self, term: &Term, found: &mut BTreeSet<usize>) {
-        let mut seen = BTreeSet::new();
-        self.reach(term, found, &mut seen);
-    }
-
-    fn reach(&self, term: &Term, found: &mut BTreeSet<usize>, seen: &mut BTreeSet<usize>) {
         match term {
             Term::Number(_) => {}
             Term::Variable(place) => {
                 found.insert(*place);
             }
-            Term::Defined(place) if seen.insert(*place) => match &self.meanings[*place] {
-                Meaning::Term(term) => self.reach(term, found, seen),
-                Meaning::Derived(derived) => {
-                    let terms = derived.terms.iter().chain(&derived.rates).chain(&derived.steady);
-                    let values = derived.values.iter().map(|(_, value)| value);
-                    terms.chain(values).chain(&derived.found).for_each(|one| self.reach(one, found, seen));
-                    found.extend(&derived.variables);
-                }
-            },
-            Term::Defined(_) => {}
+            Term::Defined(name) => found.extend(self.reach_of(*name).iter()),
             Term::Sum(parts) | Term::Product(parts) => {
-                parts.iter().for_each(|part| self.reach(part, found, seen));
+                parts.iter().for_each(|part| self.reached(part, found));
             }
             Term::Quotient(above, below) => {
-                self.reach(above, found, seen);
-                self.reach(below, found, seen);
+                self.reached(above, found);
+                self.reached(below, found);
             }
             Term::Negation(inner) | Term::Power(inner, _) | Term::Call(_, inner) => {
-                self.reach(inner, found, seen);
+                self.reached(inner, found);
             }
             Term::Polynomial(first, inner) => {
                 found.extend(self.coefficients_from(*first));
-                self.reach(inner, found, seen);
+                self.reached(inner, found);
             }
         }
     }

@@ -9,7 +9,7 @@ use slipmode_core::number::Rational;
 use slipmode_core::theory::Equations;
 
 use super::book::{Book, EITHER_SIGN, Term, UNIT};
-use super::evaluate::Place;
+use super::evaluate::{NEAR, Place};
 use super::number::{Found, Number, Trouble};
 use super::truth::{Compared, Said, all};
 use super::value::Value;
@@ -18,8 +18,8 @@ use crate::scene::{ClaimFormula, Statement};
 /// Values of the variables that are chosen; those of the others follow from the conditions.
 pub(super) type Base = BTreeMap<usize, Rational>;
 
-/// The precisions of balls, one after the other while something stays open.
-const BITS: [u32; 2] = [96, 512];
+/// The precisions, one after the other while something stays open: most points need intervals of 64-bit numbers only.
+const BITS: [u32; 3] = [NEAR, 96, 512];
 
 /// What a point says of something.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -52,6 +52,8 @@ pub(super) enum Goal {
 struct Solved {
     difference: Term,
     variable: usize,
+    /// The other side, if one side is the variable and the other one does not reach it.
+    value: Option<Term>,
 }
 
 /// A claim with what it assumes.
@@ -200,9 +202,20 @@ impl Claim {
             let variable = found.ok_or("an equation among the conditions is not linear in a variable")?;
             self.is_solved_plainly &= alone.contains(&variable);
             self.chosen.retain(|one| *one != variable);
-            self.solved.push(Solved { difference, variable });
+            let value = self.beside(&one, variable).cloned();
+            self.solved.push(Solved { difference, variable, value });
         }
         Ok(())
+    }
+
+    /// The side of an equation that does not reach a variable, if the other one is this variable.
+    fn beside<'e>(&self, equation: &'e Compared, variable: usize) -> Option<&'e Term> {
+        let sides = [(&equation.left, &equation.right), (&equation.right, &equation.left)];
+        let is_variable = |side: &Term| matches!(side, Term::Variable(one) if *one == variable);
+        let (_, other) = sides.into_iter().find(|(side, _)| is_variable(side))?;
+        let mut reached = BTreeSet::new();
+        self.book.reached(other, &mut reached);
+        (!reached.contains(&variable)).then_some(other)
     }
 
     fn may_solve(&self, variable: usize) -> bool {
@@ -214,7 +227,7 @@ impl Claim {
 
     /// Whether the coefficients of a term in a variable are two, at a point without special values.
     fn is_linear(&self, term: &Term, variable: usize) -> bool {
-        let mut place = Place::new(&self.book, BITS[0]);
+        let mut place = Place::new(&self.book, BITS[1]);
         let all = self.chosen.iter().chain(self.solved.iter().map(|one| &one.variable));
         for (one, step) in all.zip(1_u32..) {
             place.set(*one, Number::Exact(Rational::from((3 * step + 4, step + 2))).into());
@@ -227,12 +240,31 @@ impl Claim {
 
     /// The point with these values; none where an equation among the conditions has no solution there.
     pub fn place(&self, base: &Base, bits: u32) -> Option<Place<'_>> {
+        self.place_with(base, bits, self.solved.iter().collect())
+    }
+
+    /// The same for what two sides reach: the other equations are not solved.
+    pub fn place_for(&self, base: &Base, bits: u32, sides: &Compared) -> Option<Place<'_>> {
+        let mut reached = BTreeSet::new();
+        self.book.reached(&sides.left, &mut reached);
+        self.book.reached(&sides.right, &mut reached);
+        let (mut needed, mut others): (Vec<&Solved>, Vec<&Solved>) =
+            (Vec::new(), self.solved.iter().collect());
+        while let Some(next) = others.iter().position(|one| reached.contains(&one.variable)) {
+            let next = others.swap_remove(next);
+            self.book.reached(&next.difference, &mut reached);
+            needed.push(next);
+        }
+        self.place_with(base, bits, needed)
+    }
+
+    fn place_with(&self, base: &Base, bits: u32, mut open: Vec<&Solved>) -> Option<Place<'_>> {
         let mut place = Place::new(&self.book, bits);
         for (variable, value) in base.iter().chain(self.at.iter().map(|(variable, value)| (variable, value)))
         {
-            place.set(*variable, Number::Exact(value.clone()).into());
+            place.set(*variable, place.rational(value));
         }
-        let mut open: Vec<&Solved> = self.solved.iter().filter(|one| !place.has(one.variable)).collect();
+        open.retain(|one| !place.has(one.variable));
         while !open.is_empty() {
             let before = open.len();
             open.retain(|one| match solution(one, &mut place) {
@@ -264,6 +296,9 @@ impl Claim {
     }
 
     fn is_inner(&self, condition: &Compared) -> bool {
+        if self.there_is.is_empty() {
+            return false;
+        }
         let mut reached = BTreeSet::new();
         self.book.reached(&condition.left, &mut reached);
         self.book.reached(&condition.right, &mut reached);
@@ -283,11 +318,11 @@ impl Claim {
         }
         for (variable, [low, high]) in self.within.iter().filter(|(variable, _)| variables.contains(variable))
         {
-            let Ok(Number::Exact(value)) = place.get(*variable).and_then(Value::number) else {
-                parts.push(Err(Trouble::Open));
-                continue;
-            };
-            parts.push(Ok(*low <= value && value <= *high));
+            let value = place.get(*variable)?;
+            let order =
+                |end: &Rational| value.minus(&place.rational(end))?.number()?.sign().ok_or(Trouble::Open);
+            parts.push(order(low).map(Ordering::is_ge));
+            parts.push(order(high).map(Ordering::is_le));
         }
         parts.extend(conditions.iter().map(|condition| condition.truth(place)));
         all(parts.into_iter())
@@ -295,18 +330,23 @@ impl Claim {
 
     /// Whether something is true at a point, at the first precision that decides it; for both signs of ±.
     pub fn decided(&self, base: &Base, ask: impl Fn(&mut Place) -> Found<bool>) -> Found<bool> {
-        self.decided_within(&BITS, base, ask)
+        self.decided_at(&BITS, |bits| self.place(base, bits), ask)
     }
 
-    fn decided_within(
-        &self,
+    /// Whether two sides compare so at a point.
+    pub fn compares(&self, base: &Base, sides: &Compared) -> Found<bool> {
+        self.decided_at(&BITS, |bits| self.place_for(base, bits, sides), |place| sides.truth(place))
+    }
+
+    fn decided_at<'c>(
+        &'c self,
         bits: &[u32],
-        base: &Base,
+        place: impl Fn(u32) -> Option<Place<'c>>,
         ask: impl Fn(&mut Place) -> Found<bool>,
     ) -> Found<bool> {
         let mut found = Err(Trouble::Open);
         for bits in bits {
-            let Some(mut place) = self.place(base, *bits) else { return Err(Trouble::Open) };
+            let Some(mut place) = place(*bits) else { continue };
             found = match self.book.place(EITHER_SIGN).filter(|_| self.has_two_signs) {
                 None => ask(&mut place),
                 Some(sign) => all([1, -1].into_iter().map(|value| {
@@ -328,21 +368,25 @@ impl Claim {
 
     /// The same with the first precision alone: an equation between roots and logarithms stays open at any precision.
     pub fn quickly_at(&self, base: &Base, ask: &impl Fn(&mut Place) -> Found<bool>) -> At {
-        self.at_within(&BITS[..1], base, ask)
+        self.at_within(&BITS[..2], base, ask)
     }
 
     fn at_within(&self, bits: &[u32], base: &Base, ask: &impl Fn(&mut Place) -> Found<bool>) -> At {
         let is_inside = Cell::new(false);
-        let found = self.decided_within(bits, base, |place| {
-            if !is_inside.get() {
-                match self.allows(place) {
-                    Ok(true) => is_inside.set(true),
-                    Ok(false) => return Err(Trouble::NoValue),
-                    Err(trouble) => return Err(trouble),
+        let found = self.decided_at(
+            bits,
+            |bits| self.place(base, bits),
+            |place| {
+                if !is_inside.get() {
+                    match self.allows(place) {
+                        Ok(true) => is_inside.set(true),
+                        Ok(false) => return Err(Trouble::NoValue),
+                        Err(trouble) => return Err(trouble),
+                    }
                 }
-            }
-            ask(place)
-        });
+                ask(place)
+            },
+        );
         match (is_inside.get(), found) {
             (false, _) => At::Outside,
             (true, Ok(truth)) => At::Says(truth),
@@ -353,7 +397,7 @@ impl Claim {
 
     /// The point in words: the variables that the claim reaches.
     pub fn text(&self, base: &Base) -> String {
-        let Some(mut place) = self.place(base, BITS[0]) else { return String::new() };
+        let Some(mut place) = self.place(base, BITS[1]) else { return String::new() };
         let mut named: Vec<(&str, String)> = Vec::new();
         let is_zero = |variable: &usize| base.get(variable).is_some_and(|value| *value == 0);
         let is_named = |variable: &usize| self.book.order(*variable).is_none() || !is_zero(variable);
@@ -368,6 +412,9 @@ impl Claim {
 }
 
 fn solution(one: &Solved, place: &mut Place) -> Option<Value> {
+    if let Some(value) = &one.value {
+        return place.value(value).ok();
+    }
     match &place.coefficients(&one.difference, one.variable).ok()?[..] {
         [rest, slope] => rest.negated().over(slope).ok(),
         _ => None,

@@ -9,6 +9,7 @@ use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
 use slipmode_algebra::Function;
+use slipmode_core::number::Rational;
 use slipmode_core::theory::Operation;
 
 use super::book::{Book, Derived, EITHER_SIGN, Meaning, Term, UNIT};
@@ -17,6 +18,9 @@ use super::value::{IMAGINARY, Kind, Mark, Value};
 
 /// The values of defined names, and their coefficients as polynomials in a variable.
 type Known = BTreeMap<(usize, Option<usize>), Found<Vec<Value>>>;
+
+/// The precision at which numbers are intervals of 64-bit numbers and nothing is exact.
+pub(super) const NEAR: u32 = f64::MANTISSA_DIGITS;
 
 /// A point, with what was worked out there.
 pub(super) struct Place<'b> {
@@ -39,6 +43,11 @@ impl<'b> Place<'b> {
             values[sign] = Some(Value::whole(1));
         }
         Self { book, bits, values, known: vec![Default::default()], marks: 0 }
+    }
+
+    /// A rational as a value here.
+    pub fn rational(&self, value: &Rational) -> Value {
+        Number::of_rational(value, self.bits == NEAR).into()
     }
 
     pub fn set(&mut self, variable: usize, value: Value) {
@@ -102,7 +111,7 @@ impl<'b> Place<'b> {
             return Err(Trouble::Open);
         }
         match term {
-            Term::Number(value) => Ok(Value::Number(Number::Exact(value.clone()))),
+            Term::Number(value) => Ok(self.rational(value)),
             Term::Variable(variable) => self.get(*variable),
             Term::Defined(name) => self.meaning(*name),
             Term::Sum(parts) => {

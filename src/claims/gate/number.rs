@@ -1,8 +1,11 @@
-//! Numbers of the gate: an exact rational as long as every step is rational, a ball with outward rounding after that.
+//! Numbers of the gate: an exact rational as long as every step is rational, a ball with outward rounding after that; or, where it looks
+//! first, intervals of 64-bit numbers alone.
 
 use std::cmp::Ordering;
 
+use rug::Float;
 use slipmode_algebra::Function;
+use slipmode_algebra::number::Interval;
 use slipmode_core::number::{Ball, Rational, Real};
 
 /// Why a term has no number.
@@ -28,11 +31,17 @@ pub(super) enum Number {
         bits: u32,
     },
     Within(Ball),
+    Near(Interval),
 }
 
 impl Number {
     pub fn whole(value: i32) -> Self {
         Self::Exact(Rational::from(value))
+    }
+
+    /// A rational, or the interval that holds it where only intervals are asked for.
+    pub fn of_rational(value: &Rational, is_near: bool) -> Self {
+        if is_near { Self::Near(Interval::enclosing(value)) } else { Self::Exact(value.clone()) }
     }
 
     /// An enclosure of this precision.
@@ -44,6 +53,23 @@ impl Number {
                 if *negative { -root } else { root }
             }
             Self::Within(ball) => ball.clone(),
+            Self::Near(interval) => {
+                let middle = interval.middle();
+                let radius = (interval.high - middle).max(middle - interval.low).next_up();
+                Ball::new(
+                    Float::with_val(f64::MANTISSA_DIGITS, middle),
+                    Float::with_val(f64::MANTISSA_DIGITS, radius),
+                )
+            }
+        }
+    }
+
+    /// The interval that holds it; none for a ball.
+    fn interval(&self) -> Option<Interval> {
+        match self {
+            Self::Exact(value) => Some(Interval::enclosing(value)),
+            Self::Near(interval) => Some(*interval),
+            Self::Root { .. } | Self::Within(_) => None,
         }
     }
 
@@ -62,21 +88,25 @@ impl Number {
         match self {
             Self::Exact(value) => Some((Rational::from(value.square_ref()), value.is_negative(), 0)),
             Self::Root { square, negative, bits } => Some((square.clone(), *negative, *bits)),
-            Self::Within(_) => None,
+            Self::Within(_) | Self::Near(_) => None,
         }
     }
 
     /// The precision of an enclosure of it.
     fn bits(&self) -> u32 {
         match self {
-            Self::Exact(_) => 0,
+            Self::Exact(_) | Self::Near(_) => 0,
             Self::Root { bits, .. } => *bits,
             Self::Within(ball) => ball.precision_bits(),
         }
     }
 
     pub fn is_exactly_zero(&self) -> bool {
-        matches!(self, Self::Exact(value) if value.is_zero())
+        match self {
+            Self::Exact(value) => value.is_zero(),
+            Self::Near(interval) => interval.sign() == Some(Ordering::Equal),
+            Self::Root { .. } | Self::Within(_) => false,
+        }
     }
 
     /// How it compares with zero; none where the ball leaves it open.
@@ -85,6 +115,7 @@ impl Number {
             Self::Exact(value) => Some(value.cmp0()),
             Self::Root { negative, .. } => Some(if *negative { Ordering::Less } else { Ordering::Greater }),
             Self::Within(ball) => ball.sign(),
+            Self::Near(interval) => interval.sign(),
         }
     }
 
@@ -92,15 +123,23 @@ impl Number {
         if ball.is_bounded() { Ok(Self::Within(ball)) } else { Err(Trouble::Open) }
     }
 
-    /// An operation on two exact numbers, or else on two balls of the precision that one of them has.
+    fn near(interval: Interval) -> Found<Self> {
+        if interval.is_finite() { Ok(Self::Near(interval)) } else { Err(Trouble::Open) }
+    }
+
+    /// An operation on two exact numbers, on two intervals if one is one, or else on two balls of the precision that one of them has.
     fn joined(
         &self,
         other: &Self,
         exact: impl Fn(&Rational, &Rational) -> Rational,
+        near: impl Fn(Interval, Interval) -> Interval,
         enclosed: impl Fn(Ball, &Ball) -> Ball,
     ) -> Found<Self> {
         if let (Self::Exact(left), Self::Exact(right)) = (self, other) {
             return Ok(Self::Exact(exact(left, right)));
+        }
+        if let (Some(left), Some(right)) = (self.interval(), other.interval()) {
+            return Self::near(near(left, right));
         }
         let bits = self.bits().max(other.bits());
         Self::of(enclosed(self.ball(bits), &other.ball(bits)))
@@ -116,7 +155,15 @@ impl Number {
     }
 
     pub fn plus(&self, other: &Self) -> Found<Self> {
-        self.joined(other, |left, right| Rational::from(left + right), |left, right| left + right)
+        if self.is_exactly_zero() {
+            return Ok(other.clone());
+        }
+        self.joined(
+            other,
+            |left, right| Rational::from(left + right),
+            |left, right| left + right,
+            |left, right| left + right,
+        )
     }
 
     pub fn minus(&self, other: &Self) -> Found<Self> {
@@ -126,7 +173,12 @@ impl Number {
         {
             return Ok(Self::whole(0));
         }
-        self.joined(other, |left, right| Rational::from(left - right), |left, right| left - right)
+        self.joined(
+            other,
+            |left, right| Rational::from(left - right),
+            |left, right| left - right,
+            |left, right| left - right,
+        )
     }
 
     pub fn times(&self, other: &Self) -> Found<Self> {
@@ -136,7 +188,12 @@ impl Number {
         if let Some(product) = self.of_squares(other, |left, right| left * right) {
             return Ok(product);
         }
-        self.joined(other, |left, right| Rational::from(left * right), |left, right| left * right)
+        self.joined(
+            other,
+            |left, right| Rational::from(left * right),
+            |left, right| left * right,
+            |left, right| left * right,
+        )
     }
 
     pub fn over(&self, other: &Self) -> Found<Self> {
@@ -146,9 +203,12 @@ impl Number {
             Some(_) if self.is_exactly_zero() => Ok(Self::whole(0)),
             Some(_) => match self.of_squares(other, |left, right| left / right) {
                 Some(quotient) => Ok(quotient),
-                None => {
-                    self.joined(other, |left, right| Rational::from(left / right), |left, right| left / right)
-                }
+                None => self.joined(
+                    other,
+                    |left, right| Rational::from(left / right),
+                    |left, right| left / right,
+                    |left, right| left / right,
+                ),
             },
         }
     }
@@ -160,13 +220,16 @@ impl Number {
                 Self::Root { square: square.clone(), negative: !negative, bits: *bits }
             }
             Self::Within(ball) => Self::Within(-ball.clone()),
+            Self::Near(interval) => Self::Near(-*interval),
         }
     }
 
     /// A function of it: exact where the value is seen to be rational.
     pub fn call(&self, function: Function, bits: u32) -> Found<Self> {
         let sign = self.sign();
+        let is_algebraic = matches!(function, Function::Abs | Function::Sqrt);
         match function {
+            _ if matches!(self, Self::Near(_)) && (sign.is_none() || !is_algebraic) => Err(Trouble::Open),
             Function::Abs => match sign {
                 Some(Ordering::Less) => Ok(self.negated()),
                 Some(_) => Ok(self.clone()),
@@ -176,6 +239,7 @@ impl Number {
                 (_, Some(Ordering::Less)) => Err(Trouble::NoValue),
                 (_, None) => Err(Trouble::Open),
                 (_, Some(Ordering::Equal)) => Ok(Self::whole(0)),
+                (Self::Near(interval), _) => Self::near(interval.square_root()),
                 (Self::Exact(value), _) => Ok(Self::root(value.clone(), false, bits)),
                 _ => Self::of(self.ball(bits).sqrt()),
             },

@@ -3,7 +3,7 @@
 use slipmode_core::number::Rational;
 
 use super::claim::{At, Base, Claim};
-use super::evaluate::Place;
+use super::evaluate::{NEAR, Place, is_zero};
 use super::number::{Found, Number};
 use super::truth::{Compared, Said};
 use super::value::Value;
@@ -78,15 +78,14 @@ impl Claim {
     /// The point moved so that it meets the conditions, one condition and one variable at a time.
     pub fn repaired(&self, mut base: Base, turn: u32) -> Option<Base> {
         for _ in 0..=self.conditions.len() {
-            let unmet =
-                self.conditions.iter().find(|one| self.decided(&base, |place| one.truth(place)) != Ok(true));
+            let unmet = self.conditions.iter().find(|one| self.compares(&base, one) != Ok(true));
             let Some(unmet) = unmet else { return Some(base) };
             let count = self.chosen.len();
             let variables = (0..count).map(|at| self.chosen[(at + turn as usize) % count]);
             let mut moved = variables.filter_map(|variable| self.near_zero(&base, unmet, variable)).flatten();
             let next = moved.find(|moved| {
                 self.chosen.iter().all(|one| !self.book.is_positive(*one) || moved[one] > 0)
-                    && self.decided(moved, |place| unmet.truth(place)) == Ok(true)
+                    && self.compares(moved, unmet) == Ok(true)
             })?;
             drop(moved);
             base = next;
@@ -101,12 +100,14 @@ impl Claim {
         compared: &Compared,
         variable: usize,
     ) -> Option<impl Iterator<Item = Base>> {
-        let mut place = self.place(base, 96)?;
-        let Ok([rest, slope]) =
-            <[Value; 2]>::try_from(place.coefficients(&compared.difference(), variable).ok()?)
-        else {
+        let difference = compared.difference();
+        let coefficients =
+            |bits: u32| self.place_for(base, bits, compared)?.coefficients(&difference, variable).ok();
+        let is_bent = |near: Vec<Value>| near.iter().skip(2).any(|one| is_zero(one) == Some(false));
+        if coefficients(NEAR).is_some_and(is_bent) {
             return None;
-        };
+        }
+        let Ok([rest, slope]) = <[Value; 2]>::try_from(coefficients(96)?) else { return None };
         let Ok(Number::Exact(zero)) = rest.negated().over(&slope).and_then(Value::number) else {
             return None;
         };

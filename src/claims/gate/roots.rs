@@ -108,9 +108,15 @@ pub(super) fn is_true(statement: RootStatement, coefficients: &[Number]) -> Opti
         }
         None => {
             list.last()?.sign().filter(|sign| *sign != Ordering::Equal)?;
-            by_discs(&BITS, statement, &list)
+            by_discs(bits(&list), statement, &list)
         }
     }
+}
+
+/// The precisions of discs that these coefficients are worth.
+fn bits(coefficients: &[Number]) -> &'static [u32] {
+    let is_near = coefficients.iter().any(|one| matches!(one, Number::Near(_)));
+    if is_near { &BITS[..1] } else { &BITS }
 }
 
 fn of_exact(statement: RootStatement, polynomial: &Exact) -> Option<bool> {
@@ -148,8 +154,9 @@ pub(super) fn is_one_on_axis(coefficients: &[Number]) -> Option<bool> {
         .collect();
     let Some(exact) = exact else {
         coefficients.last()?.sign().filter(|sign| *sign != Ordering::Equal)?;
-        let apart =
-            discs(&BITS, coefficients, |discs| discs.iter().all(|disc| disc.side().is_some()).then_some(()));
+        let apart = discs(bits(coefficients), coefficients, |discs| {
+            discs.iter().all(|disc| disc.side().is_some()).then_some(())
+        });
         return apart.map(|()| false);
     };
     let (zero, rest) = Exact::new(exact).squarefree().without_zero();

@@ -6,7 +6,7 @@ use slipmode_algebra::Comparison;
 use slipmode_core::theory::root_location::RootStatement;
 
 use super::book::{Book, Term};
-use super::evaluate::{Place, is_zero};
+use super::evaluate::{NEAR, Place, is_zero};
 use super::number::{Found, Number, Trouble};
 use super::roots;
 use super::value::{Kind, Value};
@@ -161,6 +161,10 @@ fn numbers(values: Vec<Value>) -> Found<Vec<Number>> {
 
 impl Compared {
     pub fn truth(&self, place: &mut Place) -> Found<bool> {
+        // Intervals show no equality, and the sides of an equation are equal at most points.
+        if place.bits == NEAR && self.comparison == Comparison::Equal {
+            return Err(Trouble::Open);
+        }
         let left = place.value(&self.left)?;
         let difference = left.minus(&place.value(&self.right)?)?;
         match (self.comparison, difference) {

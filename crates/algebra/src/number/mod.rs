@@ -12,10 +12,12 @@ mod ball;
 mod ball_arithmetic;
 mod decimal;
 mod field;
+mod interval;
 mod magnitude;
 mod operators;
 
 pub use ball::{Ball, bits_for_digits};
 pub use decimal::{DecimalError, MAX_DIGITS, MAX_EXPONENT, nearest_f64, parse_decimal, parse_quotient};
 pub use field::{Field, Real};
+pub use interval::Interval;
 pub use rug::Rational;

@@ -12,7 +12,7 @@ mod dd_decimal;
 mod double_double;
 #[doc(hidden)]
 pub mod format;
-mod interval;
+mod rectangle;
 #[doc(hidden)]
 pub mod split_mix;
 mod wide;
@@ -20,7 +20,8 @@ mod wide;
 #[doc(hidden)]
 pub use dd_decimal::parse_decimal_to_dd;
 pub use double_double::Dd;
-pub(crate) use interval::{Interval, Rectangle};
+pub(crate) use rectangle::Rectangle;
+pub(crate) use slipmode_algebra::number::Interval;
 pub use slipmode_algebra::number::{
     Ball, DecimalError, Field, MAX_DIGITS, MAX_EXPONENT, Rational, Real, bits_for_digits, nearest_f64,
     parse_decimal, parse_quotient,
