@@ -51,7 +51,7 @@ fn height(line: &ChartLine, at: &Point) -> Option<Ball> {
     }
     let enclosed = |bits: u32| {
         let balls = at.iter().map(|(name, value)| (name.clone(), Ball::from_rational(value, bits)));
-        line.value.enclosed(&balls.collect(), bits).filter(Ball::is_bounded)
+        line.value.enclosed(&balls.collect(), bits)
     };
     let first = enclosed(BITS[0]);
     let is_sharp = first.as_ref().is_some_and(|ball| ball.is_exact() || ball.relative_radius_log2() < SHARP);

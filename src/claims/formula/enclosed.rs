@@ -98,7 +98,7 @@ fn enclosures(lowered: &Lowered, part: &[Side]) -> String {
         part.iter().map(|(name, [low, high])| (name.clone(), between(low, high))).collect();
     let end = |value: rug::Float, round| value.to_string_radix_round(10, Some(DIGITS), round);
     let texts = lowered.signs.literals().into_iter().filter_map(|literal| {
-        let ball = literal.expression.enclosed(&values, BITS).filter(Ball::is_bounded)?;
+        let ball = literal.expression.enclosed(&values, BITS)?;
         let (low, high) =
             (end(ball.lower(), rug::float::Round::Down), end(ball.upper(), rug::float::Round::Up));
         Some(format!("{} lies between {low} and {high}", literal.expression))
@@ -115,7 +115,7 @@ fn between(low: &Rational, high: &Rational) -> Ball {
 
 /// Whether a literal is true for all values, or false for all; none otherwise.
 fn truth(literal: &Literal, values: &BTreeMap<Symbol, Ball>) -> Option<bool> {
-    let ball = literal.expression.enclosed(values, BITS).filter(Ball::is_bounded)?;
+    let ball = literal.expression.enclosed(values, BITS)?;
     if let Some(order) = ball.sign() {
         return Some(literal.sign.admits(order));
     }

@@ -36,8 +36,8 @@ const VALUES: [(u32, u32); 14] = [
 /// How often a point is moved towards the literals that it does not meet.
 const REPAIRS: usize = 3;
 
-/// Points among which an example is sought.
-const EXAMPLES: usize = 256;
+/// Points among which an example is sought. Of 896 searches in seven reports the last one that found any needed 104.
+const EXAMPLES: usize = 128;
 
 /// The points of a fixed sequence.
 pub(super) struct Points {
@@ -207,7 +207,7 @@ pub(super) fn value(expression: &Expression, point: &Point) -> Option<String> {
         return Some(value.to_string());
     }
     let balls = point.iter().map(|(name, value)| (name.clone(), Ball::from_rational(value, BITS)));
-    let value = expression.enclosed(&balls.collect(), BITS).filter(Ball::is_bounded)?;
+    let value = expression.enclosed(&balls.collect(), BITS)?;
     Some(format!("{}…", value.centre().to_string_radix_round(10, Some(DIGITS), Round::Zero)))
 }
 

@@ -338,7 +338,8 @@ impl Claim {
         self.decided_at(&BITS, |bits| self.place_for(base, bits, sides), |place| sides.truth(place))
     }
 
-    fn decided_at<'c>(
+    /// The same at these precisions, with a way to the point.
+    pub fn decided_at<'c>(
         &'c self,
         bits: &[u32],
         place: impl Fn(u32) -> Option<Place<'c>>,
@@ -354,7 +355,8 @@ impl Claim {
                     ask(&mut place)
                 })),
             };
-            if found != Err(Trouble::Open) {
+            // Intervals leave more open: beside what they leave open, what has no value decides nothing.
+            if found.is_ok() || found == Err(Trouble::NoValue) && *bits != NEAR {
                 break;
             }
         }
@@ -380,7 +382,7 @@ impl Claim {
                 if !is_inside.get() {
                     match self.allows(place) {
                         Ok(true) => is_inside.set(true),
-                        Ok(false) => return Err(Trouble::NoValue),
+                        Ok(false) => return Ok(false),
                         Err(trouble) => return Err(trouble),
                     }
                 }

@@ -3,7 +3,7 @@
 
 use std::cmp::Ordering;
 
-use rug::Float;
+use rug::{Float, float::Round};
 use slipmode_algebra::Function;
 use slipmode_algebra::number::Interval;
 use slipmode_core::number::{Ball, Rational, Real};
@@ -64,12 +64,17 @@ impl Number {
         }
     }
 
-    /// The interval that holds it; none for a ball.
-    fn interval(&self) -> Option<Interval> {
+    /// An interval that holds it.
+    pub fn interval(&self) -> Interval {
         match self {
-            Self::Exact(value) => Some(Interval::enclosing(value)),
-            Self::Near(interval) => Some(*interval),
-            Self::Root { .. } | Self::Within(_) => None,
+            Self::Exact(value) => Interval::enclosing(value),
+            Self::Near(interval) => *interval,
+            Self::Root { .. } | Self::Within(_) => {
+                let ball = self.ball(64);
+                let (low, high) =
+                    (ball.lower().to_f64_round(Round::Down), ball.upper().to_f64_round(Round::Up));
+                if low.is_nan() || high.is_nan() { Interval::LINE } else { Interval { low, high } }
+            }
         }
     }
 
@@ -138,8 +143,8 @@ impl Number {
         if let (Self::Exact(left), Self::Exact(right)) = (self, other) {
             return Ok(Self::Exact(exact(left, right)));
         }
-        if let (Some(left), Some(right)) = (self.interval(), other.interval()) {
-            return Self::near(near(left, right));
+        if matches!((self, other), (Self::Near(_), _) | (_, Self::Near(_))) {
+            return Self::near(near(self.interval(), other.interval()));
         }
         let bits = self.bits().max(other.bits());
         Self::of(enclosed(self.ball(bits), &other.ball(bits)))

@@ -1,7 +1,7 @@
 //! Where the roots of a polynomial lie, from discs that certainly contain them.
 //!
-//! The centres come from the method of Ehrlich and Aberth in 64 bits and from that of Weierstrass in more bits. The radii are those of
-//! Smith's discs n·|P(z)/(c_n Π(z − z_j))|, in balls: their union contains every root, and one that meets no other contains one root.
+//! The centres come from the method of Ehrlich and Aberth in 64-bit numbers and from that of Weierstrass in more bits. The radii are
+//! those of Smith's discs n·|P(z)/(c_n Π(z − z_j))|, in intervals of 64-bit numbers or in balls: their union contains every root, and one that meets no other contains one root.
 //! Of a polynomial with exact coefficients, roots of which the opposite is a root too (all of those on the imaginary axis among them)
 //! and repeated roots are first taken out by greatest common divisors, so that the discs decide in the end.
 
@@ -10,28 +10,59 @@ use std::cmp::Ordering;
 use num_complex::Complex64;
 use rug::Float;
 
+use slipmode_algebra::number::Interval;
 use slipmode_core::number::{Ball, Rational, Real};
 use slipmode_core::theory::root_location::RootStatement;
 
+use super::evaluate::NEAR;
 use super::number::Number;
 use super::polynomial::Exact;
 
-/// The precisions of discs.
-const BITS: [u32; 3] = [64, 192, 640];
+/// The precisions of discs; the first one is that of 64-bit numbers.
+const BITS: [u32; 3] = [NEAR, 192, 640];
 
 /// How often the centres are improved in 64 bits.
 const ITERATIONS: usize = 100;
 
-/// A complex number in balls.
-#[derive(Debug, Clone)]
-struct Complex {
-    re: Ball,
-    im: Ball,
+/// What real and imaginary parts are enclosed in.
+trait Part: Real {
+    fn exact(number: Float) -> Self;
+
+    /// The least and the greatest number in it.
+    fn ends(&self) -> [Float; 2];
 }
 
-impl Complex {
+impl Part for Ball {
+    fn exact(number: Float) -> Self {
+        Self::exact(number)
+    }
+
+    fn ends(&self) -> [Float; 2] {
+        [self.lower(), self.upper()]
+    }
+}
+
+impl Part for Interval {
+    /// A centre in 64 bits is one.
+    fn exact(number: Float) -> Self {
+        Self::point(number.to_f64())
+    }
+
+    fn ends(&self) -> [Float; 2] {
+        [self.low, self.high].map(|end| Float::with_val(NEAR, end))
+    }
+}
+
+/// A complex number in two enclosures.
+#[derive(Debug, Clone)]
+struct Complex<N> {
+    re: N,
+    im: N,
+}
+
+impl<N: Part> Complex<N> {
     fn point(re: Float, im: Float) -> Self {
-        Self { re: Ball::exact(re), im: Ball::exact(im) }
+        Self { re: N::exact(re), im: N::exact(im) }
     }
 
     fn minus(&self, other: &Self) -> Self {
@@ -45,11 +76,11 @@ impl Complex {
         }
     }
 
-    fn squared_size(&self) -> Ball {
-        self.re.clone() * &self.re + self.im.clone() * &self.im
+    fn squared_size(&self) -> N {
+        self.re.square() + self.im.square()
     }
 
-    fn size(&self) -> Ball {
+    fn size(&self) -> N {
         self.squared_size().sqrt()
     }
 
@@ -78,7 +109,7 @@ impl Disc {
         let prec = self.re.prec();
         let [re, im] = [(&self.re, &other.re), (&self.im, &other.im)]
             .map(|(one, two)| Ball::exact(one.clone()) - Ball::exact(two.clone()));
-        let apart = Complex { re, im }.size().lower();
+        let [apart, _] = Complex { re, im }.size().ends();
         Float::with_val_round(prec, &self.radius + &other.radius, rug::float::Round::Up).0 >= apart
     }
 }
@@ -215,12 +246,16 @@ fn discs<T>(bits: &[u32], coefficients: &[Number], decide: impl Fn(&[Disc]) -> O
     }
     let mut centres = approximate(coefficients)?;
     for &bits in bits {
-        let balls: Vec<Ball> = coefficients.iter().map(|one| one.ball(bits).with_precision(bits)).collect();
         centres = centres.into_iter().map(|one| one.map(|part| Float::with_val(bits, part))).collect();
-        if bits > BITS[0] {
+        let found = if bits == NEAR {
+            let intervals: Vec<Interval> = coefficients.iter().map(Number::interval).collect();
+            enclosed(&intervals, &centres)
+        } else {
+            let balls: Vec<Ball> =
+                coefficients.iter().map(|one| one.ball(bits).with_precision(bits)).collect();
             improve(&balls, &mut centres, bits);
-        }
-        let found = enclosed(&balls, &centres);
+            enclosed(&balls, &centres)
+        };
         if let Some(found) = found
             && let Some(decided) = decide(&found)
         {
@@ -231,12 +266,12 @@ fn discs<T>(bits: &[u32], coefficients: &[Number], decide: impl Fn(&[Disc]) -> O
 }
 
 /// Discs around centres, where they meet no other one.
-fn enclosed(coefficients: &[Ball], centres: &[[Float; 2]]) -> Option<Vec<Disc>> {
-    let points: Vec<Complex> =
+fn enclosed<N: Part>(coefficients: &[N], centres: &[[Float; 2]]) -> Option<Vec<Disc>> {
+    let points: Vec<Complex<N>> =
         centres.iter().map(|[re, im]| Complex::point(re.clone(), im.clone())).collect();
-    let count = Ball::from(i32::try_from(points.len()).ok()?);
+    let count = N::from(i32::try_from(points.len()).ok()?);
     let disc = |at: usize| {
-        let radius = (correction(coefficients, &points, at).size() * &count).upper();
+        let [_, radius] = (correction(coefficients, &points, at).size() * &count).ends();
         let [re, im] = centres[at].clone();
         radius.is_finite().then_some(Disc { re, im, radius })
     };
@@ -246,9 +281,9 @@ fn enclosed(coefficients: &[Ball], centres: &[[Float; 2]]) -> Option<Vec<Disc>> 
 }
 
 /// P(z)/(c_n Π(z − z_j)) at one of the centres.
-fn correction(coefficients: &[Ball], points: &[Complex], at: usize) -> Complex {
+fn correction<N: Part>(coefficients: &[N], points: &[Complex<N>], at: usize) -> Complex<N> {
     let z = &points[at];
-    let zero = || Ball::from(0);
+    let zero = || N::from(0);
     let value = coefficients.iter().rev().fold(Complex { re: zero(), im: zero() }, |value, coefficient| {
         let next = value.times(z);
         Complex { re: next.re + coefficient, im: next.im }
@@ -264,7 +299,7 @@ fn correction(coefficients: &[Ball], points: &[Complex], at: usize) -> Complex {
 fn improve(coefficients: &[Ball], centres: &mut [[Float; 2]], bits: u32) {
     for _ in 0..8 {
         for at in 0..centres.len() {
-            let points: Vec<Complex> =
+            let points: Vec<Complex<Ball>> =
                 centres.iter().map(|[re, im]| Complex::point(re.clone(), im.clone())).collect();
             let step = correction(coefficients, &points, at);
             if step.re.is_bounded() && step.im.is_bounded() {

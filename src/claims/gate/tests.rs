@@ -98,6 +98,30 @@ fn the_verdicts_of_the_reports_pass_and_their_opposites_do_not() {
 }
 
 #[test]
+fn what_intervals_decide_exact_arithmetic_and_balls_decide_alike() {
+    let mut counts = [0; 2];
+    for Stated { id, formula, equations } in REPORTS.iter().flat_map(|report| of_report(report)) {
+        let Some(Ok(claim)) = Claim::of(&formula, &equations) else { continue };
+        let Says::True(said) = &claim.says else { continue };
+        let mut sequence = Sequence::new();
+        for base in (0..40).map(|turn| claim.point(turn, &mut sequence)) {
+            for ask in [&|place: &mut Place| said.truth(place), &|place: &mut Place| claim.allows(place)]
+                as [&dyn Fn(&mut Place) -> number::Found<bool>; 2]
+            {
+                let at = |bits: u32| claim.decided_at(&[bits], |bits| claim.place(&base, bits), ask);
+                let near = at(evaluate::NEAR);
+                if near.is_ok() {
+                    assert_eq!(near, at(512), "{id}: {} at {}", formula.text, claim.text(&base));
+                }
+                counts[usize::from(near.is_err())] += 1;
+            }
+        }
+    }
+    let [decided, open] = counts;
+    assert!(decided > open && open > 0, "{decided} decided, {open} open");
+}
+
+#[test]
 fn a_formula_that_an_altered_equation_makes_false_does_not_pass_as_one_that_holds() {
     let (mut planted, mut missed) = (0, Vec::new());
     for (turn, Stated { id, formula, equations }) in of_report("rice-ruina-1983").into_iter().enumerate() {

@@ -187,6 +187,10 @@ impl Crosses {
     /// The critical value meets what is assumed of the parameter, and there P has the roots ±iω, ω is not 0, no other root is on the axis, and by implicit differentiation the slope
     /// of the pair's real part, −Re(∂P/∂K · conj ∂P/∂s)/|∂P/∂s|², is not 0.
     fn truth(&self, place: &mut Place) -> Found<bool> {
+        // Intervals do not show that the pair is on the axis.
+        if place.bits == NEAR {
+            return Err(Trouble::Open);
+        }
         let critical = place.value(&self.critical)?;
         if place.book.is_positive(self.parameter) {
             match critical.clone().number()?.sign() {
