@@ -1,6 +1,6 @@
 //! The standard streams of a command: those of the process, or texts for a program that calls the command as a function.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::ffi::OsString;
 use std::io::{self, Write};
 
@@ -8,7 +8,7 @@ use clap::Parser;
 
 use crate::cli::failure::Failure;
 use crate::cli::progress::Progress;
-use crate::cli::{Cli, dispatch, without_usage_of_conflict};
+use crate::cli::{Cli, asks_for_json, dispatch, without_usage_of_conflict};
 
 /// What a command would have written, and its exit code.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -24,6 +24,8 @@ pub struct Captured {
 thread_local! {
     /// The streams of the command that this thread captures.
     static STREAMS: RefCell<Option<Captured>> = const { RefCell::new(None) };
+    /// Whether the command of this thread has written to standard output.
+    static HAS_OUTPUT: Cell<bool> = const { Cell::new(false) };
 }
 
 /// Runs a command as a function: what it would write to the standard streams is returned.
@@ -39,7 +41,8 @@ thread_local! {
 /// assert!(String::from_utf8(found.output).unwrap().contains("\"slip_mode\": \"stick-slip\""));
 /// ```
 pub fn capture(arguments: impl IntoIterator<Item = OsString>) -> Captured {
-    let cli = match Cli::try_parse_from(arguments) {
+    let arguments: Vec<OsString> = arguments.into_iter().collect();
+    let cli = match Cli::try_parse_from(&arguments) {
         Ok(cli) => cli,
         Err(error) => {
             let error = without_usage_of_conflict(error);
@@ -50,16 +53,21 @@ pub fn capture(arguments: impl IntoIterator<Item = OsString>) -> Captured {
             return Captured { exit_code: crate::cli::exit_code_of_usage(&error), output, messages };
         }
     };
-    capture_work(|| dispatch(cli.command, Progress::new(true))).1
+    captured(asks_for_json(&arguments), || dispatch(cli.command, Progress::new(true))).1
 }
 
 /// Does a part of a command as a function: returns its result unless it fails, and what it would write to the standard streams.
 pub fn capture_work<T>(work: impl FnOnce() -> Result<T, Failure>) -> (Option<T>, Captured) {
+    captured(false, work)
+}
+
+fn captured<T>(as_json: bool, work: impl FnOnce() -> Result<T, Failure>) -> (Option<T>, Captured) {
     STREAMS.with_borrow_mut(|streams| *streams = Some(Captured::default()));
+    HAS_OUTPUT.set(false);
     let (done, exit_code) = match work() {
         Ok(done) => (Some(done), 0),
         Err(failure) => {
-            failure.print();
+            failure.print(as_json);
             (None, failure.exit_code())
         }
     };
@@ -72,11 +80,17 @@ pub fn is_capturing() -> bool {
     STREAMS.with_borrow(Option::is_some)
 }
 
+/// Whether the command of this thread has written to standard output.
+pub fn has_output() -> bool {
+    HAS_OUTPUT.get()
+}
+
 /// Standard output.
 pub struct StandardOutput;
 
 impl Write for StandardOutput {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        HAS_OUTPUT.set(true);
         let captured = STREAMS.with_borrow_mut(|streams| streams.as_mut().map(|to| to.output.write(bytes)));
         captured.unwrap_or_else(|| io::stdout().lock().write(bytes))
     }

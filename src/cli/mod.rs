@@ -170,14 +170,19 @@ pub fn main() -> ExitCode {
 /// It starts threads and catches signals: a process calls it once.
 pub fn main_with(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
+    let as_json = asks_for_json(&arguments);
     let cli = match Cli::try_parse_from(&arguments) {
         Ok(cli) => cli,
         Err(error) => {
             let error = without_usage_of_conflict(error);
-            match unit_apart(&arguments).or_else(|| shortened_usage(&error)) {
-                Some(text) => terminal::message(&text),
+            let own = unit_apart(&arguments).or_else(|| shortened_usage(&error));
+            match &own {
+                Some(text) => terminal::message(text),
                 // Help and version are no errors. Where they cannot be written, the exit code is the same.
                 None => _ = error.print(),
+            }
+            if as_json && error.use_stderr() {
+                failure::print_json_usage(&own.unwrap_or_else(|| error.render().to_string()));
             }
             return exit_code_of_usage(&error);
         }
@@ -185,10 +190,15 @@ pub fn main_with(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     match run(cli) {
         Ok(()) => 0,
         Err(failure) => {
-            failure.print();
+            failure.print(as_json);
             failure.exit_code()
         }
     }
+}
+
+/// Whether a program reads what the command prints.
+fn asks_for_json(arguments: &[OsString]) -> bool {
+    arguments.iter().any(|argument| argument == "--json")
 }
 
 /// The usage line would combine the very options that exclude each other.

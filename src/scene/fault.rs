@@ -22,6 +22,26 @@ pub struct Fault {
     pub problem: Problem,
 }
 
+impl serde::Serialize for Fault {
+    /// The parts as the text shows them; `value` is null where there is none.
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serde_json::json!({
+            "file": visible(&shortened(&self.file, LONGEST_FILE)),
+            "line": self.line,
+            "key": shown(&self.key),
+            "value": self.value.as_deref().map(shown),
+            "message": self.problem_text(),
+        })
+        .serialize(serializer)
+    }
+}
+
+impl Fault {
+    fn problem_text(&self) -> String {
+        with_short_quotations(&self.problem.to_string(), LONGEST_PROBLEM)
+    }
+}
+
 /// All the faults of one or more inputs; never empty when returned as an error.
 pub type Faults = Vec<Fault>;
 
@@ -216,7 +236,7 @@ impl fmt::Display for Fault {
             }
             formatter.write_str(": ")?;
         }
-        formatter.write_str(&with_short_quotations(&self.problem.to_string(), LONGEST_PROBLEM))
+        formatter.write_str(&self.problem_text())
     }
 }
 

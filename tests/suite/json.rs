@@ -85,6 +85,44 @@ fn new_run_and_explore_name_what_they_wrote() {
 }
 
 #[test]
+fn errors_are_json_where_json_was_asked_for_and_there_is_no_answer() {
+    let place = Workplace::new();
+    let errors = |arguments: &[&str], code: i32| {
+        let found = object(&place, arguments, code);
+        assert_eq!(found.as_object().unwrap().len(), 2, "{found}");
+        found["errors"].clone()
+    };
+    let roots = [&["roots", "--json", "-s", "-1e5", "-v", "1e-3 furlong/s"], &SLIDER[..]].concat();
+    assert_eq!(
+        errors(&roots, 2),
+        json!([
+            { "file": "command line", "line": null, "key": "--normal-stress-pa", "value": "-1e5",
+              "message": "must be > 0 (allowed: 1e-300 to 1e300)" },
+            { "file": "command line", "line": null, "key": "--loading-velocity-m-per-s", "value": "1e-3 furlong/s",
+              "message": place.run(roots.iter().copied()).stderr.lines().last().unwrap().split_once("furlong/s\": ").unwrap().1 },
+        ])
+    );
+    place.write("s.toml", SCENE.replace("mass_per_area", "mass_pr_area"));
+    let scene = errors(&["run", "s.toml", "--json"], 2);
+    let of_key =
+        |fault: &&Value| fault["key"].as_str().is_some_and(|key| key.ends_with("mass_pr_area_kg_per_m2"));
+    let misspelt = scene.as_array().unwrap().iter().find(of_key).unwrap();
+    assert_eq!((&misspelt["file"], &misspelt["line"]), (&json!("s.toml"), &json!(8)));
+    let usage = errors(&["roots", "--json", "--digts", "5"], 2);
+    assert_eq!(
+        usage[0],
+        json!({ "message": "unexpected argument '--digts' found; tip: a similar argument exists: '--digits'" })
+    );
+    let missing = errors(&["verify", "nowhere", "--json"], 2);
+    assert!(missing[0]["message"].as_str().unwrap().contains("no such folder"), "{missing}");
+    // The messages for people stand where they always do; a check that failed has answered.
+    let refused = place.run(roots.iter().copied());
+    assert!(refused.stderr.starts_with("error: command line: --normal-stress-pa = -1e5: must be > 0"));
+    let plain = place.run(roots.into_iter().filter(|word| *word != "--json"));
+    assert_eq!((plain.stdout.as_str(), plain.stderr), ("", refused.stderr));
+}
+
+#[test]
 fn sweep_and_merge_count_blocks_and_name_missing_shards() {
     let place = Workplace::new();
     place.write("s.toml", format!("{SCENE}{SWEEP}"));

@@ -7,6 +7,7 @@ use std::time::{Duration, Instant};
 
 use slipmode::archive::{Budget, Request};
 
+use crate::cli::asks_for_json;
 use crate::cli::failure::Failure;
 
 /// How often the limits are checked.
@@ -32,7 +33,7 @@ impl Watch {
                     let failure = Failure::Refused(format!(
                         "{name}: stopped after {fault}{asked}; --budget FACTOR lifts it"
                     ));
-                    failure.print();
+                    failure.print(asks_for_json(&std::env::args_os().collect::<Vec<_>>()));
                     std::process::exit(i32::from(failure.exit_code()));
                 }
             }
