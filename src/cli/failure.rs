@@ -73,7 +73,7 @@ impl Failure {
         }
     }
 
-    /// Tells the user, one line a fault, the first ones when there are many; and the program that asked for JSON.
+    /// Tells the user, one line a fault, the first ones when there are many; and the program that requested JSON.
     pub fn print(&self, as_json: bool) {
         match self {
             Self::Input(faults) => print_errors(faults.iter()),
@@ -94,7 +94,7 @@ fn json_error(line: &str) -> Value {
     json!({ "message": visible(line.trim_start_matches("error: ")) })
 }
 
-/// Prints wrong usage for the program that asked for JSON.
+/// Prints wrong usage for the program that requested JSON.
 pub fn print_json_usage(text: &str) {
     let is_said = |part: &&str| !part.starts_with("Usage:") && !part.starts_with("For more information");
     let plain = |part: &str| part.split_whitespace().collect::<Vec<_>>().join(" ");
@@ -102,7 +102,7 @@ pub fn print_json_usage(text: &str) {
     print_json_errors(vec![json_error(&parts.join("; "))]);
 }
 
-/// What a command that asked for JSON prints in the place of its answer. One that has answered already prints no second value.
+/// What a command with `--json` prints in the place of its answer. One that has answered already prints no second value.
 fn print_json_errors(errors: Vec<Value>) {
     if !has_output() {
         // Where standard output cannot be written, the messages and the exit code say enough.
