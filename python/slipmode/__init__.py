@@ -6,6 +6,7 @@ SI.
 """
 
 from slipmode._classified import BoundaryTable, Classification, Classifications, Map, Possibilities
+from slipmode._curves import boundary, tolerance
 from slipmode._errors import CheckFailed, InputError, SlipmodeError, SlipmodeWarning
 from slipmode._fit import Fit, FittedValue, LawComparison, Residuals, fit
 from slipmode._frames import Categories
@@ -13,13 +14,11 @@ from slipmode._questions import (
     Distance,
     Root,
     Solution,
-    boundary,
     classify,
     distance,
     roots,
     simulate,
     solve,
-    tolerance,
 )
 from slipmode._reports import Comparison, Report, compare, report, verify
 from slipmode._simulated import Failed, Observable, Simulation, Simulations, Trajectory

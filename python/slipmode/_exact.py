@@ -5,19 +5,32 @@ from __future__ import annotations
 import math
 from decimal import Decimal
 from numbers import Rational, Real
-from typing import TYPE_CHECKING, Any, Union
+from typing import Any, Protocol, Union
 
 from slipmode._errors import InputError
 
-if TYPE_CHECKING:
-    import pint
-    import uncertainties
+
+class WithError(Protocol):
+    """A number of ``uncertainties``."""
+
+    @property
+    def nominal_value(self) -> float: ...
+    @property
+    def std_dev(self) -> float: ...
+
+
+class WithUnit(Protocol):
+    """A quantity of ``pint``."""
+
+    @property
+    def magnitude(self) -> Any: ...
+    @property
+    def units(self) -> Any: ...
+
 
 #: A number: texts, ``Decimal``, ``Fraction`` and ``int`` are exact, floats are the exact binary numbers that they are. A tuple is a
 #: value with its error. Numbers of ``uncertainties`` and quantities of ``pint`` have their error and their unit.
-Number = Union[
-    str, int, float, Decimal, Rational, Real, tuple[Any, Any], "uncertainties.UFloat", "pint.Quantity[Any]"
-]
+Number = Union[str, int, float, Decimal, Rational, Real, tuple[Any, Any], WithError, WithUnit]
 
 
 def given(value: Number) -> str | float:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -65,6 +66,18 @@ class Kind:
         columns = dict(results) if self.is_frame else {**inputs, **results}
         return getattr(self, f"_{self.package}")(columns)
 
+    def table(self, columns: Mapping[str, Any], rows: NDArray[Any]) -> Any:
+        """Return columns that have any number of rows for each row that was given; pandas repeats the index."""
+        table = Table(columns)
+        if self.package == "pandas":
+            return table.to_pandas().set_index(self.example.index[rows])
+        if self.package == "xarray":
+            import xarray
+
+            return xarray.Dataset({name: ("point", column) for name, column in table.items()})
+        # The columns alone, as if no frame had been given.
+        return getattr(Kind(self.package), f"_{self.package}")(dict(table))
+
     def _numpy(self, columns: dict[str, Any]) -> Table:
         return Table(columns)
 
@@ -82,7 +95,7 @@ class Kind:
         def series(name: str, column: Any) -> Any:
             if isinstance(column, Categories):
                 return polars.Series(name, listed(column), dtype=polars.Enum(column.categories))
-            return polars.Series(name, listed(column) if np.ma.isMA(column) else column.ravel())
+            return polars.Series(name, listed(column) if np.ma.isMA(column) or column.dtype == object else column.ravel())
 
         found = [series(name, column) for name, column in columns.items()]
         return self.example.with_columns(found) if self.is_frame else polars.DataFrame(found)
@@ -146,6 +159,18 @@ def package_of(value: object) -> str:
     return package if package in PACKAGES else "numpy"
 
 
+def known(frame: Any) -> Any:
+    """Return a frame whose package is not known as one of pandas, by the interchange protocol; any other as it is."""
+    if not hasattr(frame, "__dataframe__") or hasattr(frame, "columns") or hasattr(frame, "column_names"):
+        return frame
+    import pandas
+
+    with warnings.catch_warnings():
+        # The newer protocol, of Arrow, would need pyarrow.
+        warnings.simplefilter("ignore")
+        return pandas.api.interchange.from_dataframe(frame)
+
+
 def columns_of(frame: Any) -> dict[str, Any]:
     """Return the columns of a frame by name."""
     if hasattr(frame, "data_vars"):
@@ -155,10 +180,7 @@ def columns_of(frame: Any) -> dict[str, Any]:
     elif hasattr(frame, "columns") or hasattr(frame, "column_names"):
         names = list(getattr(frame, "column_names", None) or frame.columns)
     else:
-        import pandas
-
-        frame = pandas.api.interchange.from_dataframe(frame)
-        names = list(frame.columns)
+        raise TypeError(f"a {type(frame).__name__} is no frame and no mapping of columns")
     if wrong := [name for name in names if not isinstance(name, str)]:
         raise InputError(f"names of columns are texts, and {wrong[0]!r} is none")
     return {name: frame[name] for name in names}

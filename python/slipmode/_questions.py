@@ -2,35 +2,37 @@
 
 from __future__ import annotations
 
-import csv
-import io
-import tempfile
+import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
-from pathlib import Path
-from typing import Any
+from fractions import Fraction
+from typing import Any, TypeVar, Union, overload
 
 import numpy as np
 from numpy.typing import NDArray
 
 from slipmode import _slipmode
-from slipmode._classified import BoundaryTable, Classification, Classifications, Possibilities
+from slipmode._classified import Classification, Classifications, Possibilities
 from slipmode._errors import CheckFailed, InputError
 from slipmode._exact import Number, exact, given
 from slipmode._frames import Categories
-from slipmode._rows import KEYS, NAMES, Rows, Value, is_number
-from slipmode._run import call, call_json, each, in_python, warn
+from slipmode._rows import KEYS, NAMES, FrameColumn, Rows, Value, is_number
+from slipmode._run import call_json, each, in_python, remark, warn
 from slipmode._simulated import Failed, Simulation, Simulations
 from slipmode._table import Table, column
 
 #: Options of the command line by argument.
 OPTIONS = {name: f"--{key.replace('_', '-')}" for name, key in KEYS.items()}
-OF_THE_SLIDER = NAMES[:5]
 #: What can be solved for, by argument.
 UNKNOWNS = {"sigma": "normal-stress", "v": "loading-velocity", "k": "stiffness", "m": "mass"}
 #: Columns of solutions, as the command line has them.
 MOST_SOLUTIONS = 4
+
+#: A frame of pandas, polars, xarray or pyarrow.
+Frame = TypeVar("Frame")
+#: A number without an error bar, whatever its value.
+Plain = Union[float, Decimal, Fraction]
 
 Warned = list[str]
 Texts = Mapping[str, str]
@@ -104,17 +106,49 @@ def refuse_error_bars(command: str, is_uncertain: bool) -> None:
         raise InputError(f"this call takes values without error bars; `slipmode {command}` takes error bars")
 
 
+@overload
+def classify(  # type: ignore[overload-overlap]
+    frame: None = None, /, *, a: Plain, b: Plain, d_c: Plain, k: Plain, m: Plain, sigma: Plain, v: Plain,
+    inertial_threshold: Number | None = None
+) -> Classification: ...
+@overload
+def classify(  # type: ignore[overload-overlap]
+    frame: None = None, /, *, a: Number, b: Number, d_c: Number, k: Number, m: Number, sigma: Number, v: Number,
+    inertial_threshold: Number | None = None
+) -> Classification | Possibilities: ...
+@overload
+def classify(
+    frame: dict[str, Any], /, *, a: Value | None = None, b: Value | None = None, d_c: Value | None = None,
+    k: Value | None = None, m: Value | None = None, sigma: Value | None = None, v: Value | None = None,
+    inertial_threshold: Number | None = None
+) -> Table: ...
+@overload
+def classify(
+    frame: Frame, /, *, a: Value | None = None, b: Value | None = None, d_c: Value | None = None,
+    k: Value | None = None, m: Value | None = None, sigma: Value | None = None, v: Value | None = None,
+    inertial_threshold: Number | None = None
+) -> Frame: ...
+@overload
+def classify(
+    frame: None = None, /, *, a: Number | FrameColumn, b: Number | FrameColumn, d_c: Number | FrameColumn, k: Number | FrameColumn,
+    m: Number | FrameColumn, sigma: Number | FrameColumn, v: Number | FrameColumn, inertial_threshold: Number | None = None
+) -> Any: ...
+@overload
+def classify(
+    frame: None = None, /, *, a: Value, b: Value, d_c: Value, k: Value, m: Value, sigma: Value, v: Value,
+    inertial_threshold: Number | None = None
+) -> Classifications: ...
 def classify(
     frame: Any = None,
     /,
     *,
-    a: Value | None = None,
-    b: Value | None = None,
-    d_c: Value | None = None,
-    k: Value | None = None,
-    m: Value | None = None,
-    sigma: Value | None = None,
-    v: Value | None = None,
+    a: Any = None,
+    b: Any = None,
+    d_c: Any = None,
+    k: Any = None,
+    m: Any = None,
+    sigma: Any = None,
+    v: Any = None,
     inertial_threshold: Number | None = None,
 ) -> Any:
     """Decide stability and slip mode of one point, of arrays of points, or of every row of a frame.
@@ -219,17 +253,44 @@ def columns_of_rows(rows: Sequence[Mapping[str, Any] | None], shape: tuple[int, 
     return {name: column(each).reshape(shape) for name, each in cells.items()}
 
 
+@overload
+def roots(  # type: ignore[overload-overlap]
+    frame: None = None, /, *, a: Number, b: Number, d_c: Number, k: Number, m: Number, sigma: Number, v: Number,
+    digits: int = 50
+) -> list[Root]: ...
+@overload
+def roots(
+    frame: dict[str, Any], /, *, a: Value | None = None, b: Value | None = None, d_c: Value | None = None,
+    k: Value | None = None, m: Value | None = None, sigma: Value | None = None, v: Value | None = None,
+    digits: int = 50
+) -> Table: ...
+@overload
+def roots(
+    frame: Frame, /, *, a: Value | None = None, b: Value | None = None, d_c: Value | None = None,
+    k: Value | None = None, m: Value | None = None, sigma: Value | None = None, v: Value | None = None,
+    digits: int = 50
+) -> Frame: ...
+@overload
+def roots(
+    frame: None = None, /, *, a: Number | FrameColumn, b: Number | FrameColumn, d_c: Number | FrameColumn, k: Number | FrameColumn,
+    m: Number | FrameColumn, sigma: Number | FrameColumn, v: Number | FrameColumn, digits: int = 50
+) -> Any: ...
+@overload
+def roots(
+    frame: None = None, /, *, a: Value, b: Value, d_c: Value, k: Value, m: Value, sigma: Value, v: Value,
+    digits: int = 50
+) -> NDArray[np.complex128]: ...
 def roots(
     frame: Any = None,
     /,
     *,
-    a: Value | None = None,
-    b: Value | None = None,
-    d_c: Value | None = None,
-    k: Value | None = None,
-    m: Value | None = None,
-    sigma: Value | None = None,
-    v: Value | None = None,
+    a: Any = None,
+    b: Any = None,
+    d_c: Any = None,
+    k: Any = None,
+    m: Any = None,
+    sigma: Any = None,
+    v: Any = None,
     digits: int = 50,
 ) -> Any:
     """Compute the three roots s of eq 8, 1/s. The arguments are those of :func:`classify`.
@@ -240,8 +301,10 @@ def roots(
     """
     values = chosen({"a": a, "b": b, "d_c": d_c, "k": k, "m": m, "sigma": sigma, "v": v}, NAMES, frame)
     if single(values, frame):
-        texts = {name: exact(value) for name, value in values.items()}
-        found = call_json("roots", *options(texts), f"--digits={digits}")
+        texts = [exact(values[name]) for name in NAMES]
+        code, messages, answer = _slipmode.roots_of_point(texts, str(digits))
+        remark(code, in_python(messages))
+        found = json.loads(answer or "[]")
         return [Root(Decimal(x["re"]), Decimal(x["im"]), Decimal(x["radius"]), x["multiplicity"]) for x in found]
     rows = Rows.of(frame, values)
     refuse_error_bars("classify", rows.is_uncertain)
@@ -254,17 +317,40 @@ def roots(
     return rows.wrap({f"root_{place + 1}_{part}_per_s": parts[part][..., place] for place, part in names})
 
 
+@overload
+def distance(  # type: ignore[overload-overlap]
+    frame: None = None, /, *, a: Number, b: Number, d_c: Number, k: Number, m: Number, sigma: Number, v: Number
+) -> Distance: ...
+@overload
+def distance(
+    frame: dict[str, Any], /, *, a: Value | None = None, b: Value | None = None, d_c: Value | None = None,
+    k: Value | None = None, m: Value | None = None, sigma: Value | None = None, v: Value | None = None
+) -> Table: ...
+@overload
+def distance(
+    frame: Frame, /, *, a: Value | None = None, b: Value | None = None, d_c: Value | None = None,
+    k: Value | None = None, m: Value | None = None, sigma: Value | None = None, v: Value | None = None
+) -> Frame: ...
+@overload
+def distance(
+    frame: None = None, /, *, a: Number | FrameColumn, b: Number | FrameColumn, d_c: Number | FrameColumn, k: Number | FrameColumn,
+    m: Number | FrameColumn, sigma: Number | FrameColumn, v: Number | FrameColumn
+) -> Any: ...
+@overload
+def distance(
+    frame: None = None, /, *, a: Value, b: Value, d_c: Value, k: Value, m: Value, sigma: Value, v: Value
+) -> Table: ...
 def distance(
     frame: Any = None,
     /,
     *,
-    a: Value | None = None,
-    b: Value | None = None,
-    d_c: Value | None = None,
-    k: Value | None = None,
-    m: Value | None = None,
-    sigma: Value | None = None,
-    v: Value | None = None,
+    a: Any = None,
+    b: Any = None,
+    d_c: Any = None,
+    k: Any = None,
+    m: Any = None,
+    sigma: Any = None,
+    v: Any = None,
 ) -> Any:
     """Compute how far points are from the transition K = K_c and from the boundary max Im(s) = 0, in decades of σ and of V0.
 
@@ -285,18 +371,54 @@ def distance(
     return rows.wrap(columns_of_rows(each(rows.texts(), one), rows.shape))
 
 
+@overload
+def solve(
+    unknown: str, frame: None = None, /, *, a: Number | None = None, b: Number | None = None,
+    d_c: Number | None = None, k: Number | None = None, m: Number | None = None, sigma: Number | None = None,
+    v: Number | None = None, frequency: Number | None = None, angular_frequency: Number | None = None,
+    growth_rate: Number | None = None, transition: bool = False, boundary: bool = False, digits: int = 17
+) -> list[Solution]: ...
+@overload
+def solve(
+    unknown: str, frame: dict[str, Any], /, *, a: Value | None = None, b: Value | None = None,
+    d_c: Value | None = None, k: Value | None = None, m: Value | None = None, sigma: Value | None = None,
+    v: Value | None = None, frequency: Number | None = None, angular_frequency: Number | None = None,
+    growth_rate: Number | None = None, transition: bool = False, boundary: bool = False, digits: int = 17
+) -> Table: ...
+@overload
+def solve(
+    unknown: str, frame: Frame, /, *, a: Value | None = None, b: Value | None = None, d_c: Value | None = None,
+    k: Value | None = None, m: Value | None = None, sigma: Value | None = None, v: Value | None = None,
+    frequency: Number | None = None, angular_frequency: Number | None = None, growth_rate: Number | None = None,
+    transition: bool = False, boundary: bool = False, digits: int = 17
+) -> Frame: ...
+@overload
+def solve(
+    unknown: str, frame: None = None, /, *, a: Number | FrameColumn | None = None, b: Number | FrameColumn | None = None,
+    d_c: Number | FrameColumn | None = None, k: Number | FrameColumn | None = None, m: Number | FrameColumn | None = None,
+    sigma: Number | FrameColumn | None = None, v: Number | FrameColumn | None = None, frequency: Number | None = None,
+    angular_frequency: Number | None = None, growth_rate: Number | None = None, transition: bool = False,
+    boundary: bool = False, digits: int = 17
+) -> Any: ...
+@overload
+def solve(
+    unknown: str, frame: None = None, /, *, a: Value | None = None, b: Value | None = None, d_c: Value | None = None,
+    k: Value | None = None, m: Value | None = None, sigma: Value | None = None, v: Value | None = None,
+    frequency: Number | None = None, angular_frequency: Number | None = None, growth_rate: Number | None = None,
+    transition: bool = False, boundary: bool = False, digits: int = 17
+) -> Table: ...
 def solve(
     unknown: str,
     frame: Any = None,
     /,
     *,
-    a: Value | None = None,
-    b: Value | None = None,
-    d_c: Value | None = None,
-    k: Value | None = None,
-    m: Value | None = None,
-    sigma: Value | None = None,
-    v: Value | None = None,
+    a: Any = None,
+    b: Any = None,
+    d_c: Any = None,
+    k: Any = None,
+    m: Any = None,
+    sigma: Any = None,
+    v: Any = None,
     frequency: Number | None = None,
     angular_frequency: Number | None = None,
     growth_rate: Number | None = None,
@@ -329,7 +451,7 @@ def solve(
         found = one({name: exact(value) for name, value in values.items()}, None)
         refuse_error_bars("solve", any("range" in each for each in found))
         return [Solution(Decimal(x["value"]), x["is_exact"], x["transition_sign"], x["kind"]) for x in found]
-    rows = Rows.of(frame, values, argument)
+    rows = Rows.of(frame, values, [argument])
     return rows.wrap(columns_of_rows(each(rows.texts(), lambda texts, warned: solutions(one(texts, warned))), rows.shape))
 
 
@@ -346,17 +468,45 @@ def solutions(found: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
     return row
 
 
+@overload
+def simulate(  # type: ignore[overload-overlap]
+    frame: None = None, /, *, a: Number, b: Number, d_c: Number, k: Number, m: Number, sigma: Number, v: Number,
+    law: str | None = None, rtol: Number = "1e-8", start: str = "steady-at-velocity"
+) -> Simulation: ...
+@overload
+def simulate(
+    frame: dict[str, Any], /, *, a: Value | None = None, b: Value | None = None, d_c: Value | None = None,
+    k: Value | None = None, m: Value | None = None, sigma: Value | None = None, v: Value | None = None,
+    law: str | None = None, rtol: Number = "1e-8", start: str = "steady-at-velocity"
+) -> Table: ...
+@overload
+def simulate(
+    frame: Frame, /, *, a: Value | None = None, b: Value | None = None, d_c: Value | None = None,
+    k: Value | None = None, m: Value | None = None, sigma: Value | None = None, v: Value | None = None,
+    law: str | None = None, rtol: Number = "1e-8", start: str = "steady-at-velocity"
+) -> Frame: ...
+@overload
+def simulate(
+    frame: None = None, /, *, a: Number | FrameColumn, b: Number | FrameColumn, d_c: Number | FrameColumn, k: Number | FrameColumn,
+    m: Number | FrameColumn, sigma: Number | FrameColumn, v: Number | FrameColumn, law: str | None = None, rtol: Number = "1e-8",
+    start: str = "steady-at-velocity"
+) -> Any: ...
+@overload
+def simulate(
+    frame: None = None, /, *, a: Value, b: Value, d_c: Value, k: Value, m: Value, sigma: Value, v: Value,
+    law: str | None = None, rtol: Number = "1e-8", start: str = "steady-at-velocity"
+) -> Simulations: ...
 def simulate(
     frame: Any = None,
     /,
     *,
-    a: Value | None = None,
-    b: Value | None = None,
-    d_c: Value | None = None,
-    k: Value | None = None,
-    m: Value | None = None,
-    sigma: Value | None = None,
-    v: Value | None = None,
+    a: Any = None,
+    b: Any = None,
+    d_c: Any = None,
+    k: Any = None,
+    m: Any = None,
+    sigma: Any = None,
+    v: Any = None,
     law: str | None = None,
     rtol: Number = "1e-8",
     start: str = "steady-at-velocity",
@@ -372,7 +522,7 @@ def simulate(
     if single(values, frame):
         return simulate_point(values, law, common, None)
     rows = Rows.of(frame, values)
-    laws = [law] * rows.size if law is not None or not rows.kind.is_frame else np.asarray(frame["law"]).tolist()
+    laws = [law] * rows.size if law is not None or not rows.kind.is_frame else np.asarray(rows.kind.example["law"]).tolist()
 
     def one(item: tuple[Texts, str], warned: Warned) -> Simulation | Failed:
         texts, own_law = item
@@ -397,73 +547,3 @@ def simulate_point(
         raise InputError("law: missing (allowed: slip, aging)")
     arguments = (*options({name: exact(value) for name, value in values.items()}), f"--law={law}", *common)
     return Simulation.of(call_json("simulate", *arguments, warned=warned), arguments)
-
-
-def boundary(
-    *, a: Value, b: Value, d_c: Value, k: Value, m: Value, n: int = 200, digits: int | None = None
-) -> Any:
-    """Compute the exact boundary max Im(s) = 0, with ``n`` points on each arc and the marked ones.
-
-    The columns are those of ``slipmode boundary``. Numbers are floats, or ``Decimal`` with this many ``digits``. Arrays of sliders
-    give one table, whose column ``row`` counts the sliders from 0; the arguments are those of :func:`classify`.
-    """
-    values: dict[str, Any] = {"a": a, "b": b, "d_c": d_c, "k": k, "m": m}
-    if single(values, None):
-        with tempfile.TemporaryDirectory() as folder:
-            picture = Path(folder, "boundary.svg")
-            texts = {name: exact(value) for name, value in values.items()}
-            found = boundary_points(texts, [f"--points={n}", f"--svg={picture}"], digits, None)
-            return BoundaryTable(Table.of_rows(found), picture.read_text())
-    return table_of(
-        values, "boundary", lambda texts, warned: boundary_points(texts, [f"--points={n}"], digits, warned)
-    )
-
-
-def boundary_points(
-    texts: Texts, asked: Sequence[str], digits: int | None, warned: Warned | None
-) -> list[dict[str, Any]]:
-    """Return the points of the boundary of a slider."""
-    refuse_error_bars("boundary", any(map(_slipmode.has_error_bar, texts.values())))
-    if digits is None:
-        found: list[dict[str, Any]] = call_json("boundary", *options(texts), *asked, warned=warned)["points"]
-        return found
-    printed = call("boundary", *options(texts), *asked, f"--digits={digits}", warned=warned)
-    words = ("arc", "asymptote", "mark")
-    cells = csv.DictReader(io.StringIO(printed))
-    return [{name: x if name in words else Decimal(x) for name, x in row.items()} for row in cells]
-
-
-def tolerance(*, a: Value, b: Value, d_c: Value, k: Value, m: Value, errors: Sequence[Number] = ()) -> Any:
-    """Compute where each formula of the paper may be used, for these relative ``errors``; 0.1, 0.01 and 0.001 without any.
-
-    Arrays of sliders give one table, whose column ``row`` counts the sliders from 0; the arguments are those of :func:`classify`.
-    """
-    values: dict[str, Any] = {"a": a, "b": b, "d_c": d_c, "k": k, "m": m}
-    asked = [f"--relative-error={exact(error)}" for error in errors]
-    if single(values, None):
-        texts = {name: exact(value) for name, value in values.items()}
-        return Table.of_rows(tolerances(texts, asked, None))
-    return table_of(values, "tolerance", lambda texts, warned: tolerances(texts, asked, warned))
-
-
-def tolerances(texts: Texts, asked: Sequence[str], warned: Warned | None) -> list[dict[str, Any]]:
-    """Return the rows of ``slipmode tolerance``."""
-    refuse_error_bars("tolerance", any(map(_slipmode.has_error_bar, texts.values())))
-    rows = []
-    for row in call_json("tolerance", *options(texts), *asked, warned=warned)["formulas"]:
-        (limit,) = row.pop("limit").items()
-        names = ("formula", "relative_error", "where")
-        (value,) = [(name, number) for name, number in row.items() if name not in names]
-        of_value = {"value_of": value[0], "value": value[1]}
-        rows.append({name: row[name] for name in names} | of_value | {"limit_of": limit[0], "limit": limit[1]})
-    return rows
-
-
-def table_of(values: Mapping[str, Any], command: str, work: Any) -> Any:
-    """Return the tables of several sliders as one, with the number of the row."""
-    rows = Rows.of(None, values)
-    refuse_error_bars(command, rows.is_uncertain)
-    tables = each(rows.texts(), work)
-    listed = [{"row": place} | cells for place, table in enumerate(tables) for cells in table or ()]
-    table = Table.of_rows(listed)
-    return table.to_pandas() if rows.kind.package == "pandas" else table

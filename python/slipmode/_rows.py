@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import csv
 import io
+import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
 from fractions import Fraction
-from typing import Any, Union
+from typing import Any, Protocol, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,7 +17,7 @@ from numpy.typing import NDArray
 from slipmode import _slipmode
 from slipmode._errors import InputError
 from slipmode._exact import Number, exact, given, is_of, unit
-from slipmode._frames import Kind, aligned, array_of, columns_of, package_of
+from slipmode._frames import Kind, aligned, array_of, columns_of, known, package_of
 from slipmode._run import remark
 
 #: The arguments, and their names in columns and in what commands print.
@@ -32,8 +33,14 @@ KEYS = {
 NAMES = tuple(KEYS)
 SCALARS = {float, str, int, Decimal, Fraction, tuple}
 
-#: Several numbers: an array, a list, or a column of a frame.
-Arrays = Union[NDArray[Any], Sequence[Any]]
+class FrameColumn(Protocol):
+    """A column of a frame of pandas, polars, xarray or pyarrow."""
+
+    def to_numpy(self) -> Any: ...
+
+
+#: Several numbers.
+Arrays = Union[NDArray[Any], list[Any]]
 Value = Union[Number, Arrays]
 #: A column as the native module takes it: its name, its values, and the size in SI of its unit.
 Native = tuple[str, Union[str, float, bytes, list[str]], Union[str, None]]
@@ -51,14 +58,15 @@ class Column:
         """Return the column for rows of this shape."""
         if not isinstance(self.values, np.ndarray):
             return (self.name, self.values, self.unit)
-        rows = np.broadcast_to(self.values, shape)
+        # NumPy takes longer for this than the rest of the call takes for a few rows.
+        rows = self.values if self.values.shape == shape else np.broadcast_to(self.values, shape)
         flat = rows.ravel().tolist() if rows.dtype == object else rows.astype("<f8", copy=False).tobytes()
         return (self.name, flat, self.unit)
 
     def texts(self, shape: tuple[int, ...]) -> list[str]:
         """Return an exact text in SI for each row, empty where the value is missing."""
         if not isinstance(self.values, np.ndarray):
-            return [exact(self.values)] * int(np.prod(shape))
+            return [exact(self.values)] * math.prod(shape)
         size = None if self.unit is None else Fraction(self.unit)
         flat = np.broadcast_to(self.values, shape).ravel().tolist()
         if self.values.dtype == object:
@@ -106,17 +114,18 @@ class Rows:
     kind: Kind
 
     @classmethod
-    def of(cls, frame: Any, values: Mapping[str, Any], unknown: str | None = None) -> Rows:
-        """Return the columns of a frame, if there is one, and of values by argument."""
+    def of(cls, frame: Any, values: Mapping[str, Any], unused: Sequence[str] = ()) -> Rows:
+        """Return the columns of a frame, if there is one, and of values by argument; a frame may lack the ``unused`` ones."""
+        frame = known(frame)
         if frame is None:
             found, kind = aligned(dict(values))
             columns = {name: of_value(name, value) for name, value in found.items()}
         else:
             kind = Kind(package_of(frame), frame, True)
-            columns = of_frame(frame, values, unknown)
-        arrays = [column.values for column in columns.values() if isinstance(column.values, np.ndarray)]
+            columns = of_frame(frame, values, unused)
+        shapes = {column.values.shape for column in columns.values() if isinstance(column.values, np.ndarray)}
         try:
-            shape = np.broadcast_shapes(*(array.shape for array in arrays))
+            shape = shapes.pop() if len(shapes) == 1 else np.broadcast_shapes(*shapes)
         except ValueError:
             listed = ", ".join(f"{c.name} has {c.values.shape}" for c in columns.values() if isinstance(c.values, np.ndarray))
             raise InputError(f"the shapes do not broadcast: {listed}") from None
@@ -125,7 +134,7 @@ class Rows:
     @property
     def size(self) -> int:
         """The number of rows."""
-        return int(np.prod(self.shape))
+        return math.prod(self.shape)
 
     @property
     def native(self) -> list[Native]:
@@ -174,11 +183,11 @@ def of_value(name: str, value: Any) -> Column:
     return Column(name, array_of(value))
 
 
-def of_frame(frame: Any, values: Mapping[str, Any], unknown: str | None) -> dict[str, Column]:
+def of_frame(frame: Any, values: Mapping[str, Any], unused: Sequence[str]) -> dict[str, Column]:
     """Return the columns of a frame by the names that the command line reads, with units and columns of errors."""
     found = columns_of(frame) | {KEYS[name]: value for name, value in values.items()}
-    names, key = list(found), None if unknown is None else KEYS[unknown]
-    code, messages, places = _slipmode.table_columns(line(names).encode(), key)
+    names, keys = list(found), [KEYS[name] for name in unused]
+    code, messages, places = _slipmode.table_columns(line(names).encode(), keys)
     remark(code, messages)
     assert places is not None  # A call without a result has raised.
     positions, units, errors = places
@@ -189,16 +198,16 @@ def of_frame(frame: Any, values: Mapping[str, Any], unknown: str | None) -> dict
             single = is_number(values_of)
             columns[name] = Column(names[position], given(values_of) if single else array_of(values_of), size)
     is_text = any(c.unit and isinstance(c.values, np.ndarray) and c.values.dtype == object for c in columns.values())
-    return read_rows(columns, {names[i]: array_of(found[names[i]]) for i in errors}, key) if errors or is_text else columns
+    return read_rows(columns, {names[i]: array_of(found[names[i]]) for i in errors}, keys) if errors or is_text else columns
 
 
-def read_rows(columns: dict[str, Column], errors: dict[str, NDArray[Any]], unknown: str | None) -> dict[str, Column]:
+def read_rows(columns: dict[str, Column], errors: dict[str, NDArray[Any]], keys: Sequence[str]) -> dict[str, Column]:
     """Return the columns with their errors, as the command line reads the rows of a file."""
     cells = {column.name: column.values for column in columns.values()} | errors
     length = max(array.size for array in cells.values() if isinstance(array, np.ndarray))
     texts = [Column(name, values).texts((length,)) for name, values in cells.items()]
     lines = (line(row) for row in zip(*texts))
-    code, messages, rows = _slipmode.table_rows("".join([line(cells), *lines]).encode(), unknown)
+    code, messages, rows = _slipmode.table_rows("".join([line(cells), *lines]).encode(), keys)
     remark(code, messages)
     assert rows is not None  # A call without a result has raised.
     read = np.array(rows, dtype=object).reshape(len(rows), len(NAMES)).T

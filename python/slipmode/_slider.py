@@ -7,13 +7,15 @@ from collections.abc import Iterator
 from typing import Any, TypeVar, overload
 
 import numpy as np
+from numpy.typing import NDArray
 
 from slipmode import _slipmode
+from slipmode import _curves as curves
 from slipmode import _questions as questions
 from slipmode._classified import BoundaryTable, Classification, Classifications, Map, Possibilities
 from slipmode._exact import Number, exact, given
 from slipmode._frames import array_of
-from slipmode._questions import Root, Solution
+from slipmode._questions import Distance, Root, Solution
 from slipmode._rows import NAMES, Arrays, Rows, Value
 from slipmode._run import in_python, remark
 from slipmode._simulated import Simulation, Simulations
@@ -148,7 +150,7 @@ class Slider(Frozen):
         return found
 
     @overload
-    def classify(self, sigma: OperatingPoint, *, inertial_threshold: Number | None = None) -> Classification | Possibilities: ...
+    def classify(self, sigma: OperatingPoint, v: None = None, *, inertial_threshold: Number | None = None) -> Classification | Possibilities: ...
     @overload
     def classify(self, sigma: Number, v: Number, *, inertial_threshold: Number | None = None) -> Classification | Possibilities: ...
     @overload
@@ -189,24 +191,32 @@ class Slider(Frozen):
         return Map(**fields, svg=grid[2])
 
     @overload
-    def roots(self, sigma: OperatingPoint, *, digits: int = 50) -> list[Root]: ...
+    def roots(self, sigma: OperatingPoint, v: None = None, *, digits: int = 50) -> list[Root]: ...
     @overload
     def roots(self, sigma: Number, v: Number, digits: int = 50) -> list[Root]: ...
     @overload
-    def roots(self, sigma: Arrays, v: Value) -> Any: ...
+    def roots(self, sigma: Arrays, v: Value) -> NDArray[np.complex128]: ...
     @overload
-    def roots(self, sigma: Number, v: Arrays) -> Any: ...
+    def roots(self, sigma: Number, v: Arrays) -> NDArray[np.complex128]: ...
     def roots(self, sigma: Any, v: Any = None, digits: int = 50) -> Any:
         """Compute the three roots s of eq 8, 1/s, as :func:`slipmode.roots`."""
         return questions.roots(**self._at(sigma, v), digits=digits)
 
+    @overload
+    def distance(self, sigma: OperatingPoint, v: None = None) -> Distance: ...
+    @overload
+    def distance(self, sigma: Number, v: Number) -> Distance: ...
+    @overload
+    def distance(self, sigma: Arrays, v: Value) -> Table: ...
+    @overload
+    def distance(self, sigma: Number, v: Arrays) -> Table: ...
     def distance(self, sigma: Any, v: Any = None) -> Any:
         """Compute the distances to the transition and to the boundary, as :func:`slipmode.distance`."""
         return questions.distance(**self._at(sigma, v))
 
     def boundary(self, n: int = 200, digits: int | None = None) -> BoundaryTable:
         """Compute the exact boundary max Im(s) = 0, as :func:`slipmode.boundary`."""
-        found: BoundaryTable = questions.boundary(**self._values, n=n, digits=digits)
+        found: BoundaryTable = curves.boundary(**self._values, n=n, digits=digits)
         return found
 
     def transition(self, v: float | Arrays | None = None) -> Table:
@@ -226,7 +236,7 @@ class Slider(Frozen):
 
     def tolerance(self, *errors: Number) -> Table:
         """Compute where each formula of the paper may be used, for these relative errors; 0.1, 0.01 and 0.001 without any."""
-        found: Table = questions.tolerance(**self._values, errors=errors)
+        found: Table = curves.tolerance(**self._values, errors=errors)
         return found
 
     def solve(
@@ -258,7 +268,7 @@ class Slider(Frozen):
 
     @overload
     def simulate(
-        self, sigma: OperatingPoint, *, law: str, rtol: Number = "1e-8", start: str = "steady-at-velocity"
+        self, sigma: OperatingPoint, v: None = None, *, law: str, rtol: Number = "1e-8", start: str = "steady-at-velocity"
     ) -> Simulation: ...
     @overload
     def simulate(

@@ -7,7 +7,9 @@ use std::time::Duration;
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
-use slipmode::cli::{Captured, capture};
+use slipmode::cli::{capture, capture_roots};
+
+use crate::classified::{Answer, answer};
 
 /// Between two looks at signals.
 const TICK: Duration = Duration::from_millis(20);
@@ -20,14 +22,30 @@ const STACK_BYTES: usize = 8 << 20;
 /// its result is dropped.
 #[pyfunction]
 pub fn call(py: Python<'_>, arguments: Vec<OsString>) -> PyResult<(u8, Bound<'_, PyBytes>, String)> {
+    let program = OsString::from("slipmode");
+    let found = in_background(py, move || capture([program].into_iter().chain(arguments)))?;
+    let messages = String::from_utf8_lossy(&found.messages).into_owned();
+    Ok((found.exit_code, PyBytes::new(py, &found.output), messages))
+}
+
+/// The list that `roots --json` prints of a point; [`call`] says how Ctrl-C ends it.
+#[pyfunction]
+pub fn roots_of_point(py: Python<'_>, values: [String; 7], digits: String) -> PyResult<Answer<String>> {
+    let work = move || capture_roots(values.each_ref().map(String::as_str), &digits);
+    let (roots, captured) = in_background(py, work)?;
+    Ok(answer(roots, captured))
+}
+
+/// Does work on a thread of its own, for which Ctrl-C does not wait.
+fn in_background<T: Send + 'static>(
+    py: Python<'_>,
+    work: impl FnOnce() -> T + Send + 'static,
+) -> PyResult<T> {
     let (to_us, mut answer) = channel();
     let builder = std::thread::Builder::new().name("slipmode".into()).stack_size(STACK_BYTES);
-    let program = OsString::from("slipmode");
-    let work = move || {
-        // Nobody waits for the answer after Ctrl-C.
-        let _ = to_us.send(capture([program].into_iter().chain(arguments)));
-    };
-    builder.spawn(work).map_err(|error| PyRuntimeError::new_err(format!("no thread: {error}")))?;
+    // Nobody waits for the answer after Ctrl-C.
+    let spawned = builder.spawn(move || drop(to_us.send(work())));
+    spawned.map_err(|error| PyRuntimeError::new_err(format!("no thread: {error}")))?;
     loop {
         let received;
         (answer, received) = py.detach(move || {
@@ -35,10 +53,7 @@ pub fn call(py: Python<'_>, arguments: Vec<OsString>) -> PyResult<(u8, Bound<'_,
             (answer, received)
         });
         match received {
-            Ok(Captured { exit_code, output, messages }) => {
-                let messages = String::from_utf8_lossy(&messages).into_owned();
-                return Ok((exit_code, PyBytes::new(py, &output), messages));
-            }
+            Ok(found) => return Ok(found),
             Err(RecvTimeoutError::Timeout) => py.check_signals()?,
             Err(RecvTimeoutError::Disconnected) => {
                 return Err(PyRuntimeError::new_err("the command ended without an answer"));

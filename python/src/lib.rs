@@ -15,10 +15,12 @@ use slipmode_core::stability::{InertialThreshold, SlipMode, SpectralClass};
 pyo3::import_exception!(slipmode._errors, InputError);
 
 /// The native part of the package `slipmode`.
-#[pymodule]
+///
+/// It needs no lock of Python: it has no state but that of a thread, lists of files behind locks, and tables that are written once.
+#[pymodule(gil_used = false)]
 mod _slipmode {
     #[pymodule_export]
-    use super::call::call;
+    use super::call::{call, roots_of_point};
     #[pymodule_export]
     use super::classified::{describe_point, draw_grid};
     #[pymodule_export]

@@ -10,11 +10,10 @@ use crate::classified::{Answer, answer};
 /// The column and the size in SI of its unit for each quantity, and the columns of errors.
 type Columns = (Vec<Option<usize>>, Vec<Option<String>>, Vec<usize>);
 
-/// Finds the seven quantities by the names of columns, a header line of CSV; `unknown` is the key of what may be missing.
+/// Finds the seven quantities by the names of columns, a header line of CSV; `unused` has the keys of what may be missing.
 #[pyfunction]
-#[pyo3(signature = (header, unknown=None))]
-pub fn table_columns(header: Vec<u8>, unknown: Option<&str>) -> Answer<Columns> {
-    let (found, captured) = capture_columns(header, quantity(unknown));
+pub fn table_columns(header: Vec<u8>, unused: Vec<String>) -> Answer<Columns> {
+    let (found, captured) = capture_columns(header, quantities(&unused));
     let columns = found.map(|found| {
         let size = |unit: Option<slipmode_core::number::Rational>| unit.as_ref().map(exact_text);
         (found.positions.to_vec(), found.units.map(size).to_vec(), found.errors)
@@ -24,12 +23,11 @@ pub fn table_columns(header: Vec<u8>, unknown: Option<&str>) -> Answer<Columns> 
 
 /// The seven values of each row of a CSV file in SI, as exact texts; empty ones where a value is missing.
 #[pyfunction]
-#[pyo3(signature = (csv, unknown=None))]
-pub fn table_rows(py: Python<'_>, csv: Vec<u8>, unknown: Option<&str>) -> Answer<Vec<[String; 7]>> {
-    let (rows, captured) = py.detach(|| capture_rows(csv, quantity(unknown)));
+pub fn table_rows(py: Python<'_>, csv: Vec<u8>, unused: Vec<String>) -> Answer<Vec<[String; 7]>> {
+    let (rows, captured) = py.detach(|| capture_rows(csv, quantities(&unused)));
     answer(rows, captured)
 }
 
-fn quantity(key: Option<&str>) -> Option<Quantity> {
-    Quantity::ALL.into_iter().find(|quantity| Some(quantity.key()) == key)
+fn quantities(keys: &[String]) -> Vec<Quantity> {
+    Quantity::ALL.into_iter().filter(|quantity| keys.iter().any(|key| key == quantity.key())).collect()
 }

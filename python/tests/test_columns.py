@@ -1,6 +1,7 @@
 """Columns in, columns out: arrays that broadcast, frames of several packages, missing values, errors and units."""
 
 import pickle
+import warnings
 from decimal import Decimal
 from fractions import Fraction
 
@@ -129,6 +130,58 @@ def test_other_questions_take_arrays_and_frames():
     table = slipmode.tolerance(a=[0.008, 0.009], **own, errors=["0.01"])
     assert table["row"].tolist() == [0] * 4 + [1] * 4
     assert set(slipmode.boundary(a=[0.008, 0.009], **own, n=3)["row"]) == {0, 1}
+
+
+@pytest.mark.parametrize("package", ["pandas", "polars", "pyarrow", "xarray"])
+def test_boundaries_and_tolerances_of_a_frame_are_a_frame_of_its_package(package):
+    library = pytest.importorskip(package)
+    columns = {name: [VALUES[name]] * 3 for name in ("b", "k", "m")} | {"a": [0.008, None, 0.009], "Dc [um]": [8.0] * 3}
+    frames = {
+        "pandas": lambda: library.DataFrame(columns, index=["p", "q", "r"]),
+        "polars": lambda: library.DataFrame(columns),
+        "pyarrow": lambda: library.table(columns),
+        "xarray": lambda: library.Dataset({name: ("x", column) for name, column in columns.items()}),
+    }
+    frame = frames[package]()
+    own = {name: VALUES[name] for name in ("b", "k", "m")}
+    for call, asked in ((slipmode.boundary, {"n": 3}), (slipmode.tolerance, {"errors": ["0.01"]})):
+        found = call(frame, **asked)
+        assert type(found) is type(frame)
+        wanted = call(a=[0.008, 0.009], d_c="8um", **own, **asked)
+        rows = [{0: 0, 2: 1}[row] for row in np.asarray(found["row"]).tolist()]
+        assert rows == wanted["row"].tolist()
+        name = "normal_stress_pa" if call is slipmode.boundary else "limit"
+        assert np.asarray(found[name]).tolist() == wanted[name].tolist()
+        if package == "pandas":
+            assert found.index.unique().tolist() == ["p", "r"] and list(call(frame.iloc[1:2], **asked).columns) == ["row"]
+    if package == "pandas":
+        assert len(slipmode.boundary(frame, n=3)) == len(slipmode.boundary(frame.assign(sigma=5e6, sigma_err=1e3), n=3))
+        with pytest.raises(slipmode.SlipmodeError, match="stiffness_pa_per_m: missing"):
+            slipmode.boundary(frame.drop(columns="k"))
+        with pytest.raises(slipmode.SlipmodeError, match="without error bars"):
+            slipmode.tolerance(frame.assign(a_err=0.001))
+
+
+def test_a_frame_with_the_interchange_protocol_alone_gives_one_of_pandas():
+    pandas = pytest.importorskip("pandas")
+
+    class Frame:
+        def __dataframe__(self, **options):
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                return pandas.DataFrame({name: [value] * 2 for name, value in VALUES.items()}).__dataframe__(**options)
+
+    found = slipmode.classify(Frame())
+    assert isinstance(found, pandas.DataFrame) and found["slip_mode"].tolist() == modes_of([VALUES["sigma"]] * 2)
+    with pytest.raises(TypeError, match="no frame"):
+        slipmode.classify(7)
+
+
+def test_a_data_set_of_xarray_gives_a_data_set():
+    xarray = pytest.importorskip("xarray")
+    columns = {name: ("sample", [value] * 3) for name, value in VALUES.items()} | {"sigma": ("sample", STRESSES)}
+    found = slipmode.classify(xarray.Dataset(columns, coords={"sample": ["x", "y", "z"]}))
+    assert found["slip_mode"].values.tolist() == modes_of(STRESSES) and found["sample"].values.tolist() == ["x", "y", "z"]
 
 
 def test_quantities_have_their_unit_and_their_error():

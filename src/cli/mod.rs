@@ -58,6 +58,7 @@ pub use classify::call::{capture_grid, capture_point};
 pub use classify::grid_files::GridPicture;
 pub use classify::view::ClassifiedPoint;
 pub use options::inertial_threshold;
+pub use roots::capture_roots;
 pub use table::{TableColumns, capture_columns, capture_rows};
 pub use unit_warnings::unit_warnings;
 

@@ -11,6 +11,7 @@ use slipmode_core::number::{Ball, Rational};
 use slipmode_core::roots::{CertifiedRoot, certified_roots};
 
 use crate::cli::answer::Answer;
+use crate::cli::capture::{Captured, capture_work};
 use crate::cli::failure::Failure;
 use crate::cli::options::{Arguments, SliderOptions};
 use crate::cli::terminal;
@@ -41,15 +42,30 @@ pub struct Options {
 /// # Errors
 /// When the arguments are at fault or the output cannot be written.
 pub fn run(options: &Options) -> Result<(), Failure> {
+    let answer = answer(&options.slider, &options.digits)?;
+    if options.json { terminal::print_json(answer.value("roots")) } else { answer.print(false) }
+}
+
+/// The list that `roots --json` prints for these values, in the order of the options, as a function without a command line.
+///
+/// ```
+/// let values = ["0.004", "0.006", "10um", "1e7", "1000", "1MPa", "10um/s"];
+/// let (roots, messages) = slipmode::cli::capture_roots(values, "20");
+/// assert!(roots.unwrap().starts_with(r#"[{"re":"#) && messages.exit_code == 0);
+/// ```
+pub fn capture_roots(values: [&str; 7], digits: &str) -> (Option<String>, Captured) {
+    capture_work(|| Ok(answer(&SliderOptions::of(values), digits)?.value("roots").to_string()))
+}
+
+fn answer(slider: &SliderOptions, digits: &str) -> Result<Answer, Failure> {
     let mut arguments = Arguments::default();
-    let parameters = options.slider.parameters(&mut arguments);
-    let digits = arguments.whole("--digits", Some(&options.digits), 1..=MOST_DIGITS);
+    let parameters = slider.parameters(&mut arguments);
+    let digits = arguments.whole("--digits", Some(digits), 1..=MOST_DIGITS);
     let digits = digits.and_then(|digits| u32::try_from(digits).ok());
     let (parameters, digits) = arguments.finish(parameters.zip(digits))?;
     let roots = print_roots(&parameters, digits);
-    let answer = Answer::default()
-        .list("roots", roots.iter().map(|root| root.answer().text(&format!("{}\n", root.text()))));
-    if options.json { terminal::print_json(answer.value("roots")) } else { answer.print(false) }
+    Ok(Answer::default()
+        .list("roots", roots.iter().map(|root| root.answer().text(&format!("{}\n", root.text())))))
 }
 
 /// A root in 1/s as decimals: the true one lies within `radius` of re + i·im as printed.

@@ -15,7 +15,7 @@ use crate::cli::progress::Progress;
 /// Where the seven quantities and their errors stand in a table.
 #[derive(Debug)]
 pub struct TableColumns {
-    /// The column of each of [`Quantity::ALL`]; none for the unknown.
+    /// The column of each of [`Quantity::ALL`]; none for the unused.
     pub positions: [Option<usize>; 7],
     /// The size in SI of the unit that the name of each column states; none for SI.
     pub units: [Option<Rational>; 7],
@@ -23,21 +23,22 @@ pub struct TableColumns {
     pub errors: Vec<usize>,
 }
 
-/// Finds the quantities by the names of columns: the header line of a CSV file. The column of `unknown` may be missing.
+/// Finds the quantities by the names of columns: the header line of a CSV file. The columns of the unused ones may be missing.
 ///
 /// ```
 /// let header = b"a,b,Dc [um],K_MPa_per_mm,m,sigma,v,a_err\n".to_vec();
-/// let (found, messages) = slipmode::cli::capture_columns(header, None);
+/// let (found, messages) = slipmode::cli::capture_columns(header, vec![]);
 /// let found = found.unwrap();
 /// assert_eq!((found.positions[2], found.errors, messages.exit_code), (Some(2), vec![7], 0));
 /// assert_eq!(found.units[3].as_ref().unwrap(), &1_000_000_000);
 /// ```
-pub fn capture_columns(header: Vec<u8>, unknown: Option<Quantity>) -> (Option<TableColumns>, Captured) {
+pub fn capture_columns(header: Vec<u8>, unused: Vec<Quantity>) -> (Option<TableColumns>, Captured) {
     capture_work(|| {
         let mut reader = reader(header);
         let first = reader.block(1)?;
-        let header = Header::read(TABLE, first.rows().next(), false, &ReadRows { unknown })?;
-        let known = |quantity: Quantity| Some(quantity) != unknown;
+        let work = ReadRows { unused };
+        let header = Header::read(TABLE, first.rows().next(), false, &work)?;
+        let known = |quantity: Quantity| !work.unused.contains(&quantity);
         Ok(TableColumns {
             positions: Quantity::ALL.map(|of| known(of).then_some(header.positions[of as usize])),
             units: Quantity::ALL.map(|of| header.unit(of as usize).filter(|_| known(of)).cloned()),
@@ -47,10 +48,10 @@ pub fn capture_columns(header: Vec<u8>, unknown: Option<Quantity>) -> (Option<Ta
 }
 
 /// The seven values of every row in SI, exact, as `0.009` or with its error bar as `[0.008, 0.01]`. A row with an empty cell has
-/// empty texts, and so has the unknown.
-pub fn capture_rows(csv: Vec<u8>, unknown: Option<Quantity>) -> (Option<Vec<[String; 7]>>, Captured) {
+/// empty texts, and so have the unused quantities.
+pub fn capture_rows(csv: Vec<u8>, unused: Vec<Quantity>) -> (Option<Vec<[String; 7]>>, Captured) {
     capture_work(|| {
-        let started = Started::new(reader(csv), ReadRows { unknown }, false, Progress::new(true))?;
+        let started = Started::new(reader(csv), ReadRows { unused }, false, Progress::new(true))?;
         Ok::<_, Failure>(started.work(&mut sink())?.kept)
     })
 }
@@ -65,7 +66,7 @@ fn reader(csv: Vec<u8>) -> RowReader {
 
 /// Reads rows and does nothing else.
 struct ReadRows {
-    unknown: Option<Quantity>,
+    unused: Vec<Quantity>,
 }
 
 impl RowWork for ReadRows {
@@ -76,17 +77,17 @@ impl RowWork for ReadRows {
     const BLOCK_ROWS: usize = 2048;
     const BLOCKS_PER_THREAD: usize = 1;
 
-    fn unknown(&self) -> Option<Quantity> {
-        self.unknown
+    fn unused(&self) -> Vec<Quantity> {
+        self.unused.clone()
     }
 
     fn read(&self, cells: Cells<'_>) -> Result<[String; 7], Faults> {
-        let is_known = |quantity: &Quantity| Some(*quantity) != self.unknown;
+        let is_known = |quantity: &Quantity| !self.unused.contains(quantity);
         let mut texts = Quantity::ALL.into_iter().filter(is_known);
         if texts.any(|of| cells.text(cells.header.positions[of as usize]).trim().is_empty()) {
             return Ok(<[String; 7]>::default());
         }
-        let values = cells.uncertain_without(self.unknown)?;
+        let values = cells.uncertain_without(&self.unused)?;
         let text = |quantity: Quantity| match &values[quantity as usize] {
             _ if !is_known(&quantity) => String::new(),
             value if value.is_certain() => exact_text(&value.lower),

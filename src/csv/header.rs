@@ -66,8 +66,8 @@ impl Header {
     ) -> Result<Self, Faults> {
         let appended: Vec<&str> =
             W::APPENDED.iter().copied().chain(keep_going.then_some(ERROR_COLUMN)).collect();
-        let unknown = command.unknown();
-        let wanted = Quantity::ALL.map(|quantity| Wanted::quantity(quantity, Some(quantity) == unknown));
+        let unused = command.unused();
+        let wanted = Quantity::ALL.map(|quantity| Wanted::quantity(quantity, unused.contains(&quantity)));
         let beyond = Beyond {
             appended: &appended,
             needs_for_errors: command.needs_for_errors(),
@@ -75,10 +75,9 @@ impl Header {
         };
         let others = |names: &[String]| command.header_faults(names);
         let mut header = Header::of_columns(file, row, wanted, &beyond, others)?;
-        if let Some(unused) = unknown.and_then(|unknown| header.errors[unknown as usize].take()) {
-            header.unread.push(unused.0);
-        }
-        let read = Quantity::ALL.into_iter().filter(|quantity| Some(*quantity) != unknown);
+        let errors = unused.iter().filter_map(|quantity| header.errors[*quantity as usize].take());
+        header.unread.extend(errors.map(|(position, _)| position));
+        let read = Quantity::ALL.into_iter().filter(|quantity| !unused.contains(quantity));
         let remarks = read.flat_map(|quantity| header.remarks_on(quantity)).collect();
         let Header { names, positions, units, errors, unread, .. } = header;
         // A header without faults has all that are read.

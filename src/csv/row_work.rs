@@ -36,9 +36,9 @@ pub trait RowWork: Sync {
         None
     }
 
-    /// The quantity whose column is not used and may be missing.
-    fn unknown(&self) -> Option<Quantity> {
-        None
+    /// The quantities whose columns are not used and may be missing.
+    fn unused(&self) -> Vec<Quantity> {
+        Vec::new()
     }
 
     /// Reads a row.
@@ -129,7 +129,7 @@ impl Cells<'_> {
     /// # Errors
     /// Every cell that is at fault.
     pub fn uncertain(self) -> Result<[Uncertain; 7], Faults> {
-        self.uncertain_without(None)
+        self.uncertain_without(&[])
     }
 
     /// All values within the error bars.
@@ -141,14 +141,14 @@ impl Cells<'_> {
         Uncertain::region(self.uncertain()?).ok_or_else(needs)
     }
 
-    /// As [`Self::uncertain`], with 1 for the unknown, whose column is not read.
+    /// As [`Self::uncertain`], with 1 for the unused quantities, whose columns are not read.
     ///
     /// # Errors
     /// Every cell that is at fault.
-    pub fn uncertain_without(self, unknown: Option<Quantity>) -> Result<[Uncertain; 7], Faults> {
+    pub fn uncertain_without(self, unused: &[Quantity]) -> Result<[Uncertain; 7], Faults> {
         let mut faults = Faults::new();
         let values = Quantity::ALL.map(|quantity| {
-            if Some(quantity) == unknown {
+            if unused.contains(&quantity) {
                 return Some(Uncertain::certain(Rational::from(1)));
             }
             let read = |text: &str| self.header.value(quantity, text);

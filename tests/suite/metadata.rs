@@ -190,3 +190,17 @@ fn every_package_states_the_same_least_version_of_rust() {
         assert!(stated.iter().all(|rest| rest.starts_with(&least)), "{path} states another version");
     }
 }
+
+#[test]
+fn manifests_changelog_and_the_page_on_releases_state_one_version() {
+    let version = text(&Source::read().workspace, "version").to_owned();
+    let cargo = read("Cargo.toml");
+    let dependencies = cargo["workspace"]["dependencies"].as_table().unwrap();
+    let own = dependencies.iter().filter(|(name, _)| name.starts_with("slipmode-"));
+    assert!(own.map(|(_, own)| own["version"].as_str()).all(|stated| stated == Some(&version)));
+    let page = |path: &str| fs::read_to_string(root().join(path)).unwrap();
+    let changelog = page("CHANGELOG.md");
+    let heading = changelog.lines().find(|line| line.starts_with("## ")).unwrap();
+    assert!(heading.split([' ', ':']).any(|word| word == version), "CHANGELOG.md: {heading}");
+    assert!(page("docs/releases.md").contains(&format!("tag `v{version}`")));
+}

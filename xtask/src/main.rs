@@ -9,6 +9,7 @@ mod bench;
 mod cluster_test;
 mod failure;
 mod gated;
+mod interface;
 mod licences;
 mod lines;
 mod machine;
@@ -21,6 +22,7 @@ mod tidy;
 mod validate;
 mod verify;
 mod wheel;
+mod wheels;
 
 use std::process::ExitCode;
 
@@ -60,6 +62,8 @@ fn run(arguments: &[String]) -> Result<(), Failure> {
         "tidy" => tidy::run(),
         "advisories" => advisories::run(),
         "licences" => licences::run(),
+        "semver" => interface::semver(),
+        "wheels" => wheels::run(),
         "open-fields" => open_fields::run(),
         "machine" => machine::run(),
         "help" | "--help" | "-h" => {

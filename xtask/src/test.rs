@@ -4,7 +4,7 @@ use std::process::Command;
 use std::time::Instant;
 
 use crate::failure::Failure;
-use crate::{licences, lines, machine, process, tidy, verify};
+use crate::{interface, licences, lines, machine, process, tidy, verify};
 
 /// A step's name and what it does.
 pub type Step = (&'static str, fn() -> Result<(), Failure>);
@@ -85,7 +85,8 @@ fn core_without_features() -> Result<(), Failure> {
 
 fn rustdoc() -> Result<(), Failure> {
     let mut command = cargo("doc", &["--workspace", "--no-deps", "--locked", "--quiet"]);
-    process::check(command.env("RUSTDOCFLAGS", "--deny warnings"))
+    process::check(command.env("RUSTDOCFLAGS", "--deny warnings"))?;
+    interface::count(&verify::target())
 }
 
 fn tests(count: &mut Count, is_slow: bool) -> Result<(), Failure> {

@@ -59,9 +59,13 @@ pub fn slipmode(arguments: &[&str]) -> Command {
     command
 }
 
+/// The folder of what cargo builds, in which this program lies, too.
+pub fn target() -> PathBuf {
+    let own = env::current_exe().unwrap_or_default();
+    own.ancestors().nth(2).unwrap_or(&own).to_path_buf()
+}
+
 /// Where cargo puts this binary: in the target folder that this program lies in too.
 pub fn binary() -> PathBuf {
-    let own = env::current_exe().unwrap_or_default();
-    let target = own.ancestors().nth(2).unwrap_or(&own);
-    target.join(profile()).join(format!("slipmode{}", env::consts::EXE_SUFFIX))
+    target().join(profile()).join(format!("slipmode{}", env::consts::EXE_SUFFIX))
 }

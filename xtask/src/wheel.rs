@@ -3,6 +3,7 @@
 //! The tools are those of `python/tests/requirements.txt`, installed by pip below `target/wheel/`. With `--test`, the wheel is built
 //! with the profile of the other tasks, whose parts it shares; it is then installed where no compiler is found, tested and checked.
 
+use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -13,8 +14,11 @@ use crate::validate::{environment, new_environment, pip};
 use crate::{machine, process, verify};
 
 /// The first use of the package, without the packages that are optional.
-const FIRST_USE: &str = "import slipmode; s = slipmode.Slider(a='0.004', b='0.006', d_c='10um', k='1e7', m='1000'); \
+pub const FIRST_USE: &str = "import slipmode; s = slipmode.Slider(a='0.004', b='0.006', d_c='10um', k='1e7', m='1000'); \
                          assert s.classify('1MPa', '10um/s').slip_mode == 'stick-slip'";
+
+/// Where wheels and source packages lie.
+pub const WHEELS: &str = "target/wheels";
 
 /// Builds the wheel; with `--test`, tests it.
 ///
@@ -31,26 +35,39 @@ pub fn run(arguments: &[String]) -> Result<(), Failure> {
         machine::require(&["qemu-x86_64"])?;
     }
     machine::run()?;
-    let tools = workshop("tools");
-    environment(&tools, &root().join("python/tests/requirements.txt"))?;
-    let wheel = build(&tools, if is_test { verify::profile() } else { "dist" })?;
+    let tools = tools()?;
+    remove_wheels();
+    let profile = if is_test { verify::profile() } else { "dist" };
+    let wheel = maturin(&tools, &["build", "--locked", "--profile", profile], &[])?;
+    maturin(&tools, &["sdist"], &[])?;
     if is_test { test(&tools, &wheel) } else { Ok(()) }
 }
 
-fn build(tools: &Path, profile: &str) -> Result<PathBuf, Failure> {
-    let wheels = root().join("target/wheels");
-    // An earlier version's wheel would be taken for this one's.
-    let _ = fs::remove_dir_all(&wheels);
-    for build in [&["build", "--locked", "--profile", profile, "--out"][..], &["sdist", "--out"]] {
-        let mut maturin = Command::new(tools.join("bin/maturin"));
-        process::check(maturin.args(build).arg(&wheels).current_dir(root().join("python")))?;
-    }
-    let made = entries(&wheels)?;
-    let wheel = made.into_iter().find(|path| path.extension().is_some_and(|ending| ending == "whl"));
-    wheel.ok_or_else(|| Failure::check("maturin made no wheel"))
+/// The environment of the tools.
+pub fn tools() -> Result<PathBuf, Failure> {
+    let folder = workshop("tools");
+    environment(&folder, &root().join("python/tests/requirements.txt"))?;
+    Ok(folder)
 }
 
-fn test(tools: &Path, wheel: &Path) -> Result<(), Failure> {
+/// An earlier version's wheel would be taken for this one's.
+pub fn remove_wheels() {
+    let _ = fs::remove_dir_all(root().join(WHEELS));
+}
+
+/// Has maturin make a wheel or a source package, which is returned.
+pub fn maturin(tools: &Path, arguments: &[&str], variables: &[(&str, OsString)]) -> Result<PathBuf, Failure> {
+    let folder = root().join(WHEELS);
+    let before = entries(&folder).unwrap_or_default();
+    let mut command = Command::new(tools.join("bin/maturin"));
+    command.args(arguments).arg("--out").arg(&folder).envs(variables.iter().cloned());
+    process::check(command.current_dir(root().join("python")))?;
+    let made = entries(&folder)?.into_iter().find(|path| !before.contains(path));
+    made.ok_or_else(|| Failure::check("maturin made no new file"))
+}
+
+/// Installs a wheel where no compiler is found, and tests and checks it.
+pub fn test(tools: &Path, wheel: &Path) -> Result<(), Failure> {
     let fresh = workshop("fresh");
     new_environment(&fresh)?;
     // Without the folders of compilers.
@@ -70,14 +87,16 @@ fn test(tools: &Path, wheel: &Path) -> Result<(), Failure> {
         &["-m", "pytest", "--quiet", "--numprocesses=auto", "--dist=worksteal", "--rootdir"],
         &[folder.clone(), "-c".into(), settings.clone(), folder.join("tests")],
     )?;
-    let example = folder.join("examples/columns.py");
-    check("mypy", &["--config-file"], &[settings.clone(), example])?;
+    check("mypy", &["--config-file"], &[settings.clone(), folder.join("examples")])?;
     check("stubtest", &["slipmode", "--mypy-config-file"], &[settings, "--allowlist".into(), allowed])?;
-    check("twine", &["check", "--strict"], &entries(&root().join("target/wheels"))?)?;
-    check("auditwheel", &["show"], &[wheel.to_path_buf()])
+    // Warnings are errors, such as a link that leads nowhere.
+    let pages = root().join("docs/python");
+    check("sphinx-build", &["--quiet", "--fail-on-warning", "--fresh-env"], &[pages, workshop("pages")])?;
+    check("twine", &["check", "--strict"], &entries(&root().join(WHEELS))?)?;
+    if cfg!(target_os = "linux") { check("auditwheel", &["show"], &[wheel.to_path_buf()]) } else { Ok(()) }
 }
 
 /// A folder for environments.
-fn workshop(name: &str) -> PathBuf {
+pub fn workshop(name: &str) -> PathBuf {
     root().join("target/wheel").join(name)
 }

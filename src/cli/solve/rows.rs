@@ -38,12 +38,12 @@ impl RowWork for SolveRows {
     const BLOCK_ROWS: usize = 16;
     const BLOCKS_PER_THREAD: usize = 4;
 
-    fn unknown(&self) -> Option<Quantity> {
-        Some(self.question.quantity())
+    fn unused(&self) -> Vec<Quantity> {
+        vec![self.question.quantity()]
     }
 
     fn read(&self, cells: Cells<'_>) -> Result<Row, Faults> {
-        let values = cells.uncertain_without(self.unknown())?;
+        let values = cells.uncertain_without(&self.unused())?;
         let is_point = values.iter().all(Uncertain::is_certain);
         let mut known = values.each_ref().map(|value| Some(nearest_f64(&value.middle())));
         known[self.question.quantity() as usize] = None;
