@@ -4,7 +4,7 @@ use crate::experiments::map::MapPoint;
 use crate::experiments::map::figures::{FIG_1, FIG_6A, Words, theory_lines};
 use crate::experiments::operating_point::operating_point_mark;
 use crate::experiments::shared::Grid;
-use crate::experiments::shared::axes::{asymptote_lines, axes, cusp_mark, transition_line};
+use crate::experiments::shared::axes::{asymptote_lines, axes, cusp_mark, frequency_line, transition_line};
 use crate::experiments::{Figure, FigureMaker, Need, SceneOutcome};
 use slipmode_core::number::nearest_f64;
 use slipmode_core::stability::{Arc, SlipMode, asymptote};
@@ -62,7 +62,10 @@ fn zone_map(scene: &SceneOutcome, words: &Words, frequencies: &Words) -> Option<
         ends[0].1.is_finite().then(|| Line::new("line between the corners", LineRole::Guide, ends.to_vec()));
     let own = || operating_point_mark(scene, &x, &y);
     let marks = cusp_mark(&boundary.points).into_iter().chain(own()).collect();
-    let exact = map(&zones.exact, theory_lines(scene, boundary, &x, &y), marks);
+    let exact_lines = theory_lines(scene, boundary, &x, &y)
+        .into_iter()
+        .chain([frequency_line(parameters, &scene.scene.threshold())]);
+    let exact = map(&zones.exact, exact_lines.collect(), marks);
     let of_the_paper =
         map(&zones.between_corners, straight.chain(between).collect(), own().into_iter().collect());
     let headings = ["exact", "by the lines of the paper"];

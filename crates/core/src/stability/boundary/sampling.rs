@@ -87,7 +87,7 @@ fn log2(value: &Ball) -> f64 {
 }
 
 /// 2^exponent, the fraction by a correctly portable exp2 and the integer exactly.
-fn power_of_two(exponent: f64) -> Ball {
+pub(in crate::stability) fn power_of_two(exponent: f64) -> Ball {
     let whole = exponent.floor();
     let fraction = Float::with_val(PLACING_BITS, libm::exp2(exponent - whole));
     Ball::exact(fraction << whole as i32)
