@@ -54,7 +54,7 @@ pub struct Options {
     slider: MaterialOptions,
     /// The line on which oscillations have this share of the natural angular frequency, ω/ω_n, 0 < R < 1, in place of the boundary
     ///
-    /// R is a decimal or a square root such as sqrt(1/2), the default of --inertial-threshold. With error bars R² is at least 1/5.
+    /// R is a decimal or a square root such as sqrt(1/2), the default of --inertial-threshold. With error bars R² is at least 1/5. Asymptotes are eqs 18 and 20 times 1/√(1 − R²).
     #[arg(long, value_name = "R", allow_hyphen_values = true)]
     frequency_ratio: Option<String>,
     /// Points on each arc, in addition to the marked ones (cusp and corners); with error bars, loading velocities [default: 200]
