@@ -22,7 +22,7 @@ use rug::Rational;
 
 use crate::friction::{Groups, Slider};
 use crate::number::{Ball, Field, Real, bits_for_digits};
-use crate::stability::boundary::{Section, power_of_two, stretch};
+use crate::stability::boundary::{Section, log2, power_of_two, stretch};
 use crate::stability::inverse::{Solution, Target, Undecided, Unknown, solve};
 use crate::stability::logarithm::log10_one_plus;
 use crate::stability::{Asymptote, InertialThreshold};
@@ -93,7 +93,7 @@ impl FrequencyLine {
     #[must_use]
     pub fn sample(&self, count: usize, end_error: f64) -> Vec<FrequencyLinePoint> {
         let bits = bits_for_digits(self.digits) + GUARD_BITS + 4 * (-libm::log2(end_error)) as u32;
-        let [low, high] = self.reach(end_error).map(libm::log2);
+        let [low, high] = self.reach_log2(end_error);
         let step = (high - low) / (count.max(2) - 1) as f64;
         let at = |index: usize| power_of_two(high - step * index as f64).with_precision(bits);
         let crossing = self.transition();
@@ -153,17 +153,18 @@ impl FrequencyLine {
         FrequencyLinePoint { normal_stress_pa: stress, loading_velocity_m_per_s: velocity, ..row }
     }
 
-    /// The least and the greatest parameter of a sample: (u − 1)/(β − 1) for b > a, else −x.
-    fn reach(&self, end_error: f64) -> [f64; 2] {
-        let effect_ratio = self.effect_ratio.to_f64();
-        let rest = 1.0 - self.threshold.squared_ratio().to_f64();
-        let far = effect_ratio / end_error;
+    /// log2 of the least and the greatest parameter of a sample: (u − 1)/(β − 1) for b > a, else −x.
+    fn reach_log2(&self, end_error: f64) -> [f64; 2] {
+        let log2_of = |value: &Rational| log2(&Ball::from_rational(value, GUARD_BITS));
+        let beta = log2_of(&self.effect_ratio);
+        let rest = log2_of(&(Rational::from(1) - self.threshold.squared_ratio()));
+        let excess = || log2_of(&Rational::from(&self.effect_ratio - 1_u32).abs());
+        let error = libm::log2(end_error);
+        let far = beta - error;
         match self.effect_ratio.cmp(&Rational::from(1)) {
-            Ordering::Greater => {
-                [2.0 * rest * end_error / effect_ratio, far * far / (rest * (effect_ratio - 1.0))]
-            }
-            Ordering::Equal => [end_error, far],
-            Ordering::Less => [rest * end_error * (1.0 - effect_ratio) / effect_ratio, far],
+            Ordering::Greater => [1.0 + rest + error - beta, 2.0 * far - rest - excess()],
+            Ordering::Equal => [error, far],
+            Ordering::Less => [rest + error + excess() - beta, far],
         }
     }
 

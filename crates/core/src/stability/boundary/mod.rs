@@ -25,4 +25,4 @@ pub use comparison::{RouteComparison, compare_routes};
 pub use crossing::{Crossing, Section};
 pub(in crate::stability) use point::stretch;
 pub use point::{BoundaryPoint, ErrorPair, Mark};
-pub(in crate::stability) use sampling::power_of_two;
+pub(in crate::stability) use sampling::{log2, power_of_two};

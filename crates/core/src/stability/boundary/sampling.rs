@@ -82,7 +82,7 @@ impl BoundaryCurve {
     }
 }
 
-fn log2(value: &Ball) -> f64 {
+pub(in crate::stability) fn log2(value: &Ball) -> f64 {
     Float::with_val(PLACING_BITS, value.centre()).log2().to_f64()
 }
 
