@@ -1,27 +1,31 @@
-//! `slipmode boundary`: the exact boundary max Im(s) = 0 as CSV, along its arcs or at one velocity or normal stress.
+//! `slipmode boundary`: the exact boundary max Im(s) = 0, or the line of a given ω/ω_n, as CSV: along the line, or at one velocity or
+//! normal stress.
 
 mod over_box;
+mod point;
 
 use std::path::PathBuf;
 
 use clap::Args;
-use slipmode::experiments::boundary::{END_ERROR, boundary_columns, boundary_row, vanishes};
+use slipmode::experiments::boundary::{END_ERROR, vanishes};
 use slipmode::experiments::pictures::boundary_picture;
 use slipmode::scene::{Limits, Problem, Quantity};
 use slipmode_core::friction::Slider;
 use slipmode_core::number::{Ball, Rational};
-use slipmode_core::stability::ParameterBox;
-use slipmode_core::stability::boundary::{BoundaryCurve, BoundaryPoint};
+use slipmode_core::stability::boundary::{BoundaryCurve, BoundaryPoint, Section};
+use slipmode_core::stability::inverse::Undecided;
+use slipmode_core::stability::{FrequencyLine, FrequencyLinePoint, InertialThreshold, ParameterBox};
 use slipmode_plot::table::Table;
 
 use crate::cli::answer::Answer;
 use crate::cli::failure::Failure;
 use crate::cli::inputs::slider_json;
 use crate::cli::new::Ranges;
-use crate::cli::options::{Arguments, MaterialOptions};
+use crate::cli::options::{Arguments, MaterialOptions, inertial_threshold};
 use crate::cli::output::Output;
 use crate::cli::roots::MOST_DIGITS;
 use crate::cli::terminal;
+use point::Point;
 
 /// Points on each arc unless the command line says otherwise.
 const DEFAULT_POINTS: u64 = 200;
@@ -32,6 +36,11 @@ const ARCS: u64 = 2;
 /// What a point and its row take, in bytes, and each digit of them: measured, and rounded up.
 const POINT_BYTES: u64 = 4_000;
 const DIGIT_BYTES: u64 = 25;
+/// Points on each arc, and their digits, that draw the boundary beside another line.
+const DRAWN_POINTS: usize = 200;
+const DRAWN_DIGITS: u32 = 20;
+/// What is said where the line of a given ω/ω_n has no point.
+const NO_POINT_OF_LINE: &str = "oscillations have this ω/ω_n nowhere there";
 /// Digits beyond those printed, so that the last one is certain.
 const GUARD_DIGITS: u32 = 2;
 
@@ -43,6 +52,11 @@ const MOST_WORKING_DIGITS: u32 = 100_000;
 pub struct Options {
     #[command(flatten)]
     slider: MaterialOptions,
+    /// The line on which oscillations have this share of the natural angular frequency, ω/ω_n, 0 < R < 1, in place of the boundary
+    ///
+    /// R is a decimal or a square root such as sqrt(1/2), the default of --inertial-threshold. With error bars R² is at least 1/5. Asymptotes are eqs 18 and 20 times 1/√(1 − R²).
+    #[arg(long, value_name = "R", allow_hyphen_values = true)]
+    frequency_ratio: Option<String>,
     /// Points on each arc, in addition to the marked ones (cusp and corners); with error bars, loading velocities [default: 200]
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     points: Option<String>,
@@ -73,6 +87,8 @@ pub struct Options {
 /// What was requested, valid.
 struct Request {
     slider: Slider<Rational>,
+    /// The line of this ω/ω_n; none for the boundary.
+    frequency_ratio: Option<InertialThreshold>,
     points: usize,
     digits: u32,
     at: [Option<Rational>; 2],
@@ -95,11 +111,11 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     if options.slider.is_uncertain() {
         let request = over_box::Request::read(options, &mut arguments);
         let request = arguments.finish(request)?;
-        return options.write(|| request.compute(), "the boundary and the transition have no point there");
+        return options.write(|| request.compute(), request.nothing());
     }
     let request = Request::read(options, &mut arguments);
     let request = arguments.finish(request)?;
-    options.write(|| Ok(request.compute()), "the boundary has no point there")
+    options.write(|| request.compute(), request.nothing())
 }
 
 impl Options {
@@ -144,6 +160,12 @@ fn coordinates(options: &Options, arguments: &mut Arguments) -> Option<[Option<R
     Some([velocity?, stress?])
 }
 
+/// The share of ω_n whose line is wanted, where one is given; none when it is at fault.
+fn frequency_ratio(options: &Options, arguments: &mut Arguments) -> Option<Option<InertialThreshold>> {
+    let Some(text) = &options.frequency_ratio else { return Some(None) };
+    arguments.number("--frequency-ratio", text, inertial_threshold).map(Some)
+}
+
 /// Notes options that single points have no use for, and a picture without a file.
 fn refuse_beside_single_points(options: &Options, arguments: &mut Arguments) {
     if options.has_single_points() {
@@ -167,6 +189,7 @@ impl Request {
         let needs = "CSV: the numbers of --json have 64 bits";
         arguments.refuse_value("--digits", options.digits.as_deref().filter(|_| options.json), needs);
         let at = coordinates(options, arguments);
+        let frequency_ratio = frequency_ratio(options, arguments);
         refuse_beside_single_points(options, arguments);
         let points = given.unwrap_or(DEFAULT_POINTS);
         if let Some(problem) =
@@ -179,79 +202,96 @@ impl Request {
             points: usize::try_from(points).ok()?,
             digits: u32::try_from(digits?).ok()?,
             at: at?,
+            frequency_ratio: frequency_ratio?,
         })
     }
 
+    /// What is said where the line has no point.
+    fn nothing(&self) -> &'static str {
+        if self.frequency_ratio.is_some() { NO_POINT_OF_LINE } else { "the boundary has no point there" }
+    }
+
     /// Computes the points: a table, and an object with the inputs and the points under the names of the columns.
-    fn compute(&self) -> Found<'_> {
-        let points = self.points();
-        let mut table = Table::new("boundary", "Boundary", boundary_columns());
-        points.iter().for_each(|point| table.push(boundary_row(point, self.digits as usize)));
-        let answer = Answer::to(slider_json(&self.slider)).list("points", points.iter().map(part));
-        Found { answer, table, picture: Box::new(move || picture(&self.slider, &points, None)) }
+    fn compute(&self) -> Result<Found<'_>, Failure> {
+        let (found, boundary) = match &self.frequency_ratio {
+            None => {
+                let points = self.points(|digits| Ok(self.of_boundary(digits)));
+                points.map(|points| (self.stated(&points), Some(points)))
+            }
+            Some(ratio) => {
+                let points = self.points(|digits| self.of_ratio(ratio, digits));
+                points.map(|points| (self.stated(&points), None))
+            }
+        }
+        .map_err(|undecided| Failure::Check(format!("error: {undecided}")))?;
+        let (answer, table) = found;
+        let picture = move || picture(&self.slider, boundary, (None, self.frequency_ratio.as_ref()));
+        Ok(Found { answer, table, picture: Box::new(picture) })
+    }
+
+    fn stated<P: Point>(&self, points: &[P]) -> (Answer, Table) {
+        let mut table = Table::new("boundary", "Boundary", P::columns());
+        points.iter().for_each(|point| table.push(point.row(self.digits as usize)));
+        (Answer::to(slider_json(&self.slider)).list("points", points.iter().map(P::part)), table)
     }
 
     /// The points, computed with more digits than requested where inputs hundreds of decades apart take them.
-    fn points(&self) -> Vec<BoundaryPoint> {
+    fn points<P: Point>(
+        &self,
+        points_to: impl Fn(u32) -> Result<Vec<P>, Undecided>,
+    ) -> Result<Vec<P>, Undecided> {
         let mut working_digits = self.digits;
         loop {
-            let points = self.points_to(working_digits);
+            let points = points_to(working_digits)?;
             if working_digits >= MOST_WORKING_DIGITS || points.iter().all(|point| self.is_enclosed(point)) {
-                return points;
+                return Ok(points);
             }
             working_digits = working_digits.saturating_mul(4).max(100);
         }
     }
 
-    fn points_to(&self, digits: u32) -> Vec<BoundaryPoint> {
+    fn of_boundary(&self, digits: u32) -> Vec<BoundaryPoint> {
         let curve = BoundaryCurve::new(&self.slider, digits);
-        let [velocity, stress] = &self.at;
-        if velocity.is_none() && stress.is_none() {
-            return curve.sample(self.points, END_ERROR);
+        match self.sections() {
+            sections if sections.is_empty() => curve.sample(self.points, END_ERROR),
+            sections => sections.iter().flat_map(|section| curve.on_section(section)).collect(),
         }
-        let at_velocity = velocity.iter().flat_map(|velocity| curve.at_velocity(velocity));
-        let at_stress = stress.iter().flat_map(|stress| curve.at_normal_stress(stress));
-        at_velocity.chain(at_stress).collect()
+    }
+
+    fn of_ratio(&self, ratio: &InertialThreshold, digits: u32) -> Result<Vec<FrequencyLinePoint>, Undecided> {
+        let line = FrequencyLine::new(&self.slider, ratio, digits);
+        let sections = self.sections();
+        if sections.is_empty() {
+            return Ok(line.sample(self.points, END_ERROR));
+        }
+        let found: Result<Vec<_>, _> = sections.iter().map(|section| line.on_section(section)).collect();
+        Ok(found?.into_iter().flatten().collect())
+    }
+
+    /// The sections on which single points are requested.
+    fn sections(&self) -> Vec<Section> {
+        let [velocity, stress] = self.at.clone();
+        velocity.map(Section::AtVelocity).into_iter().chain(stress.map(Section::AtNormalStress)).collect()
     }
 
     /// Whether every number of a point has all digits, or is zero to all of them.
-    fn is_enclosed(&self, point: &BoundaryPoint) -> bool {
+    fn is_enclosed(&self, point: &impl Point) -> bool {
         let wanted = -f64::from(self.digits + GUARD_DIGITS) * std::f64::consts::LOG2_10;
         let has_digits = |ball: &Ball| ball.relative_radius_log2() < wanted;
-        numbers(point).iter().all(|(_, ball)| has_digits(ball) || vanishes(ball, self.digits as usize))
+        point.numbers().iter().all(|(_, ball)| has_digits(ball) || vanishes(ball, self.digits as usize))
     }
 }
 
-/// Draws the boundary over the axes that `new` would choose.
+/// Draws the boundary over the axes that `new` would choose: these points of it, or enough to draw it.
 fn picture(
     slider: &Slider<Rational>,
-    points: &[BoundaryPoint],
-    error_bars: Option<&ParameterBox>,
+    points: Option<Vec<BoundaryPoint>>,
+    more: (Option<&ParameterBox>, Option<&InertialThreshold>),
 ) -> Result<String, Failure> {
     let ranges = Ranges::around(slider).map_err(Failure::Refused)?;
-    Ok(boundary_picture(slider, points, error_bars, ranges.velocity.ends(), ranges.stress.ends()))
-}
-
-/// Lists the numbers of a point, under the names of their columns.
-fn numbers(point: &BoundaryPoint) -> [(&'static str, &Ball); 7] {
-    [
-        ("double_root", &point.double_root),
-        ("normal_stress_pa", &point.normal_stress_pa),
-        ("loading_velocity_m_per_s", &point.loading_velocity_m_per_s),
-        ("asymptote_value", &point.asymptote_value),
-        ("relative_error", &point.relative_error),
-        ("log10_distance", &point.log10_distance),
-        ("condition_number", &point.condition_number),
-    ]
-}
-
-/// States a point, with 64-bit numbers.
-fn part(point: &BoundaryPoint) -> Answer {
-    let words = Answer::default()
-        .with("arc", point.arc.as_str())
-        .with("asymptote", point.asymptote.as_str())
-        .with("mark", point.mark.map(|mark| mark.as_str()));
-    numbers(point).iter().fold(words, |part, (name, ball)| part.with(name, ball.to_f64()))
+    let points =
+        points.unwrap_or_else(|| BoundaryCurve::new(slider, DRAWN_DIGITS).sample(DRAWN_POINTS, END_ERROR));
+    Ok(boundary_picture(slider, &points, more, ranges.velocity.ends(), ranges.stress.ends()))
 }
 
 /// Why so many points are not computed, if they are not.

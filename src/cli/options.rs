@@ -9,7 +9,7 @@ use clap::{Arg, ArgGroup, ArgMatches, Args, Command};
 use slipmode::scene::{AllowedRange, Fault, Faults, Problem, Quantity, Uncertain, parse_whole};
 use slipmode_core::friction::{OperatingPoint, Parameters, Slider};
 use slipmode_core::number::format::exact_text;
-use slipmode_core::number::{Rational, nearest_f64};
+use slipmode_core::number::{Rational, nearest_f64, parse_quotient};
 use slipmode_core::stability::{InertialThreshold, ParameterBox, is_allowed_over_box};
 
 use crate::cli::failure::Failure;
@@ -268,14 +268,18 @@ impl ThresholdOption {
     }
 }
 
-/// The threshold of a ratio ω/ω_n.
+/// The threshold of a ratio ω/ω_n: a number, or the square root of one such as `sqrt(1/2)`.
 ///
 /// # Errors
 /// When the text is not a number between 0 and 1.
 pub fn inertial_threshold(text: &str) -> Result<InertialThreshold, Problem> {
     let range = AllowedRange::OPEN_UNIT;
-    let ratio = range.parse(text)?;
-    InertialThreshold::from_ratio(&ratio).ok_or(Problem::OutOfRange { allowed: range.text() })
+    let square = text.trim().strip_prefix("sqrt(").and_then(|rest| rest.strip_suffix(')'));
+    let threshold = match square.map(parse_quotient) {
+        Some(square) => square.ok().and_then(InertialThreshold::from_squared_ratio),
+        None => InertialThreshold::from_ratio(&range.parse(text)?),
+    };
+    threshold.ok_or(Problem::OutOfRange { allowed: range.text() })
 }
 
 /// Whether a number was given with a unit: in no other text of a number stands a letter but the e of an exponent.

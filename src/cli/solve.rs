@@ -11,7 +11,7 @@ use slipmode_core::number::Rational;
 use slipmode_core::stability::inverse::{Target, Unknown};
 
 use crate::cli::failure::Failure;
-use crate::cli::options::{Arguments, SliderOptions, option_of};
+use crate::cli::options::{Arguments, SliderOptions, inertial_threshold, option_of};
 use crate::cli::points::{self, RowsOptions};
 use crate::cli::progress::Progress;
 use crate::cli::roots::MOST_DIGITS;
@@ -64,6 +64,9 @@ struct TargetOptions {
     /// Oscillations of this angular frequency, 1/s: max Im(s) = W
     #[arg(long, value_name = "W", allow_hyphen_values = true)]
     angular_frequency: Option<String>,
+    /// Oscillations at this share of the natural angular frequency, 0 < R < 1: max Im(s) = R·√(K/M)
+    #[arg(long, value_name = "R", allow_hyphen_values = true)]
+    frequency_ratio: Option<String>,
     /// With error bars: stability at all values within them; for --for stiffness
     ///
     /// A value with an error bar is 0.009±0.001, 0.009+-0.001, 0.009(1), 0.009±5% or [0.008, 0.010]. The answer is the largest K_c, exactly.
@@ -144,6 +147,11 @@ impl TargetOptions {
         }
         if let Some(text) = &self.angular_frequency {
             return arguments.measured("--angular-frequency", text, PER_SECOND).map(Target::AngularFrequency);
+        }
+        if let Some(text) = &self.frequency_ratio {
+            return arguments
+                .number("--frequency-ratio", text, inertial_threshold)
+                .map(Target::FrequencyRatio);
         }
         if let Some(text) = &self.growth_rate {
             return arguments.number("--growth-rate", text, growth_rate).map(Target::GrowthRate);

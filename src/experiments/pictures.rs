@@ -2,7 +2,9 @@
 
 use crate::experiments::map::figures::zero_areas;
 use crate::experiments::shared::Grid;
-use crate::experiments::shared::axes::{asymptote_lines, axes, boundary_lines, cusp_mark, transition_line};
+use crate::experiments::shared::axes::{
+    asymptote_lines, axes, boundary_lines, cusp_mark, frequency_line, transition_line,
+};
 use crate::experiments::shared::bands::{FINE, band_lines};
 use crate::experiments::trajectories::curves::{extent, linear_axis, stress_unit};
 use crate::experiments::trajectories::thinning::kept;
@@ -11,7 +13,7 @@ use crate::experiments::zones::figures::present_zones;
 use slipmode_core::friction::Slider;
 use slipmode_core::number::Rational;
 use slipmode_core::stability::boundary::BoundaryPoint;
-use slipmode_core::stability::{ParameterBox, SlipMode};
+use slipmode_core::stability::{InertialThreshold, ParameterBox, SlipMode};
 use slipmode_plot::figure::{Axis, Caption, Line, Panel, Panels, Reference, Series, Zone, ZoneMap};
 
 /// Height of one chart of a trajectory, in canvas units.
@@ -23,12 +25,12 @@ const SLOWEST: f64 = 1e-30;
 
 /// The exact boundary with its asymptotes and the transition, over a rectangle of loading velocities and normal stresses.
 ///
-/// With error bars, the bands are below the lines of the middle values.
+/// With error bars, the bands are below the lines of the middle values. With a threshold, the line of its ω/ω_n is drawn too.
 #[must_use]
 pub fn boundary_picture(
     slider: &Slider<Rational>,
     points: &[BoundaryPoint],
-    error_bars: Option<&ParameterBox>,
+    (error_bars, threshold): (Option<&ParameterBox>, Option<&InertialThreshold>),
     velocity: (f64, f64),
     stress: (f64, f64),
 ) -> String {
@@ -41,7 +43,8 @@ pub fn boundary_picture(
         style: QUIET_STYLE,
     };
     let bands = error_bars.map_or_else(Vec::new, |region| band_lines(region, &x, &y, FINE));
-    let lines = bands.into_iter().chain(theory_lines(slider, points, &x, &y)).collect();
+    let of_ratio = threshold.map(|threshold| frequency_line(slider, threshold));
+    let lines = bands.into_iter().chain(theory_lines(slider, points, &x, &y)).chain(of_ratio).collect();
     let map = ZoneMap {
         caption: Caption::new("boundary", "Exact boundary of oscillation", description),
         zones: vec![quiet],
@@ -60,14 +63,16 @@ pub fn mode_picture(
     slider: &Slider<Rational>,
     modes: &Grid<SlipMode>,
     points: &[BoundaryPoint],
+    threshold: &InertialThreshold,
 ) -> Option<String> {
     let (x, y) = axes(modes)?;
-    let description = "Slip modes over loading velocity and normal stress, with the exact boundary of oscillation, its asymptotes, and the transition to unstable sliding.";
+    let description = "Slip modes over loading velocity and normal stress, with the exact boundary of oscillation, its asymptotes, the transition to unstable sliding, and the line between inertial and non-inertial oscillation.";
+    let line = frequency_line(slider, threshold);
     let zones = present_zones(modes.values.iter().copied(), modes.loading_velocity_m_per_s.len(), &x, &y);
     let map = ZoneMap {
         caption: Caption::new("slip-modes", "Slip modes", description),
         zones,
-        lines: theory_lines(slider, points, &x, &y),
+        lines: theory_lines(slider, points, &x, &y).into_iter().chain([line]).collect(),
         marks: cusp_mark(points),
         labels: Vec::new(),
         x,

@@ -98,3 +98,80 @@ fn inputs_hundreds_of_decades_apart_get_the_working_digits_they_take() {
         }
     }
 }
+
+const LINE_COLUMNS: &str = "transition_sign,real_part,normal_stress_pa,loading_velocity_m_per_s,asymptote,asymptote_value,\
+    relative_error,log10_distance";
+
+fn frequency_line(more: &[&str]) -> Vec<Vec<String>> {
+    let text = Workplace::new().run(["boundary"].iter().chain(&SLIDER).chain(more).copied()).expect_success();
+    let mut lines = text.lines();
+    assert_eq!(lines.next(), Some(LINE_COLUMNS));
+    lines.map(|line| line.split(',').map(str::to_string).collect()).collect()
+}
+
+#[test]
+fn the_line_of_a_frequency_ratio_has_the_points_asked_for_and_its_crossing_of_the_transition() {
+    let rows = frequency_line(&["--frequency-ratio", "sqrt(1/2)", "--points", "9", "--digits", "12"]);
+    assert_eq!(rows.len(), 10);
+    let crossing = rows.iter().find(|row| row[0] == "0").unwrap();
+    // η = 1 on K = K_c: V0 = V_c/√2 and σ = σ_c/2.
+    assert_eq!(crossing[1..4], ["0", "25000.0000000", "0.00100000000000"]);
+    assert_eq!([rows[0][4].as_str(), &rows[9][4]], ["eq20", "eq18"]);
+}
+
+#[test]
+fn classify_calls_an_oscillation_inertial_above_the_line_of_its_threshold() {
+    let place = Workplace::new();
+    for ratio in ["0.3", "0.9"] {
+        let at = ["--frequency-ratio", ratio, "--at-normal-stress", "3e4", "--digits", "30"];
+        for row in frequency_line(&at) {
+            let cut = &row[3][..row[3].len() - 1];
+            let modes = [format!("{cut}0"), format!("{}9", bumped(cut))].map(|velocity| {
+                let point = ["classify", "--json", "--inertial-threshold", ratio].into_iter().chain(SLIDER);
+                let point = point.chain(["-s", "3e4", "-v", &velocity]);
+                let found: serde_json::Value =
+                    serde_json::from_str(&place.run(point).expect_success()).unwrap();
+                found["slip_mode"].as_str().unwrap().to_string()
+            });
+            let is_inertial =
+                |mode: &str| ["inertial-underdamped-oscillation", "harmonic-vibration"].contains(&mode);
+            assert_eq!(modes.each_ref().map(|mode| is_inertial(mode)), [false, true], "{row:?} {modes:?}");
+        }
+    }
+}
+
+#[test]
+fn a_frequency_ratio_that_no_oscillation_has_is_refused() {
+    for ratio in ["0", "1", "-0.5", "1.5", "fast", "nan", "sqrt(2)", "sqrt(1/0)", "sqrt("] {
+        let arguments = ["boundary", "--frequency-ratio", ratio].into_iter().chain(SLIDER);
+        Workplace::new().run(arguments).expect_refusal(&["--frequency-ratio", "0 < value < 1"]);
+    }
+    let low = ["boundary", "--frequency-ratio", "0.4", "-a", "0.004±0.001", "-b", "0.006"];
+    let arguments = low.iter().chain(&["-d", "1e-5", "-k", "1e7", "-m", "1000"]);
+    Workplace::new().run(arguments.copied()).expect_refusal(&["--frequency-ratio = 0.4", "sqrt(1/5)"]);
+}
+
+#[test]
+fn within_error_bars_the_range_of_the_line_holds_the_points_of_the_values_in_them() {
+    let arguments = ["-d", "1e-5", "-k", "1e7", "-m", "1000", "--at-velocity", "0.01", "--json"];
+    let arguments = ["boundary", "--frequency-ratio", "0.8"].iter().chain(&arguments).copied();
+    let object = |effects: [&str; 4]| -> serde_json::Value {
+        let text = Workplace::new().run(arguments.clone().chain(effects)).expect_success();
+        serde_json::from_str(&text).unwrap()
+    };
+    let found = object(["-a", "0.004±0.0002", "-b", "0.006±0.0001"]);
+    let [range] = &found["ranges"].as_array().unwrap()[..] else { panic!("{found}") };
+    assert_eq!(range["line"], "frequency-ratio");
+    let ends = [0, 1].map(|end| range["normal_stress_pa"][end].as_f64().unwrap());
+    let mut least = f64::INFINITY;
+    let mut most = 0.0_f64;
+    for a in ["0.0038", "0.004", "0.0042"] {
+        for b in ["0.0059", "0.006", "0.0061"] {
+            let point = object(["-a", a, "-b", b]);
+            let stress = point["points"][0]["normal_stress_pa"].as_f64().unwrap();
+            assert!((ends[0]..=ends[1]).contains(&stress), "{stress} {ends:?}");
+            (least, most) = (least.min(stress), most.max(stress));
+        }
+    }
+    assert!((least / ends[0] - 1.0).abs() < 1e-9 && (most / ends[1] - 1.0).abs() < 1e-9, "{ends:?}");
+}

@@ -9,12 +9,16 @@ const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 
 /// Runs the program; none where Python or mpmath is missing, which `cargo xtask validate` reports.
 pub fn compared(arguments: &[&str]) -> Option<Ended> {
+    run("tests/independent", arguments)
+}
+
+fn run(program: &str, arguments: &[&str]) -> Option<Ended> {
     let has_mpmath = Command::new("python3").args(["-c", "import mpmath, tomllib"]).output();
     if !has_mpmath.is_ok_and(|output| output.status.success()) {
         return None;
     }
-    let program = Path::new(ROOT).join("tests/independent");
-    let output = Command::new("python3").arg("-B").arg(program).args(arguments).output();
+    let output =
+        Command::new("python3").arg("-B").arg(Path::new(ROOT).join(program)).args(arguments).output();
     Some(Ended::from(output.unwrap()))
 }
 
@@ -116,4 +120,13 @@ fn what_cannot_be_read_is_refused_with_its_file() {
     ended.expect_refusal(&["claims.toml: claim C1: '(a': expected ')'"]);
     place.write(CLAIMS, "[[claim]\n");
     compared(&[place.path(FOLDER).to_str().unwrap()]).unwrap().expect_refusal(&["claims.toml: "]);
+}
+
+#[test]
+fn the_line_of_a_frequency_ratio_is_where_the_roots_of_eq_8_have_it() {
+    let cases = if std::env::var_os("SLIPMODE_SLOW").is_some() { "200" } else { "30" };
+    let program = "tests/independent/frequency_line.py";
+    let Some(ended) = run(program, &[env!("CARGO_BIN_EXE_slipmode"), cases]) else { return };
+    assert_eq!((ended.code, ended.stderr.as_str()), (0, ""), "{}", ended.stdout);
+    assert_eq!(ended.stdout.trim_end(), format!("{cases} cases, 0 contradictions"));
 }

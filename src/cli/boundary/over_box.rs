@@ -1,31 +1,32 @@
-//! `slipmode boundary` with error bars: the ranges within which the boundary and the transition lie, as CSV, JSON and a picture.
+//! `slipmode boundary` with error bars: the ranges within which the boundary and the transition, or the line of a given ω/ω_n, lie, as CSV, JSON and a picture.
 
 use rayon::prelude::*;
 
-use slipmode::experiments::boundary::END_ERROR;
-use slipmode::experiments::shared::bands::BandOf;
-use slipmode::scene::Quantity;
+use slipmode::experiments::shared::bands::{BandOf, ranges_at};
+use slipmode::scene::{Problem, Quantity};
 use slipmode_core::friction::Slider;
 use slipmode_core::number::format::{exact_text, round_digits};
 use slipmode_core::number::{Rational, Wide, nearest_f64, parse_decimal};
-use slipmode_core::stability::ParameterBox;
-use slipmode_core::stability::boundary::BoundaryCurve;
-use slipmode_core::stability::inverse::{SolutionRange, Unknown};
+use slipmode_core::stability::inverse::{SolutionRange, Target, Unknown};
+use slipmode_core::stability::{InertialThreshold, ParameterBox, is_allowed_over_box};
 use slipmode_plot::table::{Cell, Column, Table};
 
 use crate::cli::answer::Answer;
 use crate::cli::boundary::{
-    DEFAULT_POINTS, Found, Options, coordinates, limit_on_points, picture, refuse_beside_single_points,
+    DEFAULT_POINTS, Found, NO_POINT_OF_LINE, Options, coordinates, frequency_ratio, limit_on_points, picture,
+    refuse_beside_single_points,
 };
 use crate::cli::failure::Failure;
 use crate::cli::inputs::ranges_json;
 use crate::cli::new::Ranges;
-use crate::cli::options::Arguments;
+use crate::cli::options::{Arguments, OVER_BOX};
 
 /// What was requested, valid.
 pub struct Request {
     region: ParameterBox,
     at: Places,
+    /// The line of this ω/ω_n; none for the boundary and the transition.
+    frequency_ratio: Option<InertialThreshold>,
 }
 
 /// Where the ranges are computed.
@@ -38,16 +39,12 @@ enum Places {
 
 /// A range of one coordinate at a value of the other one.
 struct Row {
-    of: BandOf,
+    line: &'static str,
     unknown: Unknown,
     known: Rational,
     range: SolutionRange,
 }
 
-/// Points on each arc of the boundary of the middle values, for the picture.
-const ARC_POINTS: usize = 200;
-/// Digits of these points.
-const DIGITS: u32 = 20;
 /// Significant digits of even velocities.
 const VELOCITY_DIGITS: usize = 6;
 
@@ -60,10 +57,33 @@ impl Request {
         let limit = limit_on_points(options, arguments);
         let given = arguments.whole("--points", options.points.as_deref(), 2..=limit);
         let places = coordinates(options, arguments);
+        let frequency_ratio = match frequency_ratio(options, arguments) {
+            Some(Some(ratio)) if !is_allowed_over_box(&ratio) => {
+                let problem = Problem::OutOfRange { allowed: OVER_BOX.to_string() };
+                arguments.fault("--frequency-ratio", options.frequency_ratio.as_deref(), problem)
+            }
+            read => read,
+        };
         refuse_beside_single_points(options, arguments);
         let points = u32::try_from(given.unwrap_or(DEFAULT_POINTS)).ok()?;
         let at = if options.has_single_points() { Places::Single(places?) } else { Places::Even(points) };
-        Some(Self { region: region?, at })
+        Some(Self { region: region?, at, frequency_ratio: frequency_ratio? })
+    }
+
+    /// What is said where no values within the error bars have the lines.
+    pub fn nothing(&self) -> &'static str {
+        match self.frequency_ratio {
+            Some(_) => NO_POINT_OF_LINE,
+            None => "the boundary and the transition have no point there",
+        }
+    }
+
+    /// The lines that are wanted, by their words.
+    fn lines(&self) -> Vec<(&'static str, Target)> {
+        match &self.frequency_ratio {
+            Some(ratio) => vec![("frequency-ratio", Target::FrequencyRatio(ratio.clone()))],
+            None => BandOf::ALL.map(|of| (of.as_str(), of.target())).to_vec(),
+        }
     }
 
     /// Computes the ranges; in the object, an end without bound is null.
@@ -86,13 +106,14 @@ impl Request {
         Ok(Found { answer, table: table(&rows), picture: Box::new(|| self.picture()) })
     }
 
-    /// The ranges of both lines at these values of the coordinate that is not sought.
+    /// The ranges of the lines at these values of the coordinate that is not sought.
     fn rows(&self, unknown: Unknown, values: &[Rational]) -> Vec<Row> {
-        let at = |(of, known): (BandOf, &Rational)| {
-            let ranges = of.ranges(&self.region, unknown, known);
-            ranges.into_iter().map(|range| Row { of, unknown, known: known.clone(), range }).collect()
+        let lines = self.lines();
+        let at = |((line, target), known): (&(&'static str, Target), &Rational)| {
+            let ranges = ranges_at(&self.region, target, unknown, known);
+            ranges.into_iter().map(|range| Row { line, unknown, known: known.clone(), range }).collect()
         };
-        let places = BandOf::ALL.into_iter().flat_map(|of| values.iter().map(move |known| (of, known)));
+        let places = lines.iter().flat_map(|line| values.iter().map(move |known| (line, known)));
         let rows: Vec<Vec<Row>> = places.collect::<Vec<_>>().into_par_iter().map(at).collect();
         rows.into_iter().flatten().collect()
     }
@@ -103,12 +124,7 @@ impl Request {
     }
 
     fn picture(&self) -> Result<String, Failure> {
-        let slider = self.middle();
-        picture(
-            &slider,
-            &BoundaryCurve::new(&slider, DIGITS).sample(ARC_POINTS, END_ERROR),
-            Some(&self.region),
-        )
+        picture(&self.middle(), None, (Some(&self.region), self.frequency_ratio.as_ref()))
     }
 }
 
@@ -116,7 +132,7 @@ impl Row {
     fn part(&self) -> Answer {
         let [known, unknown] = self.keys();
         Answer::default()
-            .with("line", self.of.as_str())
+            .with("line", self.line)
             .with(known, nearest_f64(&self.known))
             .with(unknown, self.range.enclosure)
             .with("attained", self.range.certain)
@@ -159,7 +175,7 @@ fn table(rows: &[Row]) -> Table {
         let attained =
             row.range.certain.map_or_else(|| [Cell::empty(), Cell::empty()], |ends| ends.map(number));
         let cells = [velocity, stress, attained].into_iter().flatten();
-        table.push(std::iter::once(Cell::text(row.of.as_str())).chain(cells).collect());
+        table.push(std::iter::once(Cell::text(row.line)).chain(cells).collect());
     }
     table
 }

@@ -34,7 +34,7 @@ pub struct GridOptions {
     /// bits, and every point is then classified exactly.
     #[arg(long, value_name = "FROM:TO:N", allow_hyphen_values = true, conflicts_with = "points")]
     grid_normal_stress: Option<String>,
-    /// Also draw the slip modes of the grid, with the exact boundary, the asymptotes and the transition
+    /// Also draw the slip modes of the grid, with the exact boundary, the asymptotes, the transition, and the line of --inertial-threshold
     #[arg(long, value_name = "OUT.svg", conflicts_with = "points")]
     svg: Option<PathBuf>,
 }

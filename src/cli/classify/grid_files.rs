@@ -95,7 +95,7 @@ impl<'g> GridFiles<'g> {
         let values = self.modes(&velocities, &stresses);
         let modes = Grid { loading_velocity_m_per_s: velocities, normal_stress_pa: stresses, values };
         let points = BoundaryCurve::new(self.slider, BOUNDARY_DIGITS).sample(BOUNDARY_POINTS, END_ERROR);
-        let svg = mode_picture(self.slider, &modes, &points).unwrap_or_default();
+        let svg = mode_picture(self.slider, &modes, &points, self.threshold).unwrap_or_default();
         let Grid { loading_velocity_m_per_s, normal_stress_pa, .. } = modes;
         GridPicture { loading_velocity_m_per_s, normal_stress_pa, svg }
     }

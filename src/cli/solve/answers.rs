@@ -160,6 +160,10 @@ fn target(target: &Target) -> (Value, String) {
         Target::GrowthRate(rate) => ("max_real_per_s", rate, "a growth rate", "1/s"),
         Target::AngularFrequency(value) => ("max_imaginary_per_s", value, "an angular frequency", "1/s"),
         Target::Frequency(value) => ("frequency_hz", value, "a frequency", "Hz"),
+        Target::FrequencyRatio(threshold) => {
+            let square = exact_text(threshold.squared_ratio());
+            return (json!({ "frequency_over_natural_squared": square }), format!("(ω/ω_n)² = {square}"));
+        }
     };
     let value = exact_text(value);
     let words = format!("{name} of {value} {unit}");

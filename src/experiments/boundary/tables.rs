@@ -5,6 +5,7 @@ use rug::Float;
 use crate::experiments::{Context, Need, TableMaker};
 use slipmode_core::number::Ball;
 use slipmode_core::number::format::{certain_digits, round_float};
+use slipmode_core::stability::FrequencyLinePoint;
 use slipmode_core::stability::boundary::BoundaryPoint;
 use slipmode_plot::table::{Cell, Column, Table};
 
@@ -38,10 +39,7 @@ pub fn boundary_columns() -> Vec<Column> {
 #[must_use]
 pub fn boundary_row(point: &BoundaryPoint, digits: usize) -> Vec<Cell> {
     let number = |ball| Cell::number(certain_digits(ball, digits));
-    let short = |ball: &Ball| match vanishes(ball, digits) {
-        true => Cell::number("0"),
-        false => Cell::number(certain_digits(ball, digits)),
-    };
+    let short = |ball| of_order_one(ball, digits);
     vec![
         Cell::text(point.arc.as_str()),
         number(&point.double_root),
@@ -54,6 +52,44 @@ pub fn boundary_row(point: &BoundaryPoint, digits: usize) -> Vec<Cell> {
         short(&point.condition_number),
         Cell::text(point.mark.map_or("", |mark| mark.as_str())),
     ]
+}
+
+/// The columns of a line of given ω/ω_n.
+#[must_use]
+pub fn frequency_line_columns() -> Vec<Column> {
+    vec![
+        Column::number("transition_sign", "Sign of K − K_c", ""),
+        Column::number("real_part", "Re(s) in V0/D_c", ""),
+        Column::number("normal_stress_pa", "Normal stress σ", "Pa"),
+        Column::number("loading_velocity_m_per_s", "Loading velocity V0", "m/s"),
+        Column::text("asymptote", "Nearest asymptote"),
+        Column::number("asymptote_value", "Its value", "m/s"),
+        Column::number("relative_error", "exact/asymptote − 1", ""),
+        Column::number("log10_distance", "log10 distance", ""),
+    ]
+}
+
+/// One row of such a line, with at most `digits` certain digits of each number.
+#[must_use]
+pub fn frequency_line_row(point: &FrequencyLinePoint, digits: usize) -> Vec<Cell> {
+    vec![
+        Cell::number(point.transition_sign.to_string()),
+        of_order_one(&point.real_part, digits),
+        Cell::number(certain_digits(&point.normal_stress_pa, digits)),
+        Cell::number(certain_digits(&point.loading_velocity_m_per_s, digits)),
+        Cell::text(point.asymptote.as_str()),
+        Cell::number(certain_digits(&point.asymptote_value, digits)),
+        of_order_one(&point.relative_error, digits),
+        of_order_one(&point.log10_distance, digits),
+    ]
+}
+
+/// The certain digits of a number; 0 where it is zero to all of them.
+fn of_order_one(ball: &Ball, digits: usize) -> Cell {
+    match vanishes(ball, digits) {
+        true => Cell::number("0"),
+        false => Cell::number(certain_digits(ball, digits)),
+    }
 }
 
 /// Whether a number of order one is zero to all digits: where the asymptote meets the boundary, the enclosure of its error

@@ -1,12 +1,18 @@
 //! The (V, σ) plane of the maps: axes, and the lines of theory drawn over them.
 
+use crate::experiments::boundary::END_ERROR;
 use crate::experiments::shared::Grid;
 use crate::scene::cited;
 use slipmode_core::friction::{OperatingPoint, Slider};
+use slipmode_core::number::format::exact_text;
 use slipmode_core::number::{Ball, Rational, nearest_f64};
 use slipmode_core::stability::boundary::{BoundaryPoint, Mark};
-use slipmode_core::stability::{Arc, Asymptote, asymptote};
+use slipmode_core::stability::{Arc, Asymptote, FrequencyLine, InertialThreshold, asymptote};
 use slipmode_plot::figure::{Axis, Line, LineRole, PointMark, Side};
+
+/// Points that draw a line of given ω/ω_n, and their digits.
+const LINE_POINTS: usize = 400;
+const LINE_DIGITS: u32 = 10;
 
 /// The two axes of a grid.
 pub(crate) fn axes<T>(grid: &Grid<T>) -> Option<(Axis, Axis)> {
@@ -32,6 +38,15 @@ fn arc_points(points: &[BoundaryPoint], arc: Arc) -> Vec<(f64, f64)> {
         .filter(|point| point.arc == arc)
         .map(|point| (point.loading_velocity_m_per_s.to_f64(), point.normal_stress_pa.to_f64()))
         .collect()
+}
+
+/// The line ω/ω_n of a threshold; points beyond the map draw no more of it.
+pub(crate) fn frequency_line(slider: &Slider<Rational>, threshold: &InertialThreshold) -> Line {
+    let points = FrequencyLine::new(slider, threshold, LINE_DIGITS).sample(LINE_POINTS, END_ERROR);
+    let places =
+        points.iter().map(|point| (point.loading_velocity_m_per_s.to_f64(), point.normal_stress_pa.to_f64()));
+    let squared = exact_text(threshold.squared_ratio());
+    Line::new(format!("(*ω*/*ω*_n)² = {squared}"), LineRole::FrequencyRatio, places.collect())
 }
 
 /// The cusp as a marked point.

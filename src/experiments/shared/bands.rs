@@ -44,23 +44,30 @@ impl BandOf {
         }
     }
 
-    fn target(self) -> Target {
+    /// What is met on it.
+    #[must_use]
+    pub fn target(self) -> Target {
         match self {
             Self::Boundary => Target::Boundary,
             Self::Transition => Target::GrowthRate(Rational::new()),
         }
     }
+}
 
-    /// All solutions for one coordinate at this value of the other one, which the box's own values do not affect.
-    #[must_use]
-    pub fn ranges(self, region: &ParameterBox, unknown: Unknown, known: &Rational) -> Vec<SolutionRange> {
-        let other = match unknown {
-            Unknown::NormalStress => Quantity::LoadingVelocity,
-            _ => Quantity::NormalStress,
-        };
-        let region = region.clone().with_ends(other as usize, [known.clone(), known.clone()]);
-        region.map_or_else(Vec::new, |region| solve_over_box(&region, unknown, &self.target()))
-    }
+/// All solutions for one coordinate at this value of the other one, which the box's own values do not affect.
+#[must_use]
+pub fn ranges_at(
+    region: &ParameterBox,
+    target: &Target,
+    unknown: Unknown,
+    known: &Rational,
+) -> Vec<SolutionRange> {
+    let other = match unknown {
+        Unknown::NormalStress => Quantity::LoadingVelocity,
+        _ => Quantity::NormalStress,
+    };
+    let region = region.clone().with_ends(other as usize, [known.clone(), known.clone()]);
+    region.map_or_else(Vec::new, |region| solve_over_box(&region, unknown, target))
 }
 
 /// The box with V0 and σ from the first pair to the second one.

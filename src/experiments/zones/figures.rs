@@ -4,7 +4,7 @@ use crate::experiments::map::MapPoint;
 use crate::experiments::map::figures::{FIG_1, FIG_6A, Words, theory_lines};
 use crate::experiments::operating_point::operating_point_mark;
 use crate::experiments::shared::Grid;
-use crate::experiments::shared::axes::{asymptote_lines, axes, cusp_mark, transition_line};
+use crate::experiments::shared::axes::{asymptote_lines, axes, cusp_mark, frequency_line, transition_line};
 use crate::experiments::{Figure, FigureMaker, Need, SceneOutcome};
 use slipmode_core::number::nearest_f64;
 use slipmode_core::stability::{Arc, SlipMode, asymptote};
@@ -25,7 +25,7 @@ const FIG_7A: Words = Words {
     id: "fig-7a",
     label: "Figure 7a",
     title: "Slip modes, a < b",
-    caption: "Left: slip modes, decided exactly at every point (compare fig 7a of the paper), with the exact boundary, the asymptotes and the transition. Right: the slip modes of the same points by the lines of the paper: the asymptotes, the transition, and a straight line between the corners of the asymptotes, which divides slow from fast oscillation. The text of the paper does not define this line. The paper shows the right map only.",
+    caption: "Left: slip modes, decided exactly at every point (compare fig 7a of the paper), with the exact boundary, the asymptotes, the transition, and the line between inertial and non-inertial oscillation. Right: the slip modes of the same points by the lines of the paper: the asymptotes, the transition, and a straight line between the corners of the asymptotes, which divides slow from fast oscillation. The text of the paper does not define this line. The paper shows the right map only.",
     description: "Map of the slip modes over loading velocity and normal stress: overdamped stable sliding at low stress and low velocity, non-inertial and inertial underdamped oscillation around it, stick-slip at high stress, harmonic vibration at high velocity.",
 };
 
@@ -33,7 +33,7 @@ const FIG_7B: Words = Words {
     id: "fig-7b",
     label: "Figure 7b",
     title: "Slip modes, a ≥ b",
-    caption: "Left: slip modes for a ≥ b, decided exactly at every point (compare fig 7b of the paper). All modes are stable. The upper area is an overdamped oscillation. Right: the slip modes of the same points by the lines of the paper: the asymptotes, the transition, and a straight line between the corners of the asymptotes, which divides slow from fast oscillation. The text of the paper does not define this line. The paper shows the right map only.",
+    caption: "Left: slip modes for a ≥ b, decided exactly at every point (compare fig 7b of the paper), with the line between inertial and non-inertial oscillation. All modes are stable. The upper area is an overdamped oscillation. Right: the slip modes of the same points by the lines of the paper: the asymptotes, the transition, and a straight line between the corners of the asymptotes, which divides slow from fast oscillation. The text of the paper does not define this line. The paper shows the right map only.",
     description: "Map of the slip modes over loading velocity and normal stress: overdamped stable sliding, non-inertial and inertial underdamped oscillation, and overdamped oscillation at high stress.",
 };
 
@@ -62,7 +62,10 @@ fn zone_map(scene: &SceneOutcome, words: &Words, frequencies: &Words) -> Option<
         ends[0].1.is_finite().then(|| Line::new("line between the corners", LineRole::Guide, ends.to_vec()));
     let own = || operating_point_mark(scene, &x, &y);
     let marks = cusp_mark(&boundary.points).into_iter().chain(own()).collect();
-    let exact = map(&zones.exact, theory_lines(scene, boundary, &x, &y), marks);
+    let exact_lines = theory_lines(scene, boundary, &x, &y)
+        .into_iter()
+        .chain([frequency_line(parameters, &scene.scene.threshold())]);
+    let exact = map(&zones.exact, exact_lines.collect(), marks);
     let of_the_paper =
         map(&zones.between_corners, straight.chain(between).collect(), own().into_iter().collect());
     let headings = ["exact", "by the lines of the paper"];

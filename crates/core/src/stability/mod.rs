@@ -33,6 +33,7 @@ mod double_root;
 #[cfg(test)]
 mod fixtures;
 mod frequencies;
+mod frequency_line;
 pub mod inverse;
 mod logarithm;
 mod nearest_place;
@@ -56,6 +57,7 @@ pub use curve::Arc;
 pub use decision::{boundary_sign, transition_sign};
 pub use distance::LogDistance;
 pub use frequencies::Frequencies;
+pub use frequency_line::{FrequencyLine, FrequencyLinePoint};
 pub use nearest_place::{NearestPlace, Uncertain, nearest_boundary_point};
 pub use over_box::{
     Distribution, Effort, OverBox, ParameterBox, Possible, Ranges, SampledShare, ValueRange,

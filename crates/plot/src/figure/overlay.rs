@@ -18,6 +18,8 @@ pub enum LineRole {
     Transition,
     /// A line along which another figure shows values: thin and solid.
     Section,
+    /// The line on which an oscillation has a stated share of the natural frequency: dashed and dotted, green.
+    FrequencyRatio,
     /// A line that only helps the eye: thin and dotted.
     Guide,
     /// The outline of the area within which the exact boundary is not certain: filled.
@@ -113,6 +115,7 @@ impl LineRole {
             Self::Asymptote => style("asymptote", ["#b3261e", "#fff"], ["1.7", "3.7"], "8 5"),
             Self::Transition => style("transition", ["#fff", "#111"], ["2.2", "4.2"], ""),
             Self::Section => style("section", ["#6b2f8f", "#fff"], ["1.6", "3.0"], ""),
+            Self::FrequencyRatio => style("frequency-ratio", ["#00513f", "#fff"], ["1.9", "3.9"], "9 3 2 3"),
             Self::Guide => style("guide", ["#444", "#fff"], ["1.2", "2.6"], "2 3"),
             Self::BoundaryBand => style("boundary-band", ["#111", "#fff"], ["0.8", "0"], ""),
             Self::TransitionBand => style("transition-band", ["#c2388f", "#fff"], ["0.8", "0"], ""),
@@ -128,9 +131,14 @@ pub(crate) fn draw_lines(svg: &mut Svg, frame: &Frame, lines: &[Line]) {
 /// The same for one of several sets of lines in a figure: the names of their paths begin with `set`.
 pub(crate) fn draw_named_lines(svg: &mut Svg, frame: &Frame, lines: &[Line], set: &str) {
     draw_bands(svg, frame, lines);
-    for role in
-        [LineRole::Section, LineRole::Guide, LineRole::Boundary, LineRole::Transition, LineRole::Asymptote]
-    {
+    for role in [
+        LineRole::Section,
+        LineRole::Guide,
+        LineRole::Boundary,
+        LineRole::FrequencyRatio,
+        LineRole::Transition,
+        LineRole::Asymptote,
+    ] {
         let parts =
             lines.iter().filter(|line| line.role == role).flat_map(|line| frame.visible_line(&line.points));
         let data: String = parts.map(|part| line_data(&simplify(&part, LINE_TOLERANCE))).collect();

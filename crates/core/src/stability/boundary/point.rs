@@ -98,7 +98,7 @@ impl ErrorPair {
 }
 
 /// max(x, 1/x) of x = 1 + error.
-fn stretch(error: &Ball) -> Ball {
+pub(in crate::stability) fn stretch(error: &Ball) -> Ball {
     let ratio = Ball::from(1) + error;
     if error.centre().is_sign_negative() { Ball::from(1) / ratio } else { ratio }
 }

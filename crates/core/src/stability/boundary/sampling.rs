@@ -82,12 +82,12 @@ impl BoundaryCurve {
     }
 }
 
-fn log2(value: &Ball) -> f64 {
+pub(in crate::stability) fn log2(value: &Ball) -> f64 {
     Float::with_val(PLACING_BITS, value.centre()).log2().to_f64()
 }
 
 /// 2^exponent, the fraction by a correctly portable exp2 and the integer exactly.
-fn power_of_two(exponent: f64) -> Ball {
+pub(in crate::stability) fn power_of_two(exponent: f64) -> Ball {
     let whole = exponent.floor();
     let fraction = Float::with_val(PLACING_BITS, libm::exp2(exponent - whole));
     Ball::exact(fraction << whole as i32)

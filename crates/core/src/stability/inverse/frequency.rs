@@ -59,15 +59,6 @@ impl FrequencyCondition {
         (0..length).map(coefficient).collect()
     }
 
-    /// The solutions at a rational ω; the zeros at half the frequency are left out exactly.
-    pub(super) fn at_angular(&self, family: &Family, frequency: &Rational) -> Vec<Root> {
-        let square = frequency.square();
-        let halved = family.along(2, |_, cubic| lead(cubic).square() * &square * 12_u32 + spread(cubic));
-        let spurious = family.along(3, |_, cubic| skew(cubic)).gcd(&halved);
-        let all = Root::all_of(&self.at(&square)).into_iter();
-        all.filter(|root| !root.is_root_of(&spurious)).collect()
-    }
-
     /// The solutions at ω = 2πf.
     ///
     /// Their number can change with ω² only at a zero of R's discriminant, leading or constant coefficient. These are
@@ -138,6 +129,25 @@ impl FrequencyCondition {
         };
         self.at(&below).isolate_positive_roots().into_iter().map(bracket).collect()
     }
+}
+
+/// The solutions at an ω² that depends rationally on the unknown: `scaled` is Aω². The zeros at half the frequency are left out exactly.
+///
+/// A·R = AΔ + 4wH² + 32w²AH + 64w³A² with w = Aω², which is linear in the coefficients of eq 8.
+pub(super) fn at_square(family: &Family, scaled: impl Fn(&[Rational; 4]) -> Rational) -> Vec<Root> {
+    let condition = family.along(5, |_, cubic| {
+        let (lead, spread, square) = (lead(cubic), spread(cubic), scaled(cubic));
+        let terms = [
+            roots::discriminant(cubic) * lead,
+            spread.clone().square() * &square * 4_u32,
+            square.clone().square() * lead * spread * 32_u32,
+            square.clone().square() * square * lead.clone().square() * 64_u32,
+        ];
+        terms.into_iter().fold(Rational::new(), |sum, term| sum + term)
+    });
+    let halved = family.along(2, |_, cubic| scaled(cubic) * lead(cubic) * 12_u32 + spread(cubic));
+    let spurious = family.along(3, |_, cubic| skew(cubic)).gcd(&halved);
+    Root::all_of(&condition).into_iter().filter(|root| !root.is_root_of(&spurious)).collect()
 }
 
 /// A.

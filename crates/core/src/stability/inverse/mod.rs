@@ -21,7 +21,7 @@ use thiserror::Error;
 use crate::friction::Parameters;
 use crate::number::{Ball, bits_for_digits};
 use crate::roots::discriminant;
-use crate::stability::Arc;
+use crate::stability::{Arc, InertialThreshold};
 use family::{Family, hurwitz, shifted};
 use frequency::FrequencyCondition;
 pub use over_box::{SolutionRange, is_nowhere, solve_over_box};
@@ -66,6 +66,8 @@ pub enum Target {
     AngularFrequency(Rational),
     /// The pair's Im(s) is 2π times this, Hz.
     Frequency(Rational),
+    /// The pair's Im(s) is ω_n times the ratio of this threshold.
+    FrequencyRatio(InertialThreshold),
 }
 
 slipmode_algebra::named! {
@@ -132,7 +134,11 @@ pub fn solve(
         Target::GrowthRate(rate) => at_growth_rate(&family, rate),
         Target::Boundary => on_boundary(&family, parameters, unknown),
         Target::AngularFrequency(frequency) => {
-            Ok(of_pair(FrequencyCondition::new(&family).at_angular(&family, frequency)))
+            let square = Rational::from(frequency.square_ref());
+            Ok(of_pair(frequency::at_square(&family, |cubic| cubic[3].clone() * &square)))
+        }
+        Target::FrequencyRatio(threshold) => {
+            Ok(of_pair(frequency::at_square(&family, of_ratio(parameters, unknown, threshold))))
         }
         Target::Frequency(frequency) => FrequencyCondition::new(&family).at_hertz(frequency).map(of_pair),
     }?;
@@ -144,6 +150,20 @@ pub fn solve(
     }
     solutions.sort_by(|one, other| one.value.centre().total_cmp(other.value.centre()));
     Ok(solutions)
+}
+
+/// Aω² at (ω/ω_n)² = T, from the coefficients of eq 8: A·TK/M where V0 is the unknown, else T·E·D_c/V0.
+fn of_ratio(
+    parameters: &Parameters<Rational>,
+    unknown: Unknown,
+    threshold: &InertialThreshold,
+) -> impl Fn(&[Rational; 4]) -> Rational {
+    let (power, scale) = match unknown {
+        Unknown::LoadingVelocity => (3, parameters.slider.natural_angular_frequency_squared_per_s2()),
+        _ => (0, parameters.rate_per_s().recip()),
+    };
+    let factor = scale * threshold.squared_ratio();
+    move |cubic| Rational::from(&cubic[power] * &factor)
 }
 
 type Found = Result<Vec<(Root, SolutionKind)>, Undecided>;

@@ -9,7 +9,7 @@ use super::tails::{Tails, tails};
 use super::{Target, Unknown};
 use crate::number::Interval;
 use crate::stability::over_box::{
-    ParameterBox, Quantity, Sought, boundary_sought, sought_in, transition_sought,
+    ParameterBox, Quantity, Sought, boundary_sought, sought_in, threshold_sought, transition_sought,
 };
 
 /// Parts of the axis are halved until their ends have this ratio.
@@ -73,6 +73,7 @@ fn sought_over(region: &ParameterBox, target: &Target) -> Sought {
         Target::GrowthRate(rate) if rate.is_zero() => transition_sought(region),
         Target::GrowthRate(rate) => sought_in(region, Quantity::Real, Interval::enclosing(rate)),
         Target::Boundary => boundary_sought(region),
+        Target::FrequencyRatio(threshold) => threshold_sought(region, threshold),
         target => sought_in(region, Quantity::Imaginary, angular_frequency(target)),
     }
 }
@@ -157,7 +158,7 @@ pub(super) fn angular_frequency(target: &Target) -> Interval {
         Target::Frequency(frequency) => {
             Interval::enclosing(frequency) * Interval { low: tau.next_down(), high: tau.next_up() }
         }
-        Target::GrowthRate(_) | Target::Boundary => Interval::point(0.0),
+        Target::GrowthRate(_) | Target::Boundary | Target::FrequencyRatio(_) => Interval::point(0.0),
     }
 }
 
@@ -167,6 +168,7 @@ mod tests {
     use crate::friction::Parameters;
     use crate::number::parse_decimal;
     use crate::number::split_mix::SplitMix64;
+    use crate::stability::InertialThreshold;
     use crate::stability::inverse::solve;
 
     /// A lab's slider at 5 MPa and 10 µm/s, each value ± this share of it.
@@ -180,7 +182,7 @@ mod tests {
         ParameterBox::new(end(-1.0), end(1.0)).unwrap()
     }
 
-    fn targets() -> [Target; 6] {
+    fn targets() -> [Target; 7] {
         let number = |text| parse_decimal(text).unwrap();
         [
             Target::GrowthRate(Rational::new()),
@@ -189,6 +191,7 @@ mod tests {
             Target::Boundary,
             Target::AngularFrequency(number("0.7")),
             Target::Frequency(number("0.1")),
+            Target::FrequencyRatio(InertialThreshold::default()),
         ]
     }
 

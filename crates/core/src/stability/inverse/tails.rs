@@ -149,7 +149,17 @@ fn polynomials(values: &Values, unknown: usize, target: &Target, rate: Interval)
         }
         Target::GrowthRate(growth) => at_growth(&cubic, Interval::enclosing(growth) / rate),
         Target::Boundary => vec![discriminant(&cubic)],
-        frequency => vec![at_frequency(&cubic, angular_frequency(frequency) / rate)],
+        // Aω² = T·K V0/D_c in these units.
+        Target::FrequencyRatio(threshold) => {
+            vec![at_frequency(
+                &cubic,
+                &k.times(d).times(v).scaled(Interval::enclosing(threshold.squared_ratio())),
+            )]
+        }
+        frequency => {
+            let square = (angular_frequency(frequency) / rate).square();
+            vec![at_frequency(&cubic, &cubic[3].scaled(square))]
+        }
     }
 }
 
@@ -163,16 +173,15 @@ fn at_growth([c0, c1, c2, c3]: &[Polynomial; 4], rate: Interval) -> Vec<Polynomi
     vec![value, hurwitz]
 }
 
-/// R(ω) = Δ + 4ω²H² + 32ω⁴c3²H + 64ω⁶c3⁴ with H = c2² − 3c1c3.
-fn at_frequency(cubic: &[Polynomial; 4], frequency: Interval) -> Polynomial {
+/// c3·R(ω) = c3Δ + 4wH² + 32w²c3H + 64w³c3² with H = c2² − 3c1c3 and w = c3ω².
+fn at_frequency(cubic: &[Polynomial; 4], square: &Polynomial) -> Polynomial {
     let [_, c1, c2, c3] = cubic;
-    let square = frequency.square();
     let spread = c2.times(c2).plus(&c1.times(c3).by(-3.0));
-    let lead = c3.times(c3);
-    let second = spread.times(&spread).scaled(square * 4.0);
-    let third = lead.times(&spread).scaled(square * square * 32.0);
-    let fourth = lead.times(&lead).scaled(square * square * square * 64.0);
-    discriminant(cubic).plus(&second).plus(&third).plus(&fourth)
+    let first = discriminant(cubic).times(c3);
+    let second = spread.times(&spread).times(square).by(4.0);
+    let third = square.times(square).times(c3).times(&spread).by(32.0);
+    let fourth = square.times(square).times(square).times(c3).times(c3).by(64.0);
+    first.plus(&second).plus(&third).plus(&fourth)
 }
 
 /// c1²c2² − 4c0c2³ − 4c1³c3 − 27c0²c3² + 18c0c1c2c3.

@@ -177,3 +177,22 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn a_frequency_ratio_is_that_of_the_pair_for_every_unknown() {
+    let mut found = 0;
+    for (squared, values) in [((1, 2), [5, 8, 3, 2, 1]), ((4, 5), [8, 5, 1, 3, 2]), ((1, 9), [5, 5, 2, 1, 4])]
+    {
+        let threshold = InertialThreshold::from_squared_ratio(Rational::from(squared)).unwrap();
+        let is_above = |changed: &Parameters<Rational>| {
+            let natural = changed.slider.natural_angular_frequency_squared_per_s2();
+            let limit = nearest_f64(&(natural * threshold.squared_ratio())).sqrt();
+            largest(changed, |root| root.im.to_f64()) > limit
+        };
+        for unknown in Unknown::ALL {
+            let target = Target::FrequencyRatio(threshold.clone());
+            found += count_beside_scan(&parameters(values), unknown, &target, is_above);
+        }
+    }
+    assert!(found >= 12, "{found}");
+}

@@ -153,6 +153,23 @@ pub(super) fn boundary_sought(region: &ParameterBox) -> Sought {
     }
 }
 
+/// Whether a point of the box has a pair at this ω/ω_n; unknown for a threshold that is not allowed over a box.
+///
+/// A box that the line touches from below at single points, with no point above it, counts as one without.
+pub(super) fn threshold_sought(region: &ParameterBox, threshold: &InertialThreshold) -> Sought {
+    let Some(found) = over_box(region, threshold) else { return Sought::Unknown };
+    let is_above = |mode: SlipMode| {
+        matches!(mode, SlipMode::InertialUnderdampedOscillation | SlipMode::HarmonicVibration)
+    };
+    let count = |above: bool| found.slip_modes.iter().filter(|mode| is_above(mode.what) == above).count();
+    let is_open = |above: bool| found.undecided.iter().any(|(mode, _)| is_above(*mode) == above);
+    match [true, false].map(|above| (count(above) > 0, is_open(above))) {
+        [(true, _), (true, _)] => Sought::Somewhere,
+        [(false, false), _] | [_, (false, false)] => Sought::Nowhere,
+        _ => Sought::Unknown,
+    }
+}
+
 /// Finds a point; none where the points that there are need not be rational.
 type Find<'a> = Box<dyn FnOnce() -> Option<Point> + 'a>;
 
