@@ -116,6 +116,9 @@ impl Interval {
     }
 
     fn times(self, other: &Self) -> Self {
+        if self.low >= 0.0 && other.low >= 0.0 {
+            return Self::outward(self.low * other.low, self.high * other.high);
+        }
         let products =
             [self.low * other.low, self.low * other.high, self.high * other.low, self.high * other.high];
         if products.iter().any(|product| product.is_nan()) {
