@@ -267,7 +267,7 @@ def first_along(values: NDArray[Any], axis: int) -> NDArray[Any]:
 
 
 class BoundaryTable(Table):
-    """Points of the boundary max Im(s) = 0, with a picture."""
+    """Points of the boundary max Im(s) = 0, or of the line of an ω/ω_n, with a picture."""
 
     def __init__(self, columns: Any, svg: str) -> None:
         super().__init__(columns)
@@ -275,12 +275,13 @@ class BoundaryTable(Table):
         self.svg = svg
 
     def plot(self, ax: Axes | None = None) -> Axes:
-        """Draw the arcs with matplotlib; return the axes. ``svg`` has a picture that does not need matplotlib."""
+        """Draw the line with matplotlib, or its arcs; return the axes. ``svg`` has a picture that does not need matplotlib."""
         ax = axes(ax, "loading velocity (m/s)", "normal stress (Pa)")
-        for arc in dict.fromkeys(self["arc"]):
-            on_arc = self["arc"] == arc
-            points = (self[name][on_arc].astype(float) for name in ("loading_velocity_m_per_s", "normal_stress_pa"))
-            ax.plot(*points, label=f"{arc} arc")
+        lines = self["arc"] if "arc" in self else np.full(self.rows, "frequency ratio")
+        for line in dict.fromkeys(lines):
+            on_line = lines == line
+            points = (self[name][on_line].astype(float) for name in ("loading_velocity_m_per_s", "normal_stress_pa"))
+            ax.plot(*points, label=f"{line} arc" if "arc" in self else line)
         ax.legend()
         return ax
 

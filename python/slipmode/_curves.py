@@ -27,27 +27,30 @@ OF_THE_POINT = NAMES[5:]
 @overload
 def boundary(
     frame: None = None, /, *, a: Number, b: Number, d_c: Number, k: Number, m: Number, n: int = 200,
-    digits: int | None = None
+    digits: int | None = None, frequency_ratio: Number | None = None
 ) -> BoundaryTable: ...
 @overload
 def boundary(
     frame: dict[str, Any], /, *, a: Value | None = None, b: Value | None = None, d_c: Value | None = None,
-    k: Value | None = None, m: Value | None = None, n: int = 200, digits: int | None = None
+    k: Value | None = None, m: Value | None = None, n: int = 200, digits: int | None = None,
+    frequency_ratio: Number | None = None
 ) -> Table: ...
 @overload
 def boundary(
     frame: Frame, /, *, a: Value | None = None, b: Value | None = None, d_c: Value | None = None,
-    k: Value | None = None, m: Value | None = None, n: int = 200, digits: int | None = None
+    k: Value | None = None, m: Value | None = None, n: int = 200, digits: int | None = None,
+    frequency_ratio: Number | None = None
 ) -> Frame: ...
 @overload
 def boundary(
     frame: None = None, /, *, a: Number | FrameColumn, b: Number | FrameColumn, d_c: Number | FrameColumn, k: Number | FrameColumn,
-    m: Number | FrameColumn, n: int = 200, digits: int | None = None
+    m: Number | FrameColumn, n: int = 200, digits: int | None = None,
+    frequency_ratio: Number | None = None
 ) -> Any: ...
 @overload
 def boundary(
     frame: None = None, /, *, a: Value, b: Value, d_c: Value, k: Value, m: Value, n: int = 200,
-    digits: int | None = None
+    digits: int | None = None, frequency_ratio: Number | None = None
 ) -> Table: ...
 def boundary(
     frame: Any = None,
@@ -60,21 +63,23 @@ def boundary(
     m: Any = None,
     n: int = 200,
     digits: int | None = None,
+    frequency_ratio: Number | None = None,
 ) -> Any:
     """Compute the exact boundary max Im(s) = 0, with ``n`` points on each arc and the marked ones.
 
+    With a ``frequency_ratio`` between 0 and 1, compute the line of this ω/ω_n instead, at ``n`` points and where it crosses K = K_c.
     The columns are those of ``slipmode boundary``. Numbers are floats, or ``Decimal`` with this many ``digits``. The arguments are
     those of :func:`classify` without σ and V0. Arrays of sliders give one table, whose column ``row`` counts the sliders from 0. A
     frame gives such a frame of its package; pandas repeats the index of the slider.
     """
     values = chosen({"a": a, "b": b, "d_c": d_c, "k": k, "m": m}, OF_THE_SLIDER, frame)
+    asked = [f"--points={n}"] + ([] if frequency_ratio is None else [f"--frequency-ratio={exact(frequency_ratio)}"])
     if single(values, frame):
         with tempfile.TemporaryDirectory() as folder:
             picture = Path(folder, "boundary.svg")
             texts = {name: exact(value) for name, value in values.items()}
-            found = boundary_points(texts, [f"--points={n}", f"--svg={picture}"], digits, None)
+            found = boundary_points(texts, [*asked, f"--svg={picture}"], digits, None)
             return BoundaryTable(Table.of_rows(found), picture.read_text())
-    asked = [f"--points={n}"]
     return table_of(frame, values, "boundary", lambda texts, warned: boundary_points(texts, asked, digits, warned))
 
 

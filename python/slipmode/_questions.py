@@ -376,28 +376,28 @@ def solve(
     unknown: str, frame: None = None, /, *, a: Number | None = None, b: Number | None = None,
     d_c: Number | None = None, k: Number | None = None, m: Number | None = None, sigma: Number | None = None,
     v: Number | None = None, frequency: Number | None = None, angular_frequency: Number | None = None,
-    growth_rate: Number | None = None, transition: bool = False, boundary: bool = False, digits: int = 17
+    growth_rate: Number | None = None, frequency_ratio: Number | None = None, transition: bool = False, boundary: bool = False, digits: int = 17
 ) -> list[Solution]: ...
 @overload
 def solve(
     unknown: str, frame: dict[str, Any], /, *, a: Value | None = None, b: Value | None = None,
     d_c: Value | None = None, k: Value | None = None, m: Value | None = None, sigma: Value | None = None,
     v: Value | None = None, frequency: Number | None = None, angular_frequency: Number | None = None,
-    growth_rate: Number | None = None, transition: bool = False, boundary: bool = False, digits: int = 17
+    growth_rate: Number | None = None, frequency_ratio: Number | None = None, transition: bool = False, boundary: bool = False, digits: int = 17
 ) -> Table: ...
 @overload
 def solve(
     unknown: str, frame: Frame, /, *, a: Value | None = None, b: Value | None = None, d_c: Value | None = None,
     k: Value | None = None, m: Value | None = None, sigma: Value | None = None, v: Value | None = None,
     frequency: Number | None = None, angular_frequency: Number | None = None, growth_rate: Number | None = None,
-    transition: bool = False, boundary: bool = False, digits: int = 17
+    frequency_ratio: Number | None = None, transition: bool = False, boundary: bool = False, digits: int = 17
 ) -> Frame: ...
 @overload
 def solve(
     unknown: str, frame: None = None, /, *, a: Number | FrameColumn | None = None, b: Number | FrameColumn | None = None,
     d_c: Number | FrameColumn | None = None, k: Number | FrameColumn | None = None, m: Number | FrameColumn | None = None,
     sigma: Number | FrameColumn | None = None, v: Number | FrameColumn | None = None, frequency: Number | None = None,
-    angular_frequency: Number | None = None, growth_rate: Number | None = None, transition: bool = False,
+    angular_frequency: Number | None = None, growth_rate: Number | None = None, frequency_ratio: Number | None = None, transition: bool = False,
     boundary: bool = False, digits: int = 17
 ) -> Any: ...
 @overload
@@ -405,7 +405,7 @@ def solve(
     unknown: str, frame: None = None, /, *, a: Value | None = None, b: Value | None = None, d_c: Value | None = None,
     k: Value | None = None, m: Value | None = None, sigma: Value | None = None, v: Value | None = None,
     frequency: Number | None = None, angular_frequency: Number | None = None, growth_rate: Number | None = None,
-    transition: bool = False, boundary: bool = False, digits: int = 17
+    frequency_ratio: Number | None = None, transition: bool = False, boundary: bool = False, digits: int = 17
 ) -> Table: ...
 def solve(
     unknown: str,
@@ -422,14 +422,15 @@ def solve(
     frequency: Number | None = None,
     angular_frequency: Number | None = None,
     growth_rate: Number | None = None,
+    frequency_ratio: Number | None = None,
     transition: bool = False,
     boundary: bool = False,
     digits: int = 17,
 ) -> Any:
     """Solve for ``unknown``: ``normal_stress``, ``loading_velocity``, ``stiffness`` or ``mass`` (or ``sigma``, ``v``, ``k``, ``m``).
 
-    One of the targets is given: a ``frequency`` (Hz), an ``angular_frequency`` or a ``growth_rate`` (1/s), the ``transition``
-    or the ``boundary``. The other arguments are those of :func:`classify`; the unknown's own value is not used. Numbers give
+    One of the targets is given: a ``frequency`` (Hz), an ``angular_frequency`` or a ``growth_rate`` (1/s), a ``frequency_ratio``
+    ω/ω_n, the ``transition`` or the ``boundary``. The other arguments are those of :func:`classify`; the unknown's own value is not used. Numbers give
     a list of :class:`Solution`, arrays and frames columns ``solutions`` (their number), ``solution_1`` to ``solution_4``, and with
     errors the ends of ranges.
     """
@@ -438,7 +439,8 @@ def solve(
         raise InputError(f"unknown = {unknown}: not allowed (allowed: normal_stress, loading_velocity, stiffness, mass)")
     needed = [name for name in NAMES if name != argument]
     values = chosen({"a": a, "b": b, "d_c": d_c, "k": k, "m": m, "sigma": sigma, "v": v}, needed, frame)
-    targets = {"frequency": frequency, "angular-frequency": angular_frequency, "growth-rate": growth_rate}
+    targets = {"frequency": frequency, "angular-frequency": angular_frequency}
+    targets |= {"growth-rate": growth_rate, "frequency-ratio": frequency_ratio}
     asked = [f"--for={UNKNOWNS[argument]}", f"--digits={digits}"]
     asked += [f"--{name}={exact(number)}" for name, number in targets.items() if number is not None]
     asked += [name for name, is_given in (("--transition", transition), ("--boundary", boundary)) if is_given]

@@ -214,9 +214,11 @@ class Slider(Frozen):
         """Compute the distances to the transition and to the boundary, as :func:`slipmode.distance`."""
         return questions.distance(**self._at(sigma, v))
 
-    def boundary(self, n: int = 200, digits: int | None = None) -> BoundaryTable:
-        """Compute the exact boundary max Im(s) = 0, as :func:`slipmode.boundary`."""
-        found: BoundaryTable = curves.boundary(**self._values, n=n, digits=digits)
+    def boundary(
+        self, n: int = 200, digits: int | None = None, frequency_ratio: Number | None = None
+    ) -> BoundaryTable:
+        """Compute the exact boundary max Im(s) = 0, or the line of an ω/ω_n, as :func:`slipmode.boundary`."""
+        found: BoundaryTable = curves.boundary(**self._values, n=n, digits=digits, frequency_ratio=frequency_ratio)
         return found
 
     def transition(self, v: float | Arrays | None = None) -> Table:
@@ -248,6 +250,7 @@ class Slider(Frozen):
         frequency: Number | None = None,
         angular_frequency: Number | None = None,
         growth_rate: Number | None = None,
+        frequency_ratio: Number | None = None,
         transition: bool = False,
         boundary: bool = False,
         digits: int = 17,
@@ -261,6 +264,7 @@ class Slider(Frozen):
             frequency=frequency,
             angular_frequency=angular_frequency,
             growth_rate=growth_rate,
+            frequency_ratio=frequency_ratio,
             transition=transition,
             boundary=boundary,
             digits=digits,

@@ -106,6 +106,22 @@ def test_a_point_on_the_boundary_and_on_the_transition_is_one():
     assert SLIDER.boundary(n=3)["relative_error"].dtype == np.float64
 
 
+def test_on_the_line_of_a_frequency_ratio_the_pair_of_roots_has_it():
+    line = SLIDER.boundary(n=9, frequency_ratio="0.6")
+    assert list(line["transition_sign"]).count(0) == 1
+    points = {"sigma": line["normal_stress_pa"], "v": line["loading_velocity_m_per_s"]}
+    found = slipmode.roots(a="0.009", b="0.0126", d_c="8um", k="2MPa/mm", m="12kg/50cm2", **points)
+    natural = np.sqrt(2e9 / (12 / 50e-4))
+    assert np.abs(np.abs(found.imag).max(axis=-1) / natural - 0.6).max() < 1e-7
+    # Through each point of the line the normal stress is a solution of the inverse question.
+    middle = {name: float(column[4]) for name, column in points.items()}
+    solutions = SLIDER.solve("sigma", v=middle["v"], frequency_ratio="0.6")
+    assert min(abs(float(one.value) / middle["sigma"] - 1) for one in solutions) < 1e-9
+    assert SLIDER.boundary(n=2, digits=30, frequency_ratio="0.6")["real_part"].dtype == object
+    with pytest.raises(slipmode.InputError, match="frequency_ratio = 1"):
+        SLIDER.boundary(frequency_ratio=1)
+
+
 def test_a_solution_has_what_was_asked_for():
     (solution,) = SLIDER.solve("stiffness", sigma="5MPa", v="10um/s", transition=True)
     stiffness = {"d_c": "8um", "m": "12kg/50cm2", "a": "0.009", "b": "0.0126"}

@@ -7,10 +7,12 @@ mod point;
 use std::path::PathBuf;
 
 use clap::Args;
+use serde_json::Value;
 use slipmode::experiments::boundary::{END_ERROR, vanishes};
 use slipmode::experiments::pictures::boundary_picture;
 use slipmode::scene::{Limits, Problem, Quantity};
 use slipmode_core::friction::Slider;
+use slipmode_core::number::format::exact_text;
 use slipmode_core::number::{Ball, Rational};
 use slipmode_core::stability::boundary::{BoundaryCurve, BoundaryPoint, Section};
 use slipmode_core::stability::inverse::Undecided;
@@ -116,6 +118,15 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let request = Request::read(options, &mut arguments);
     let request = arguments.finish(request)?;
     options.write(|| request.compute(), request.nothing())
+}
+
+/// An answer to these inputs, with the line where it is not the boundary.
+fn answer_to(inputs: Value, frequency_ratio: Option<&InertialThreshold>) -> Answer {
+    let answer = Answer::to(inputs);
+    match frequency_ratio {
+        None => answer,
+        Some(ratio) => answer.with("frequency_over_natural_squared", exact_text(ratio.squared_ratio())),
+    }
 }
 
 impl Options {
@@ -232,7 +243,8 @@ impl Request {
     fn stated<P: Point>(&self, points: &[P]) -> (Answer, Table) {
         let mut table = Table::new("boundary", "Boundary", P::columns());
         points.iter().for_each(|point| table.push(point.row(self.digits as usize)));
-        (Answer::to(slider_json(&self.slider)).list("points", points.iter().map(P::part)), table)
+        let answer = answer_to(slider_json(&self.slider), self.frequency_ratio.as_ref());
+        (answer.list("points", points.iter().map(P::part)), table)
     }
 
     /// The points, computed with more digits than requested where inputs hundreds of decades apart take them.

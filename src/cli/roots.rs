@@ -51,7 +51,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
 /// ```
 /// let values = ["0.004", "0.006", "10um", "1e7", "1000", "1MPa", "10um/s"];
 /// let (roots, messages) = slipmode::cli::capture_roots(values, "20");
-/// assert!(roots.unwrap().starts_with(r#"[{"re":"#) && messages.exit_code == 0);
+/// assert!(roots.unwrap().contains("\"re\":") && messages.exit_code == 0);
 /// ```
 pub fn capture_roots(values: [&str; 7], digits: &str) -> (Option<String>, Captured) {
     capture_work(|| Ok(answer(&SliderOptions::of(values), digits)?.value("roots").to_string()))

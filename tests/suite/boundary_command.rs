@@ -157,7 +157,9 @@ fn within_error_bars_the_range_of_the_line_holds_the_points_of_the_values_in_the
     let arguments = ["boundary", "--frequency-ratio", "0.8"].iter().chain(&arguments).copied();
     let object = |effects: [&str; 4]| -> serde_json::Value {
         let text = Workplace::new().run(arguments.clone().chain(effects)).expect_success();
-        serde_json::from_str(&text).unwrap()
+        let found: serde_json::Value = serde_json::from_str(&text).unwrap();
+        assert_eq!(found["frequency_over_natural_squared"], "0.64");
+        found
     };
     let found = object(["-a", "0.004±0.0002", "-b", "0.006±0.0001"]);
     let [range] = &found["ranges"].as_array().unwrap()[..] else { panic!("{found}") };

@@ -13,8 +13,8 @@ use slipmode_plot::table::{Cell, Column, Table};
 
 use crate::cli::answer::Answer;
 use crate::cli::boundary::{
-    DEFAULT_POINTS, Found, NO_POINT_OF_LINE, Options, coordinates, frequency_ratio, limit_on_points, picture,
-    refuse_beside_single_points,
+    DEFAULT_POINTS, Found, NO_POINT_OF_LINE, Options, answer_to, coordinates, frequency_ratio,
+    limit_on_points, picture, refuse_beside_single_points,
 };
 use crate::cli::failure::Failure;
 use crate::cli::inputs::ranges_json;
@@ -102,7 +102,8 @@ impl Request {
             }
         };
         let inputs = ranges_json(&self.region, &[Quantity::NormalStress, Quantity::LoadingVelocity]);
-        let answer = Answer::to(inputs).list("ranges", rows.iter().map(Row::part));
+        let answer =
+            answer_to(inputs, self.frequency_ratio.as_ref()).list("ranges", rows.iter().map(Row::part));
         Ok(Found { answer, table: table(&rows), picture: Box::new(|| self.picture()) })
     }
 
