@@ -32,17 +32,66 @@
   };
 
   // A table that shows only its first rows cannot be sorted correctly: it stays as it is, with a note.
-  for (const note of document.querySelectorAll("figure.table:not(.whole) .cut")) {
-    note.append(make("span", { "data-extra": "" }, " Only complete tables can be sorted on this page."));
+  const prepare = (place) => {
+    for (const note of place.querySelectorAll("figure.table:not(.whole) .cut")) {
+      note.append(make("span", { "data-extra": "" }, " Only complete tables can be sorted on this page."));
+    }
+    for (const table of place.querySelectorAll("figure.whole table")) {
+      if (table.tBodies[0].rows.length < 3) continue;
+      [...table.tHead.rows[0].cells].forEach((heading, column) => {
+        const button = make("button", { type: "button", class: "sort" }, ...heading.childNodes);
+        heading.append(button);
+        button.addEventListener("click", () => sort(table, heading, column));
+      });
+    }
+  };
+  prepare(document);
+
+  // Tables and proofs that are folded stand packed at the end of the page. They are put in place when they are opened.
+  const packed = document.getElementById("packed");
+  let pieces = [];
+  const parsed = (piece) => new DOMParser().parseFromString(piece, "text/html").body;
+  const unfold = (part) => {
+    const piece = part.open && pieces[part.dataset.packed];
+    if (!piece) return;
+    delete part.dataset.packed;
+    const [summary, ...links] = part.children;
+    links.forEach((link) => link.remove());
+    summary.after(...parsed(piece).childNodes);
+    prepare(part);
+  };
+  const unpackAll = async () => {
+    const bytes = Uint8Array.from(atob(packed.content.textContent), (letter) => letter.charCodeAt(0));
+    const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
+    pieces = JSON.parse(await new Response(stream).text());
+    document.querySelectorAll("details[data-packed]").forEach(unfold);
+  };
+  if (packed) {
+    document.addEventListener("toggle", (event) => unfold(event.target), true);
+    unpackAll();
   }
-  for (const table of document.querySelectorAll("figure.whole table")) {
-    if (table.tBodies[0].rows.length < 3) continue;
-    [...table.tHead.rows[0].cells].forEach((heading, column) => {
-      const button = make("button", { type: "button", class: "sort" }, ...heading.childNodes);
-      heading.append(button);
-      button.addEventListener("click", () => sort(table, heading, column));
-    });
-  }
+
+  // Contents: beside the page where there is room, else in a bar that stays at the top.
+  const contents = document.querySelector(".contents");
+  const list = contents.querySelector("details");
+  const links = new Map([...contents.querySelectorAll("a")].map((link) => [document.getElementById(link.hash.slice(1)), link]));
+  const isWide = matchMedia("(min-width: 72rem)");
+  const arrange = () => { list.open = isWide.matches; };
+  isWide.addEventListener("change", arrange);
+  arrange();
+  list.addEventListener("click", (event) => {
+    if (event.target.closest("a") && !isWide.matches) list.open = false;
+  });
+  const seen = new IntersectionObserver((changes) => {
+    const arrived = changes.filter((change) => change.isIntersecting).map((change) => change.target);
+    const current = arrived.at(-1);
+    if (!current) return;
+    for (const [target, link] of links) link.toggleAttribute("aria-current", target === current);
+    const link = links.get(current);
+    const below = link.offsetTop + link.offsetHeight - contents.clientHeight;
+    if (isWide.matches) contents.scrollTop = Math.min(Math.max(contents.scrollTop, below), link.offsetTop);
+  }, { rootMargin: "-15% 0px -80% 0px" });
+  for (const target of links.keys()) seen.observe(target);
 
   let reset = () => {};
   const ledger = document.getElementById("ledger");
@@ -50,9 +99,14 @@
   if (ledger && claims.length > 5) {
     // Subscripts have no underscore on the page: a search for K_c still finds them.
     const plain = (text) => text.toLowerCase().replaceAll("_", "");
-    const words = new Map(claims.map((claim) => [claim, plain(claim.textContent)]));
-    const field = make("input", { type: "search", id: "find-claims", autocomplete: "off" });
-    const kinds = make("select", { id: "find-verdicts" }, make("option", { value: "" }, "all"));
+    const words = new Map();
+    const wordsOf = (claim) => {
+      const piece = parsed(pieces[claim.dataset.packed] || "");
+      if (pieces.length && !words.has(claim)) words.set(claim, plain(claim.textContent + piece.textContent));
+      return words.get(claim) || plain(claim.textContent);
+    };
+    const field = make("input", { type: "search", id: "find-claims", autocomplete: "off", placeholder: "Find claims", "aria-label": "Find claims" });
+    const kinds = make("select", { id: "find-verdicts", "aria-label": "Verdict" }, make("option", { value: "" }, "all verdicts"));
     for (const [kind, name] of [["holds", "holds"], ["holds-within", "holds within"], ["fails", "fails"], ["not-checked", "not checked"]]) {
       if (claims.some((claim) => claim.classList.contains(kind))) kinds.append(make("option", { value: kind }, name));
     }
@@ -61,20 +115,23 @@
       const wanted = plain(field.value).split(/\s+/).filter(Boolean);
       let found = 0;
       for (const claim of claims) {
-        const fits = wanted.every((word) => words.get(claim).includes(word));
+        const fits = wanted.every((word) => wordsOf(claim).includes(word));
         claim.hidden = !fits || (kinds.value !== "" && !claim.classList.contains(kinds.value));
         found += claim.hidden ? 0 : 1;
       }
       for (const group of ledger.querySelectorAll(".group")) {
         group.hidden = !group.querySelector("details.claim:not([hidden])");
       }
-      count.textContent = found < claims.length ? `${found} of ${claims.length} claims` : "";
+      const words = `${found} of ${claims.length} claims`;
+      count.replaceChildren(...(found < claims.length ? [make("a", { href: "#ledger" }, words)] : []));
     };
     field.addEventListener("input", find);
+    field.addEventListener("keydown", (event) => {
+      const first = event.key === "Enter" && claims.find((claim) => !claim.hidden);
+      if (first) location.hash = first.querySelector(".claim-body").id;
+    });
     kinds.addEventListener("change", find);
-    const finder = make("div", { class: "finder", role: "search", "aria-label": "Claims", "data-extra": "" },
-      make("label", { for: "find-claims" }, "Find"), field, make("label", { for: "find-verdicts" }, "Verdict"), kinds, count);
-    ledger.querySelector(".group").before(finder);
+    contents.prepend(make("div", { class: "finder", role: "search", "aria-label": "Claims", "data-extra": "" }, field, kinds, count));
 
     reset = () => {
       field.value = kinds.value = "";
@@ -148,13 +205,25 @@
     });
   }
 
-  // For printing, all claims are opened, and restored afterwards.
+  // Printed is an edition of a few pages, or on request the whole page: then everything is opened, and restored afterwards.
+  const whole = document.documentElement.classList;
+  const printer = make("button", { type: "button", "data-extra": "" }, "Print all of it");
+  printer.addEventListener("click", () => {
+    whole.add("whole");
+    print();
+  });
+  contents.append(printer);
   let folded = [];
   addEventListener("beforeprint", () => {
-    folded = [...document.querySelectorAll("details:not([open])")];
-    for (const part of folded) part.open = true;
+    folded = [];
+    if (!whole.contains("whole")) return;
+    for (let part; (part = document.querySelector("details:not([open])")); folded.push(part)) {
+      part.open = true;
+      unfold(part);
+    }
   });
   addEventListener("afterprint", () => {
     for (const part of folded) part.open = false;
+    whole.remove("whole");
   });
 })();

@@ -8,12 +8,15 @@ use crate::report::answer::answer;
 use crate::report::blocks::{BlockKind, Piece, pieces};
 use crate::report::certificates::Certificates;
 use crate::report::changes::{changes, decided_by};
+use crate::report::claim_text::code_span;
 use crate::report::claims_picture::claims_picture;
+use crate::report::math::can_be_set;
 use crate::report::{
     CardView, ChapterView, ClaimGroupView, ClaimView, EquationView, EvidenceView, FactView, InputView,
-    PartView, ProvenanceView, ReadingView, ReportView,
+    PartView, ProofLineView, ProvenanceView, ReadingView, ReportView,
 };
 use crate::scene::{Chapter, ReportPlan, Sentence, Source, StatedClaim};
+use slipmode_algebra::{Certificate, Line, Notation};
 use slipmode_core::theory::Equations;
 use slipmode_plot::table::Table;
 
@@ -269,17 +272,20 @@ fn evidence_view(evidence: &Evidence, entry: &Entry, certificates: &Certificates
         text_markdown: String::new(),
         numbers,
         certificate: String::new(),
+        lines: Vec::new(),
+        theorem: String::new(),
         certificate_at: String::new(),
     };
     match evidence {
         Evidence::Proof { proof } => {
             let home = certificates.home(proof);
-            let (certificate, certificate_at) =
-                if home == entry.id { (certificates.text(proof), "") } else { (String::new(), home) };
+            let is_here = home == entry.id;
             EvidenceView {
                 text_markdown: plain(&proof.statement),
-                certificate,
-                certificate_at: certificate_at.into(),
+                certificate: if is_here { certificates.text(proof) } else { String::new() },
+                lines: if is_here { proof_lines(&certificates.lines(proof)) } else { Vec::new() },
+                theorem: proof.theorem.clone().unwrap_or_default(),
+                certificate_at: if is_here { "" } else { home }.into(),
                 ..numbers("Proof", Vec::new())
             }
         }
@@ -298,6 +304,44 @@ fn evidence_view(evidence: &Evidence, entry: &Entry, certificates: &Certificates
             let looked_at = fact(&looked_at(quantity, entry), value);
             numbers("Sample", vec![looked_at, fact("points checked", &points.to_string())])
         }
+    }
+}
+
+/// A proof for the page.
+fn proof_lines(lines: &[Line<'_>]) -> Vec<ProofLineView> {
+    let mut conditions = String::new();
+    let mut view = |line: &Line<'_>| match line {
+        Line::Lemma(words) => {
+            ProofLineView { words_markdown: format!("Lemma: {}", plain(words)), ..Default::default() }
+        }
+        Line::Elsewhere { numbers, words } => {
+            ProofLineView { number: Some(numbers[0]), words_markdown: plain(words), ..Default::default() }
+        }
+        Line::Step { number, step } => {
+            let certificate = step.certificate.as_ref();
+            let domain = certificate.and_then(Certificate::domain);
+            let found = domain.map(|domain| set(|notation| domain.written(notation))).unwrap_or_default();
+            let is_new = found != conditions;
+            conditions = found;
+            ProofLineView {
+                number: Some(*number),
+                words_markdown: plain(&step.says),
+                is_argued: certificate.is_none(),
+                fact_markdown: certificate.map(|one| set(|notation| one.fact(notation))).unwrap_or_default(),
+                conditions_markdown: if is_new { conditions.clone() } else { String::new() },
+            }
+        }
+    };
+    lines.iter().map(&mut view).collect()
+}
+
+/// Mathematics where it can be set, and what the parser reads where a formula is too long for a page.
+fn set(written: impl Fn(Notation) -> String) -> String {
+    let latex = written(Notation::Latex);
+    if latex.split('$').skip(1).step_by(2).all(can_be_set) {
+        latex
+    } else {
+        code_span(&written(Notation::Plain))
     }
 }
 

@@ -1,7 +1,7 @@
 //! Each certificate is printed once. Other places, also proofs that use it as a lemma, name the claim that has it.
 
 use crate::claims::{Evidence, Ledger};
-use slipmode_algebra::{Proof, Step};
+use slipmode_algebra::{Line, Proof, Step};
 
 /// The distinct proofs of a ledger, each with the claim whose entry has its certificate.
 #[derive(Debug)]
@@ -31,13 +31,20 @@ impl<'l> Certificates<'l> {
 
     /// The certificate, with a line in place of the steps of each lemma that has a certificate of its own.
     pub fn text(&self, proof: &Proof) -> String {
-        proof.text_without(|steps| {
-            let lemmas =
-                self.proofs.iter().filter(|(lemma, _)| !lemma.is_same(proof) && begins_with(steps, lemma));
-            let (lemma, claim) = lemmas.max_by_key(|(lemma, _)| lemma.steps.len())?;
-            let place = format!("{} [certificate {} of claim {claim}]", lemma.statement, lemma.id);
-            Some((lemma.steps.len(), place))
-        })
+        proof.text_without(|steps| self.elsewhere(proof, steps))
+    }
+
+    /// The lines of the same text.
+    pub fn lines<'p>(&self, proof: &'p Proof) -> Vec<Line<'p>> {
+        proof.lines_without(|steps| self.elsewhere(proof, steps))
+    }
+
+    fn elsewhere(&self, proof: &Proof, steps: &[Step]) -> Option<(usize, String)> {
+        let lemmas =
+            self.proofs.iter().filter(|(lemma, _)| !lemma.is_same(proof) && begins_with(steps, lemma));
+        let (lemma, claim) = lemmas.max_by_key(|(lemma, _)| lemma.steps.len())?;
+        let place = format!("{} [certificate {} of claim {claim}]", lemma.statement, lemma.id);
+        Some((lemma.steps.len(), place))
     }
 }
 

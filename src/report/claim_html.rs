@@ -19,10 +19,16 @@ fn chips(ids: &[String], catalogue: &Catalogue<'_>) -> Vec<Value> {
 }
 
 /// What the templates of a claim show; its prose is turned into HTML.
-pub(crate) fn claim_page(claim: &ClaimView, catalogue: &Catalogue<'_>, prose: &mut Prose) -> Value {
-    let has_only_proofs_of_parts = has_only_proofs_of_parts(claim);
-    let shown: &[EvidenceView] = if has_only_proofs_of_parts { &[] } else { &claim.evidence };
-    let proofs: &[EvidenceView] = if has_only_proofs_of_parts { &claim.evidence } else { &[] };
+/// `proofs` says of each piece of evidence where the page has its proof.
+pub(crate) fn claim_page(
+    claim: &ClaimView,
+    proofs: &[Value],
+    catalogue: &Catalogue<'_>,
+    prose: &mut Prose,
+) -> Value {
+    let stand_at_parts = has_only_proofs_of_parts(claim);
+    let shown: &[EvidenceView] = if stand_at_parts { &[] } else { &claim.evidence };
+    let of_parts: &[Value] = if stand_at_parts { proofs } else { &[] };
     let mut html =
         |markdown: &str, part: &str| prose.inline(markdown, &format!("claim {}, {part}", claim.id));
     json!({
@@ -40,9 +46,8 @@ pub(crate) fn claim_page(claim: &ClaimView, catalogue: &Catalogue<'_>, prose: &m
         "counter_example_html": html(&claim.counter_example_markdown, "counter-example"),
         "not_established_html": html(&claim.not_established_markdown, "not established"),
         "remark_html": html(&claim.remark_markdown, "remark"),
-        "readings": claim.readings.iter().map(|item| reading(item, proofs, &mut html)).collect::<Vec<_>>(),
-        "evidence": shown.iter().map(|item| evidence(item, &mut html)).collect::<Vec<_>>(),
-        "has_only_proofs_of_parts": has_only_proofs_of_parts,
+        "readings": claim.readings.iter().map(|item| reading(item, of_parts, &mut html)).collect::<Vec<_>>(),
+        "evidence": shown.iter().zip(proofs).map(|(item, proof)| evidence(item, proof, &mut html)).collect::<Vec<_>>(),
         "rests_on": chips(&claim.rests_on, catalogue),
         "command": claim.command,
     })
@@ -61,13 +66,11 @@ fn has_only_proofs_of_parts(claim: &ClaimView) -> bool {
         })
 }
 
-/// `proofs` are the claim's evidence where it is not listed on its own.
-fn reading(item: &ReadingView, proofs: &[EvidenceView], html: &mut dyn FnMut(&str, &str) -> String) -> Value {
-    let lines =
-        |position: &usize| proofs.get(position - 1).map_or(0, |item| item.certificate.lines().count());
+/// `proofs` are those of the claim's evidence where it is not listed on its own.
+fn reading(item: &ReadingView, proofs: &[Value], html: &mut dyn FnMut(&str, &str) -> String) -> Value {
     let mut part = |part: &PartView| {
         json!({
-            "proof_lines": part.evidence.iter().map(lines).sum::<usize>(),
+            "proofs": part.evidence.iter().filter_map(|position| proofs.get(position - 1)).collect::<Vec<_>>(),
             "words_html": html(&part.words_markdown, "part"),
             "formula_html": html(&part.formula_markdown, "part"),
             "class": part.verdict.as_str(),
@@ -89,13 +92,13 @@ fn reading(item: &ReadingView, proofs: &[EvidenceView], html: &mut dyn FnMut(&st
     })
 }
 
-fn evidence(item: &EvidenceView, html: &mut dyn FnMut(&str, &str) -> String) -> Value {
+fn evidence(item: &EvidenceView, proof: &Value, html: &mut dyn FnMut(&str, &str) -> String) -> Value {
     json!({
         "kind": item.kind,
         "strength": item.strength,
         "text_html": html(&item.text_markdown, "evidence"),
         "numbers": item.numbers,
-        "certificate_lines": item.certificate.lines().count(),
+        "proof": proof,
         "certificate_at": item.certificate_at,
     })
 }

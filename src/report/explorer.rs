@@ -40,7 +40,7 @@ pub fn render_explorer(explorer: &Explorer, page: &ExplorerPage<'_>) -> Result<S
     let templates = Templates::html()?;
     let mut tables_html = String::new();
     for table in &explorer.tables {
-        tables_html += &table_html(&templates, table, String::new(), "")?;
+        tables_html += &table_html(&templates, table, String::new(), None)?;
     }
     let style_css = explorer_style_sheet();
     let controls = explorer.controls.iter().map(|control| {

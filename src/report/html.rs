@@ -8,11 +8,13 @@ use super::blocks::{BlockKind, Piece, pieces};
 use super::catalogue::{Catalogue, anchors, faults, group_anchor};
 use super::claim_html::{chip, claim_page};
 use super::markdown::Prose;
+use super::packed::Packed;
 use super::page_style::{OWN_STYLE, SCRIPT, content_policy, style_sheet};
 use super::parts::{anchor, lead, runs, title};
 use super::templates::Templates;
 use super::view::{
-    AnswerView, CardView, ChangeView, ChapterView, ClaimView, EquationView, FigureView, ReportView,
+    AnswerView, CardView, ChangeView, ChapterView, ClaimView, EquationView, EvidenceView, FigureView,
+    ReportView,
 };
 use super::{ReportError, cut_note, shown_rows};
 use crate::scene::{Part, Source};
@@ -31,6 +33,7 @@ pub fn render_html(view: &ReportView) -> Result<String, ReportError> {
         templates: Templates::html()?,
         prose: Prose { faults: faults(view), ..Prose::default() },
         placed: BTreeSet::new(),
+        packed: Packed::default(),
     };
     let context = page.context()?;
     page.check_links();
@@ -47,6 +50,7 @@ struct Page<'a> {
     templates: Templates,
     prose: Prose,
     placed: BTreeSet<String>,
+    packed: Packed,
 }
 
 impl<'a> Page<'a> {
@@ -90,6 +94,7 @@ impl<'a> Page<'a> {
             "appendix_html": appendix_html,
             "provenance": provenance,
             "environment_html": self.environment()?,
+            "packed": self.packed.block(),
         }))
     }
 
@@ -159,8 +164,7 @@ impl<'a> Page<'a> {
         for (index, group) in self.view.ledger.iter().enumerate() {
             let mut claims_html = Vec::new();
             for claim in &group.claims {
-                let page = claim_page(claim, &self.catalogue, &mut self.prose);
-                claims_html.push(self.templates.render("claim.html", &page)?);
+                claims_html.push(self.claim(claim)?);
             }
             groups.push(json!({
                 "anchor": group_anchor(index + 1),
@@ -170,6 +174,41 @@ impl<'a> Page<'a> {
             }));
         }
         Ok(groups)
+    }
+
+    /// A claim of the ledger. What it shows when it is opened is packed, and within it each proof.
+    fn claim(&mut self, claim: &ClaimView) -> Result<String, ReportError> {
+        let mut proofs = Vec::new();
+        for evidence in claim.evidence.iter() {
+            proofs.push(self.proof(claim, evidence)?);
+        }
+        let mut page = claim_page(claim, &proofs, &self.catalogue, &mut self.prose);
+        page["packed"] = self.packed.keep(self.templates.render("claim_body.html", &page)?).into();
+        self.templates.render("claim.html", &page)
+    }
+
+    /// Where the page has a proof; nothing for evidence without one.
+    fn proof(&mut self, claim: &ClaimView, evidence: &EvidenceView) -> Result<Value, ReportError> {
+        if evidence.lines.is_empty() {
+            return Ok(Value::Null);
+        }
+        let mut html = |markdown: &str| self.prose.inline(markdown, &format!("claim {}, proof", claim.id));
+        let lines: Vec<Value> = evidence
+            .lines
+            .iter()
+            .map(|line| {
+                json!({
+                    "number": line.number,
+                    "words_html": html(&line.words_markdown),
+                    "is_argued": line.is_argued,
+                    "fact_html": html(&line.fact_markdown),
+                    "conditions_html": html(&line.conditions_markdown),
+                })
+            })
+            .collect();
+        let proof = self.templates.render("proof.html", &json!({ "lines": lines }))?;
+        let count = evidence.lines.len();
+        Ok(json!({ "packed": self.packed.keep(proof), "lines": count, "theorem": evidence.theorem }))
     }
 
     fn picture(&mut self) -> Result<String, ReportError> {
@@ -220,8 +259,8 @@ impl<'a> Page<'a> {
                 self.catalogue.equations.get(id).copied().map(|equation| self.equation(equation))
             }
             BlockKind::Claim => self.catalogue.claims.get(id).copied().map(|claim| {
-                let page = claim_page(claim, &self.catalogue, &mut self.prose);
-                self.templates.render("verdict.html", &page)
+                let words = self.prose.inline(&claim.statement_markdown, &format!("claim {}", claim.id));
+                self.templates.render("verdict.html", &json!({ "chip": chip(claim), "words_html": words }))
             }),
         };
         rendered.unwrap_or_else(|| Ok(String::new()))
@@ -231,6 +270,7 @@ impl<'a> Page<'a> {
         let context = json!({
             "id": figure.id,
             "label": figure.label,
+            "is_of_paper": figure.has_number_of_the_paper(),
             "drawing_svg": within_html(&figure.svg),
             "caption_html": self.prose.inline(&figure.caption_markdown, &format!("caption of {}", figure.id)),
             "data": figure.data,
@@ -241,7 +281,7 @@ impl<'a> Page<'a> {
     fn table(&mut self, table: &Table) -> Result<String, ReportError> {
         let note_html = self.prose.blocks(&table.note, 3, &format!("note of table {}", table.id));
         let file = format!("tables/{}.csv", table.id);
-        table_html(&self.templates, table, note_html, &file)
+        table_html(&self.templates, table, note_html, Some((&file, &mut self.packed)))
     }
 
     fn equation(&mut self, equation: &EquationView) -> Result<String, ReportError> {
@@ -290,25 +330,29 @@ impl<'a> Page<'a> {
     }
 }
 
-/// The first rows of a table as a figure; `file` is the CSV file with all of them, empty where there is none.
+/// The first rows of a table as a figure. Beside a CSV file with all of them, more than a few are packed.
 pub(super) fn table_html(
     templates: &Templates,
     table: &Table,
     note_html: String,
-    file: &str,
+    beside: Option<(&str, &mut Packed)>,
 ) -> Result<String, ReportError> {
-    let context = json!({
+    let (rows, file) = (shown_rows(table), beside.as_ref().map_or("", |(file, _)| file));
+    let mut context = json!({
         "id": table.id,
         "title": table.title,
         "file": file,
         "texts": text_columns(table),
         "columns": table.columns,
-        "rows": table.rows[..shown_rows(table)],
+        "rows": table.rows[..rows],
         "cut": cut_note(table),
-        "is_folded": !file.is_empty() && shown_rows(table) > OPEN_ROWS,
-        "count": shown_rows(table),
+        "is_folded": beside.is_some() && rows > OPEN_ROWS,
+        "count": rows,
         "note_html": note_html,
     });
+    if let Some((_, packed)) = beside.filter(|_| rows > OPEN_ROWS) {
+        context["packed"] = packed.keep(templates.render("rows.html", &context)?).into();
+    }
     templates.render("table.html", &context)
 }
 

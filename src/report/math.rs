@@ -67,6 +67,11 @@ impl Mathematics {
     }
 }
 
+/// Whether a page can show a formula of this size.
+pub(super) fn can_be_set(latex: &str) -> bool {
+    check_size(latex).is_ok()
+}
+
 /// Whether a formula is small enough for a reader that calls itself for every level.
 fn check_size(latex: &str) -> Result<(), String> {
     let (mut depth, mut deepest) = (0_usize, 0);

@@ -21,6 +21,7 @@ mod html;
 mod junit;
 mod markdown;
 mod math;
+mod packed;
 mod page_style;
 mod parts;
 mod produce;
@@ -43,7 +44,7 @@ pub use produce::{Folder, Product, decide, produce, produce_scene};
 pub use text::{render_edition, render_markdown};
 pub use view::{
     AnswerView, CardView, ChangeView, ChapterView, ClaimGroupView, ClaimView, EquationView, EvidenceView,
-    FactView, FigureView, InputView, PartView, ProvenanceView, ReadingView, ReportView,
+    FactView, FigureView, InputView, PartView, ProofLineView, ProvenanceView, ReadingView, ReportView,
 };
 
 use slipmode_plot::table::Table;

@@ -10,7 +10,7 @@ use super::symbols::set_symbols;
 use slipmode_plot::table::{escape_markdown, printable};
 
 /// Templates of the page, and of the results of a verification. Every one is escaped for HTML, whatever its name.
-const HTML: [(&str, &str); 16] = [
+const HTML: [(&str, &str); 21] = [
     ("report.html", include_str!("../../templates/report.html")),
     ("part.html", include_str!("../../templates/part.html")),
     ("verdicts.html", include_str!("../../templates/verdicts.html")),
@@ -20,7 +20,12 @@ const HTML: [(&str, &str); 16] = [
     ("contents.html", include_str!("../../templates/contents.html")),
     ("chip.html", include_str!("../../templates/chip.html")),
     ("claim.html", include_str!("../../templates/claim.html")),
+    ("claim_result.html", include_str!("../../templates/claim_result.html")),
+    ("claim_body.html", include_str!("../../templates/claim_body.html")),
     ("figure.html", include_str!("../../templates/figure.html")),
+    ("proof.html", include_str!("../../templates/proof.html")),
+    ("folded_proof.html", include_str!("../../templates/folded_proof.html")),
+    ("rows.html", include_str!("../../templates/rows.html")),
     ("table.html", include_str!("../../templates/table.html")),
     ("equation.html", include_str!("../../templates/equation.html")),
     ("verdict.html", include_str!("../../templates/verdict.html")),

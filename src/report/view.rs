@@ -195,8 +195,27 @@ pub struct EvidenceView {
     pub numbers: Vec<FactView>,
     /// A certificate or a series as plain text, set in a fixed-width block; empty where there is none, or where another claim has it.
     pub certificate: String,
+    /// The same certificate line by line, with its formulas as mathematics.
+    pub lines: Vec<ProofLineView>,
+    /// The theorem that states what is proved and that Coq has accepted; empty for none.
+    pub theorem: String,
     /// The other claim that has the certificate; may be empty.
     pub certificate_at: String,
+}
+
+/// A line of a proof.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct ProofLineView {
+    /// The number of its step; none for the statement of a lemma.
+    pub number: Option<usize>,
+    /// The step in words.
+    pub words_markdown: String,
+    /// Whether nothing but the words shows it.
+    pub is_argued: bool,
+    /// The fact that was checked.
+    pub fact_markdown: String,
+    /// Its conditions where they differ from those of the line before; may be empty.
+    pub conditions_markdown: String,
 }
 
 /// A name and its value.

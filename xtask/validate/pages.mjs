@@ -50,10 +50,12 @@ async function fits(path, width) {
 
 // What sticks out of the window or of its picture, with everything open: the page stays so.
 async function findOverflow(page, scene) {
-  const found = await page.evaluate(() => {
+  const found = await page.evaluate(async () => {
     const wider = () => document.documentElement.scrollWidth - window.innerWidth;
     const folded = wider();
     document.querySelectorAll("details").forEach((element) => { element.open = true; });
+    // What is packed is in place soon after it was opened; a piece that never comes is a finding of the time limit.
+    while (document.querySelector("details[open][data-packed]")) await new Promise((resume) => setTimeout(resume, 20));
     const clipped = [...document.querySelectorAll("svg text")].filter((text) => {
       const [inner, outer] = [text, text.ownerSVGElement].map((element) => element.getBoundingClientRect());
       const sticksOut = [outer.left - inner.left, outer.top - inner.top, inner.right - outer.right, inner.bottom - outer.bottom];
@@ -106,10 +108,11 @@ async function look(path, scene, { javaScriptEnabled, colorScheme, width }) {
   return text;
 }
 
-// What scripts are for, or say when they are missing; none of it may be all there is.
+// What scripts are for, or say when they are missing, and the contents, which fold where there is little room; none of it may be all
+// there is.
 async function showExtras(page, display) {
   const style = (extras, value) => extras.forEach((element) => { element.style.display = value; });
-  await page.locator("[data-extra], noscript").evaluateAll(style, display);
+  await page.locator("[data-extra], noscript, nav.contents").evaluateAll(style, display);
 }
 
 // Every map that reads out says something else after an arrow key, and no field of its sentence is left open.

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{Domain, End, Expression, Linearisation, Series, Symbol};
+use super::{Domain, Expression, Linearisation, Symbol};
 
 /// Which way a variable goes in a limit; the others are held fixed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -195,98 +195,5 @@ impl Certificate {
             | Self::Growth { domain, .. } => Some(domain),
             Self::Difference { .. } | Self::Value { .. } => None,
         }
-    }
-}
-
-impl fmt::Display for Certificate {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Identity { left, right, domain } => write!(formatter, "{left} = {right}{}", Given(domain)),
-            Self::Sign { expression, sign, domain } => {
-                write!(formatter, "{expression} {} 0{}", if *sign > 0 { '>' } else { '<' }, Given(domain))
-            }
-            Self::Limit { expression, variable, toward, value, domain } => {
-                write!(formatter, "{expression} -> {value} as {variable} -> {toward}{}", Given(domain))
-            }
-            Self::Divergence { expression, variable, toward, sign, domain } => {
-                let end = End::Infinite(*sign);
-                write!(formatter, "{expression} -> {end} as {variable} -> {toward}{}", Given(domain))
-            }
-            Self::Derivative { expression, variable, value, domain } => {
-                write!(formatter, "{expression} has the derivative {value} in {variable}{}", Given(domain))
-            }
-            Self::Characteristic { system, variable, polynomial, domain } => {
-                let listed = |values: &[Expression], join: &str| {
-                    let values = system.state.iter().zip(values);
-                    values.map(|(name, value)| format!("{name}{join}{value}")).collect::<Vec<_>>().join(", ")
-                };
-                let rows = system.slopes.iter().map(|row| {
-                    let row: Vec<String> = row.iter().map(ToString::to_string).collect();
-                    format!("[{}]", row.join(", "))
-                });
-                write!(
-                    formatter,
-                    "{polynomial} = det({variable} - J), J = [{}], of {} at {}{}",
-                    rows.collect::<Vec<_>>().join(", "),
-                    listed(&system.rates, "' = "),
-                    listed(&system.steady, " = "),
-                    Given(domain)
-                )
-            }
-            Self::Difference { left, right, point, values: [a, b] } => {
-                write!(formatter, "{left} differs from {right} at {}: {a} against {b}", Point(point))
-            }
-            Self::Value { expression, point, value } => {
-                write!(formatter, "{expression} = {value} at {}", Point(point))
-            }
-            Self::Series { relation, variable, unknown, coefficients, domain } => {
-                let series = Series::expression(coefficients, &Expression::Variable(variable.clone()));
-                write!(
-                    formatter,
-                    "{unknown} = {series} + O({variable}^{}) solves {relation} = 0{}",
-                    coefficients.len(),
-                    Given(domain)
-                )
-            }
-            Self::Root { polynomial, variable, between: [low, high], domain } => {
-                let end = |end: &Option<Expression>, infinity: &str| {
-                    end.as_ref().map_or_else(|| infinity.to_owned(), ToString::to_string)
-                };
-                let (low, high) = (end(low, "-infinity"), end(high, "infinity"));
-                write!(
-                    formatter,
-                    "{polynomial} = 0 for a {variable} between {low} and {high}{}",
-                    Given(domain)
-                )
-            }
-            Self::Connected { image, domain } => {
-                write!(formatter, "connected: all {}{}", Point(image), Given(domain))
-            }
-            Self::Growth { expression, variable, order, domain } => {
-                write!(
-                    formatter,
-                    "{expression} > 0, zero of order {order} at {variable} = 0{}",
-                    Given(domain)
-                )
-            }
-        }
-    }
-}
-
-struct Given<'a>(&'a Domain);
-
-impl fmt::Display for Given<'_> {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let domain = self.0.to_string();
-        if domain.is_empty() { Ok(()) } else { write!(formatter, " [{domain}]") }
-    }
-}
-
-struct Point<'a>(&'a [(Symbol, Expression)]);
-
-impl fmt::Display for Point<'_> {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let parts: Vec<String> = self.0.iter().map(|(name, value)| format!("{name} = {value}")).collect();
-        formatter.write_str(&parts.join(", "))
     }
 }

@@ -8,7 +8,7 @@ use rug::Rational;
 use super::budget::{Memory, remembered};
 use super::conversion::Converter;
 use super::refutation::evaluate;
-use super::{Condition, ConversionError, Expression, Function, RationalFunction, Relation, Symbol};
+use super::{Condition, ConversionError, Expression, Function, Notation, RationalFunction, Relation, Symbol};
 
 /// Assumptions on variables, and expressions put in their places.
 ///
@@ -407,26 +407,33 @@ fn values(pairs: &[(Symbol, Expression)]) -> BTreeMap<Symbol, Expression> {
     pairs.iter().cloned().collect()
 }
 
-impl fmt::Display for Domain {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let equal = |(name, value): &(Symbol, Expression)| format!("{name} = {value}");
+impl Domain {
+    /// What is assumed, substituted and chosen.
+    #[must_use]
+    pub fn written(&self, notation: Notation) -> String {
         let mut parts = Vec::new();
         if !self.positive.is_empty() {
-            let names: Vec<&str> = self.positive.iter().map(Symbol::as_str).collect();
-            parts.push(format!("{} > 0", names.join(", ")));
+            let names: Vec<String> = self.positive.iter().map(|name| notation.name(name)).collect();
+            parts.push(notation.formula(format_args!("{} > 0", names.join(", "))));
         }
-        parts.extend(self.given.iter().map(ToString::to_string));
-        parts.extend(self.squares.iter().map(|(name, square)| format!("{name}^2 = {square}")));
-        parts.extend(self.substitutions.iter().map(equal));
-        if !self.parameters.is_empty() {
-            let values: Vec<String> = self.parameters.iter().map(equal).collect();
-            parts.push(format!("where {}", values.join(", ")));
+        parts.extend(self.given.iter().map(|condition| notation.condition(condition)));
+        let square = |(name, square): &(Symbol, Expression)| {
+            notation.formula(format_args!("{}^2 = {}", notation.name(name), notation.set(square)))
+        };
+        parts.extend(self.squares.iter().map(square));
+        parts.extend(self.substitutions.iter().map(|one| notation.equal([one])));
+        for (word, pairs) in [("where", &self.parameters), ("possible at", &self.example)] {
+            if !pairs.is_empty() {
+                parts.push(format!("{word} {}", notation.equal(pairs)));
+            }
         }
-        if !self.example.is_empty() {
-            let values: Vec<String> = self.example.iter().map(equal).collect();
-            parts.push(format!("possible at {}", values.join(", ")));
-        }
-        formatter.write_str(&parts.join("; "))
+        parts.join("; ")
+    }
+}
+
+impl fmt::Display for Domain {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(&self.written(Notation::Plain))
     }
 }
 

@@ -33,6 +33,39 @@ impl Step {
     }
 }
 
+/// A line of a written proof.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Line<'p> {
+    /// The statement of a lemma, whose steps follow.
+    Lemma(&'p str),
+    /// Steps that are written elsewhere.
+    Elsewhere {
+        /// The first and the last of them.
+        numbers: [usize; 2],
+        /// What stands in their place.
+        words: String,
+    },
+    /// A step.
+    Step {
+        /// Its number from 1.
+        number: usize,
+        /// The step.
+        step: &'p Step,
+    },
+}
+
+impl Line<'_> {
+    /// The numbers of its steps, such as `3` or `3-7`; empty for a lemma's statement.
+    #[must_use]
+    pub fn numbers(&self) -> String {
+        match self {
+            Self::Lemma(_) => String::new(),
+            Self::Elsewhere { numbers: [first, last], .. } if last > first => format!("{first}-{last}"),
+            Self::Elsewhere { numbers: [number, _], .. } | Self::Step { number, .. } => number.to_string(),
+        }
+    }
+}
+
 /// A proved statement. It was checked when it was made, and [`Proof::recheck`] checks it again from its certificates.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -221,28 +254,41 @@ impl Proof {
         self
     }
 
-    /// The proof as text. `elsewhere` is asked with the steps from each one on: it says how many of them are written
+    /// The proof line by line. `elsewhere` is asked with the steps from each one on: it says how many of them are written
     /// elsewhere, and what stands in their place, a lemma's statement first.
     #[must_use]
-    pub fn text_without(&self, elsewhere: impl Fn(&[Step]) -> Option<(usize, String)>) -> String {
-        let mut text = format!("{}: {}\n", self.id, self.statement);
+    pub fn lines_without(&self, elsewhere: impl Fn(&[Step]) -> Option<(usize, String)>) -> Vec<Line<'_>> {
+        let mut lines = Vec::new();
         let mut at = 0;
         while let Some(step) = self.steps.get(at) {
             let first = at + 1;
             let replaced = elsewhere(&self.steps[at..]);
             let words = replaced.as_ref().map_or("", |(_, words)| words.as_str());
-            for lemma in step.begins.iter().take_while(|lemma| !words.starts_with(lemma.as_str())) {
-                text += &format!("  Lemma: {lemma}\n");
-            }
+            let stated = step.begins.iter().take_while(|lemma| !words.starts_with(lemma.as_str()));
+            lines.extend(stated.map(|lemma| Line::Lemma(lemma)));
             at += replaced.as_ref().map_or(1, |(count, _)| (*count).max(1));
-            if replaced.is_some() {
-                let numbers = if at > first { format!("{first}-{at}") } else { first.to_string() };
-                text += &format!("  {numbers}. {words}\n");
-                continue;
-            }
-            let mark = if step.certificate.is_some() { "" } else { " [argued]" };
-            text += &format!("  {first}. {}{mark}\n", step.says);
-            if let Some(certificate) = &step.certificate {
+            lines.push(match replaced {
+                Some((_, words)) => Line::Elsewhere { numbers: [first, at], words },
+                None => Line::Step { number: first, step },
+            });
+        }
+        lines
+    }
+
+    /// The same lines as text.
+    #[must_use]
+    pub fn text_without(&self, elsewhere: impl Fn(&[Step]) -> Option<(usize, String)>) -> String {
+        let mut text = format!("{}: {}\n", self.id, self.statement);
+        for line in self.lines_without(elsewhere) {
+            text += &match &line {
+                Line::Lemma(lemma) => format!("  Lemma: {lemma}\n"),
+                Line::Elsewhere { words, .. } => format!("  {}. {words}\n", line.numbers()),
+                Line::Step { step, .. } => {
+                    let mark = if step.certificate.is_some() { "" } else { " [argued]" };
+                    format!("  {}. {}{mark}\n", line.numbers(), step.says)
+                }
+            };
+            if let Line::Step { step: Step { certificate: Some(certificate), .. }, .. } = line {
                 text += &format!("     {certificate}\n");
             }
         }
