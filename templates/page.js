@@ -11,7 +11,7 @@
 
   // Numbers sort by value; words and empty cells come after them.
   const value = (cell) => {
-    const text = cell ? cell.textContent.trim() : "";
+    const text = cell ? cell.dataset.value || cell.textContent.trim() : "";
     const number = Number(text.replace(/\u2212/g, "-").replace(/[\s\u00a0\u202f\u2009]/g, "") || NaN);
     return Number.isNaN(number) ? text : number;
   };
@@ -106,7 +106,7 @@
       return words.get(claim) || plain(claim.textContent);
     };
     const field = make("input", { type: "search", id: "find-claims", autocomplete: "off", placeholder: "Find claims", "aria-label": "Find claims" });
-    const kinds = make("select", { id: "find-verdicts", "aria-label": "Verdict" }, make("option", { value: "" }, "all verdicts"));
+    const kinds = make("select", { id: "find-verdicts", "aria-label": "Verdict" }, make("option", { value: "" }, "all"));
     for (const [kind, name] of [["holds", "holds"], ["holds-within", "holds within"], ["fails", "fails"], ["not-checked", "not checked"]]) {
       if (claims.some((claim) => claim.classList.contains(kind))) kinds.append(make("option", { value: kind }, name));
     }
@@ -207,12 +207,12 @@
 
   // Printed is an edition of a few pages, or on request the whole page: then everything is opened, and restored afterwards.
   const whole = document.documentElement.classList;
-  const printer = make("button", { type: "button", "data-extra": "" }, "Print all of it");
+  const printer = make("button", { type: "button", "data-extra": "" }, "Print the whole page");
   printer.addEventListener("click", () => {
     whole.add("whole");
     print();
   });
-  contents.append(printer);
+  list.append(printer);
   let folded = [];
   addEventListener("beforeprint", () => {
     folded = [];

@@ -4,12 +4,13 @@ use crate::claims::boundary::SERIES_ORDER;
 use crate::claims::computed::Asked;
 use crate::claims::rule::{Deviations, Measure, enclosed};
 use crate::claims::{BITS, Check, Evidence, Finding, Verdict};
+use crate::experiments::tolerance::at_most_per_cent;
 use crate::experiments::{Context, Need};
 use crate::scene::Kind;
 use crate::scene::cited;
 use slipmode_algebra::Expression;
 use slipmode_core::number::Ball;
-use slipmode_core::number::format::{Side, certain_digits, rounded};
+use slipmode_core::number::format::certain_digits;
 use slipmode_core::theory::asymptote_series;
 use slipmode_core::theory::sufficient_inertia::sufficient_inertial_parameter;
 
@@ -94,19 +95,17 @@ fn errors_of_the_asymptotes(context: &Context, asked: Asked) -> Finding {
     ];
     let worst = || worst.iter().filter_map(|(number, place, error)| Some((number, place, (*error)?)));
     let listed: Vec<String> = worst()
-        .map(|(number, place, error)| format!("{} (eq {number}, {})", certain_digits(error, 6), cited(place)))
+        .map(|(number, place, error)| format!("{} (eq {number}, {})", at_most_per_cent(error), cited(place)))
         .collect();
     let finding = worst().fold(finding, |finding, (number, place, error)| {
-        finding.with_evidence(enclosure(
-            &format!("Largest relative error of eq {number} on its arc, {place}"),
-            error,
-        ))
+        finding.with_evidence(Evidence::Enclosure {
+            quantity: cited(&format!("Largest relative error of eq {number} on its arc, {place}")),
+            value: format!("{} ({})", certain_digits(error, 6), at_most_per_cent(error)),
+        })
     });
     let most = |(number, _, error): (&&str, _, &Ball)| {
-        Some((
-            *NUMBERS.iter().find(|(named, _)| named == number)?,
-            rounded(100.0 * error.to_f64().abs(), 3, Side::Above),
-        ))
+        let named = NUMBERS.iter().find(|(named, _)| named == number)?;
+        Some((*named, at_most_per_cent(error).trim_start_matches('−').to_owned()))
     };
     let most: Vec<_> = worst().filter_map(most).collect();
     let deviations = worst().map(|(_, _, error)| enclosed(error));
@@ -115,7 +114,7 @@ fn errors_of_the_asymptotes(context: &Context, asked: Asked) -> Finding {
     let finding = most
         .into_iter()
         .filter(|_| has_all)
-        .fold(finding, |finding, ((_, name), percent)| finding.number(name, format!("{percent} %")));
+        .fold(finding, |finding, ((_, name), percent)| finding.number(name, percent));
     finding
         .near(context.kind, &Deviations::new(Measure::Value, deviations))
         .remark(format!("The largest relative errors on the arcs of the boundary: {}.", listed.join(", ")))

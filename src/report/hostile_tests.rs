@@ -1,6 +1,7 @@
 //! Hostile values in every field of a view: they stay text in every template.
 
 use super::*;
+use packed::tests::pieces_of;
 use sample::view;
 use slipmode_plot::table::Cell;
 
@@ -44,7 +45,11 @@ fn hostile_view() -> ReportView {
             }
             for item in &mut claim.evidence {
                 (item.kind, item.strength, item.text_markdown) = (text(), text(), text());
-                (item.numbers, item.certificate) = (vec![fact()], text());
+                (item.numbers, item.certificate, item.theorem) = (vec![fact()], text(), text());
+                for line in &mut item.lines {
+                    (line.words_markdown, line.fact_markdown) = (text(), text());
+                    line.conditions_markdown = text();
+                }
             }
         }
     }
@@ -82,8 +87,8 @@ fn hostile_values_stay_text_in_every_template_of_the_page() {
     let (before_script, script) = page.split_once("<script>").unwrap();
     let (script, rest) = script.split_once("</script>").unwrap();
     assert_eq!((script, rest.trim()), (page_style::SCRIPT, "</body>\n</html>"));
-    let body = before_script.split("</style>").nth(1).unwrap();
-    for (name, tag) in tags(body) {
+    let body = before_script.split("</style>").nth(1).unwrap().to_owned() + &pieces_of(&page).concat();
+    for (name, tag) in tags(&body) {
         assert!(!matches!(name.as_str(), "script" | "img" | "iframe" | "object" | "style"), "{tag}");
         let quoted: Vec<&str> = tag.split('"').skip(1).step_by(2).collect();
         let bare = quoted.iter().fold(tag.clone(), |bare, value| bare.replacen(value, "", 1));

@@ -1,6 +1,7 @@
 //! The page and the Markdown report as a whole, on the sample view.
 
 use super::*;
+use packed::tests::pieces_of;
 use sample::view;
 
 fn folder() -> std::path::PathBuf {
@@ -65,8 +66,8 @@ fn the_answer_and_all_verdicts_with_their_words_stand_before_everything_else() {
 
 #[test]
 fn the_acceptance_criterion_stands_before_the_result() {
-    let page = render_html(&view()).unwrap();
-    let claim = page.split("id=\"claim-B5\"").nth(1).unwrap();
+    let pieces = pieces_of(&render_html(&view()).unwrap());
+    let claim = pieces.iter().find(|piece| piece.contains("id=\"claim-B5\"")).unwrap();
     assert!(claim.find("Holds if").unwrap() < claim.find("Result").unwrap());
 }
 

@@ -270,7 +270,7 @@ fn markup_in_titles_and_prose_stays_text() {
     let place = report(hostile, &prose);
     in_time(&place, ["report", "r", "-o", "out"]).expect_success();
     let body = |text: String| text.split("</style>").last().unwrap().to_string();
-    let page = body(place.read("out/index.html"));
+    let page = body(place.page("out/index.html"));
     for forbidden in ["<img", "<script>alert", "href=\"javascript", "href=\"data:", "<svg onload"] {
         assert!(!page.contains(forbidden), "{forbidden} is in the page");
     }

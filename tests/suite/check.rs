@@ -156,7 +156,7 @@ fn the_report_on_another_subject_says_no_word_of_sliders() {
     let at = BRUSSELATOR.find("[[claim]]").unwrap();
     let place = Workplace::with_report(&BRUSSELATOR[..at], &BRUSSELATOR[at..], "Words.\n");
     place.run(["report", "r", "-o", "out"]).expect_success();
-    let page = place.read("out/index.html");
+    let page = place.page("out/index.html");
     let body = page.split("</head>").nth(1).unwrap().split("<script").next().unwrap().to_owned();
     for text in [body, place.read("out/report.md"), place.read("out/ledger.md")] {
         for word in ["slider", "friction", "slip mode", "stick-slip", "sliding", "normal stress", "stiffness"]

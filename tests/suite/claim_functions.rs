@@ -133,7 +133,7 @@ fn a_report_shows_functions_and_its_archive_is_decided_again() {
     let place =
         Workplace::with_report(EQUATIONS, &claims, "[[equation:1]]\n\n[[claim:C1]]\n\n[[claim:C2]]\n");
     place.run(["report", "r", "-o", "out"]).expect_warnings();
-    let page = place.read("out/index.html");
+    let page = place.page("out/index.html");
     assert!(
         page.contains("<msup><mi>f</mi><mo>′</mo></msup>") && page.contains("stable(P, s) is false"),
         "{page}"

@@ -5,6 +5,8 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
+use base64::Engine;
+use base64::prelude::BASE64_STANDARD;
 use tempfile::TempDir;
 
 /// The paper's slider without its point of operation.
@@ -45,6 +47,16 @@ impl Workplace {
 
     pub fn path(&self, name: &str) -> PathBuf {
         self.folder.path().join(name)
+    }
+
+    /// A page with what it shows only when it is opened.
+    pub fn page(&self, name: &str) -> String {
+        let page = self.read(name);
+        let (start, rest) = page.split_once("<template id=\"packed\">").expect("a block of pieces");
+        let (block, end) = rest.split_once("</template>").expect("the end of the block");
+        let list = miniz_oxide::inflate::decompress_to_vec_zlib(&BASE64_STANDARD.decode(block).unwrap());
+        let pieces: Vec<String> = serde_json::from_slice(&list.unwrap()).unwrap();
+        format!("{start}{}{end}", pieces.concat())
     }
 
     /// Writes a file, and the folders it lies in.

@@ -49,7 +49,7 @@ fn formulas_and_their_conditions_stand_typeset_beside_the_words() {
     ] {
         assert!(text.contains(wanted), "{wanted} is not in:\n{text}");
     }
-    let page = place.read("out/index.html");
+    let page = place.page("out/index.html");
     let holds_if = page.split("<dt>Holds if</dt>").nth(1).unwrap();
     assert!(
         holds_if.starts_with("<dd><math><msub><mi>K</mi><mi>c</mi></msub><mo>&gt;</mo>"),

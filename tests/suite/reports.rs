@@ -63,7 +63,7 @@ fn a_page_shows_its_parts_what_rests_on_what_and_how_each_claim_is_decided_again
     let second = PLAN.split_once("[[chapter]]").unwrap().1.replace("\"c\"", "\"d\"");
     place.write("small/report.toml", format!("{PLAN}[[chapter]]{second}part = \"code-verification\"\n"));
     place.run(["report", "small", "-o", "out"]).expect_success();
-    let (page, text) = (place.read("out/index.html"), place.read("out/ledger.md"));
+    let (page, text) = (place.page("out/index.html"), place.read("out/ledger.md"));
     assert!(page.contains("id=\"claims-picture\"") && page.contains("S1 on L3."), "{page}");
     assert!(place.read("out/figures/claims-picture.svg").contains("href=\"#claim-S1\""));
     assert!(text.contains("figures/claims-picture.svg"));
@@ -250,7 +250,7 @@ fn a_certificate_is_printed_once_and_linked_elsewhere() {
     let [areas, cases] = ["B1", "B9"].map(|id| CLAIMS.replace("S1", id));
     place.write("small/claims.toml", areas + &cases);
     place.run(["report", "small", "-o", "out"]).expect_success();
-    let (page, text) = (place.read("out/index.html"), place.read("out/ledger.md"));
+    let (page, text) = (place.page("out/index.html"), place.read("out/ledger.md"));
     assert_eq!(text.matches("  areas-for-weakening: ").count(), 1, "{text}");
     assert_eq!(text.matches("Certificate: see claim [B1](#b1).").count(), 1, "{text}");
     assert_eq!(page.matches("The certificate is in claim <a href=\"#claim-B1\">B1</a>").count(), 1);

@@ -9,7 +9,7 @@ pub(crate) mod words;
 pub use run::{ToleranceOutcome, ToleranceRow, tolerance_limits};
 pub use section::ToleranceSection;
 pub use tables::place_of_limit;
-pub use words::accuracy_of_asymptotes;
+pub use words::{accuracy_of_asymptotes, at_most_per_cent};
 
 use crate::experiments::work::certified_point_s;
 use crate::experiments::{Experiment, FigureMaker, Setting, TableMaker, Work};

@@ -11,6 +11,9 @@ use slipmode_core::stability::boundary::ErrorPair;
 /// Digits of a limit in the sentence; the table has more.
 const DIGITS: usize = 2;
 
+/// Digits of an error in per cent.
+const PER_CENT_DIGITS: usize = 3;
+
 /// Where each asymptote of the first slider is accurate to one per cent, or to the best that the scene asks for above it, and how far
 /// off each is at worst: Markdown; `None` when no scene asks for it.
 #[must_use]
@@ -43,11 +46,7 @@ fn row_words(row: &ToleranceRow) -> String {
 
 /// The largest error of each asymptote: of eqs 15 and 18 at the V0 of their corner, of eqs 16 and 20 at the cusp.
 fn worst_words(found: &ToleranceOutcome) -> String {
-    let per_cent = |error: &Ball, equation: u32| {
-        let error = 100.0 * error.to_f64();
-        let side = if error < 0.0 { Side::Below } else { Side::Above };
-        format!("{} % (eq {equation})", rounded(error, DIGITS, side).replace('-', "−"))
-    };
+    let per_cent = |error: &Ball, equation: u32| format!("{} (eq {equation})", at_most_per_cent(error));
     let upper = found.corners.upper.as_ref();
     let (cusp, upper) = (&found.corners.cusp, |of: fn(&ErrorPair) -> &Ball, equation| {
         upper.map(|pair| per_cent(of(pair), equation))
@@ -59,6 +58,14 @@ fn worst_words(found: &ToleranceOutcome) -> String {
         Some(per_cent(&cusp.inertial, 20)),
     ];
     errors.into_iter().flatten().collect::<Vec<_>>().join(", ")
+}
+
+/// A relative error as every sentence states it: in per cent, away from zero.
+#[must_use]
+pub fn at_most_per_cent(error: &Ball) -> String {
+    let error = 100.0 * error.to_f64();
+    let side = if error < 0.0 { Side::Below } else { Side::Above };
+    format!("{} %", rounded(error, PER_CENT_DIGITS, side).replace('-', "−"))
 }
 
 /// The value as `$6.2\times10^{-5}$`, or as it is between a hundredth and ten thousand, rounded to one side or else to nearest.

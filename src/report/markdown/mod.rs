@@ -152,7 +152,7 @@ pub fn formula_faults(markdown: &str) -> Vec<(usize, String)> {
 fn with_symbols<'a>(events: Vec<Event<'a>>) -> impl Iterator<Item = Event<'a>> {
     let mut is_code = false;
     events.into_iter().map(move |event| match event {
-        Event::Text(text) if !is_code && text.contains('_') => Event::InlineHtml(set_symbols(&text).into()),
+        Event::Text(text) if !is_code => Event::InlineHtml(set_symbols(&text).into()),
         other => {
             match other {
                 Event::Start(Tag::CodeBlock(_)) => is_code = true,
