@@ -8,6 +8,7 @@ use crate::report::answer::answer;
 use crate::report::blocks::{BlockKind, Piece, pieces};
 use crate::report::certificates::Certificates;
 use crate::report::changes::{changes, decided_by};
+use crate::report::citation::citation;
 use crate::report::claim_text::code_span;
 use crate::report::claims_picture::claims_picture;
 use crate::report::math::can_be_set;
@@ -55,6 +56,7 @@ pub fn assemble(material: Material) -> ReportView {
     ReportView {
         title: plan.title.clone(),
         subtitle: introduction.map_or_else(String::new, |chapter| chapter.title.clone()),
+        citation: citation(plan, &inputs),
         answer: answer(plan.question, ledger, outcome),
         summary_markdown: introduction.map_or_else(String::new, |chapter| chapter_text(chapter, prose)),
         changes: changes(ledger),
@@ -369,6 +371,8 @@ mod tests {
         let plan = ReportPlan {
             name: String::new(),
             title: String::new(),
+            authors: Vec::new(),
+            date: None,
             publish_page: true,
             question: crate::scene::Question::Claims,
             scenes: Vec::new(),

@@ -15,6 +15,14 @@ fn hostile_view() -> ReportView {
     let fact = || FactView { name: text(), value: text() };
     let mut view = view();
     (view.title, view.subtitle, view.summary_markdown) = (text(), text(), text());
+    view.citation = CitationView {
+        authors: text(),
+        date: text(),
+        program: text(),
+        inputs_sha256: text(),
+        bibtex: text(),
+        csl: text(),
+    };
     for card in &mut view.cards {
         (card.count, card.note) = (text(), text());
     }

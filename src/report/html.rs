@@ -78,6 +78,8 @@ impl<'a> Page<'a> {
         Ok(json!({
             "title": view.title,
             "subtitle": view.subtitle,
+            "citation": view.citation,
+            "short_sha256": view.citation.inputs_sha256.get(..12),
             "policy": content_policy(&style_css, SCRIPT),
             "style_css": style_css,
             "answer": answer,

@@ -10,6 +10,7 @@ mod blocks;
 mod catalogue;
 mod certificates;
 mod changes;
+mod citation;
 mod claim_html;
 mod claim_text;
 mod claims_picture;
@@ -43,8 +44,9 @@ pub use markdown::formula_faults;
 pub use produce::{Folder, Product, decide, produce, produce_scene};
 pub use text::{render_edition, render_markdown};
 pub use view::{
-    AnswerView, CardView, ChangeView, ChapterView, ClaimGroupView, ClaimView, EquationView, EvidenceView,
-    FactView, FigureView, InputView, PartView, ProofLineView, ProvenanceView, ReadingView, ReportView,
+    AnswerView, CardView, ChangeView, ChapterView, CitationView, ClaimGroupView, ClaimView, EquationView,
+    EvidenceView, FactView, FigureView, InputView, PartView, ProofLineView, ProvenanceView, ReadingView,
+    ReportView,
 };
 
 use slipmode_plot::table::Table;

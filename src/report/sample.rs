@@ -263,6 +263,7 @@ pub(crate) fn view() -> ReportView {
     };
     let fact = |name: &str, value: &str| FactView { name: name.into(), value: value.into() };
     ReportView {
+        citation: CitationView { program: "slipmode 0".into(), bibtex: "@misc{r}".into(), ..Default::default() },
         title: "When does frictional slip vibrate?".into(),
         subtitle: "The linear theory of Im & Avouac, proved, measured and checked claim by claim".into(),
         summary_markdown: "Every checkable claim of *Linear stability analysis of the condition for vibration during frictional slip* was decided by computation: identities over $\\mathbb{Q}$, certified enclosures of the roots, and the exact boundary $\\max\\operatorname{Im}(s) = 0$ by three routes that share nothing but eq. 8.".into(),

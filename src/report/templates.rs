@@ -10,8 +10,9 @@ use super::symbols::set_symbols;
 use slipmode_plot::table::{escape_markdown, printable};
 
 /// Templates of the page, and of the results of a verification. Every one is escaped for HTML, whatever its name.
-const HTML: [(&str, &str); 21] = [
+const HTML: [(&str, &str); 22] = [
     ("report.html", include_str!("../../templates/report.html")),
+    ("edition.html", include_str!("../../templates/edition.html")),
     ("part.html", include_str!("../../templates/part.html")),
     ("verdicts.html", include_str!("../../templates/verdicts.html")),
     ("ledger.html", include_str!("../../templates/ledger.html")),

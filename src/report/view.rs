@@ -16,6 +16,8 @@ pub struct ReportView {
     pub title: String,
     /// One line below the title: what was checked, against what.
     pub subtitle: String,
+    /// Whose it is, of which day, and how to cite it.
+    pub citation: CitationView,
     /// The answer, sentence by sentence.
     pub answer: Vec<AnswerView>,
     /// What would be true in the place of the sentences that fail, in the order in which it matters to a reader of the paper.
@@ -40,6 +42,23 @@ pub struct ReportView {
     pub provenance: ProvenanceView,
     /// Machine, versions, times: shown in a block of their own, outside what is compared. Empty for no block.
     pub environment: Vec<FactView>,
+}
+
+/// What a reader cites.
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
+pub struct CitationView {
+    /// The authors of the report; may be empty.
+    pub authors: String,
+    /// The day of this edition; may be empty.
+    pub date: String,
+    /// The program with its version.
+    pub program: String,
+    /// A digest over the digests of all inputs.
+    pub inputs_sha256: String,
+    /// An entry for BibTeX.
+    pub bibtex: String,
+    /// The same as JSON of the Citation Style Language.
+    pub csl: String,
 }
 
 /// A summary card: how many claims have one verdict.

@@ -15,6 +15,10 @@ pub struct ReportPlan {
     pub name: String,
     /// The title, for people.
     pub title: String,
+    /// Who made the report, for those who cite it.
+    pub authors: Vec<String>,
+    /// The day of this edition, such as `2026-11-29`.
+    pub date: Option<String>,
     /// Whether the published copy contains the page, besides ledger, Markdown, tables and figures; true by default.
     pub publish_page: bool,
     /// What the first sentence of its answer is about: claims by default.
@@ -56,6 +60,8 @@ impl ReportPlan {
         read_document(file, bytes, Limits::default(), |top| {
             let name = top.name("name", NAME_RULE);
             let title = top.text("title", "a text");
+            let authors = top.optionally("authors", |entry| entry.list(Entry::text));
+            let date = top.optionally("date", read_date);
             let publish_page = top.optionally("publish_page", Entry::truth);
             let question = top.optionally("question", |entry| entry.word(&Question::ALL, Question::as_str));
             let names = |entry: &Entry<'_>| {
@@ -71,6 +77,8 @@ impl ReportPlan {
             Some(Self {
                 name: name?,
                 title: title?,
+                authors: authors?.unwrap_or_default(),
+                date: date?,
                 publish_page: publish_page?.unwrap_or(true),
                 question: question?.unwrap_or_default(),
                 scenes: scenes?.unwrap_or_default(),
@@ -82,6 +90,14 @@ impl ReportPlan {
             })
         })
     }
+}
+
+/// A day of the calendar.
+fn read_date(entry: &Entry<'_>) -> Option<String> {
+    let date = entry.text()?;
+    let read = date.parse::<toml::value::Datetime>();
+    let is_day = read.is_ok_and(|read| read.date.is_some() && read.time.is_none() && read.offset.is_none());
+    if is_day { Some(date) } else { entry.refuse(Problem::Needs("a day such as \"2026-11-29\"".into())) }
 }
 
 /// `[measured]`: the name of the folder.
@@ -182,6 +198,23 @@ mod tests {
         ] {
             let fault = plan(text).unwrap_err()[0].to_string();
             assert!(fault.contains(named), "{fault}");
+        }
+    }
+
+    #[test]
+    fn an_edition_has_authors_and_a_day_of_the_calendar() {
+        let plan = |lines: &str| {
+            let text = format!("name = \"r\"\ntitle = \"R\"\n{lines}\nscenes = [\"one\"]\n{CHAPTER}");
+            ReportPlan::parse("report.toml", text.as_bytes())
+        };
+        let found = plan("authors = [\"A\", \"B\"]\ndate = \"2024-02-29\"").unwrap();
+        assert_eq!(
+            (found.authors, found.date.as_deref()),
+            (vec!["A".into(), "B".into()], Some("2024-02-29"))
+        );
+        for date in ["2023-02-29", "2026-11", "2026-11-29T10:00:00Z", "10:00:00", "today"] {
+            let fault = plan(&format!("date = \"{date}\"")).unwrap_err()[0].to_string();
+            assert!(fault.contains("report.toml:3: date") && fault.contains("a day such as"), "{fault}");
         }
     }
 

@@ -181,6 +181,8 @@ fn page(prose: &str) -> Option<String> {
     let plan = ReportPlan {
         name: "p".into(),
         title: "P".into(),
+        authors: Vec::new(),
+        date: None,
         publish_page: true,
         question: slipmode::scene::Question::Claims,
         scenes: Vec::new(),
