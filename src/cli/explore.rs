@@ -7,9 +7,9 @@ use clap::Args;
 use serde_json::{Value, json};
 use slipmode::archive::sha256_hex;
 use slipmode::experiments::Scene;
-use slipmode::explorer::{Families, NamedPoint, Window, explorer};
+use slipmode::explorer::{Families, Window, explorer, live_map, points};
 use slipmode::report::{ExplorerPage, PAGE_BUDGET_BYTES, render_explorer};
-use slipmode::scene::{Limits, LogAxis, ParametersSection, Quantity};
+use slipmode::scene::{Limits, LogAxis, Quantity};
 use slipmode_core::number::{Rational, nearest_f64};
 
 use crate::cli::answer::Answer;
@@ -40,9 +40,6 @@ pub struct Options {
     json: bool,
 }
 
-/// Points on a page at most: each takes about 40 kB.
-const MOST_POINTS: usize = 8;
-
 /// Writes the page.
 ///
 /// # Errors
@@ -67,6 +64,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let followed = points.iter().fold(Answer::default(), |followed, point| {
         followed.with(&point.name, point_json(&point.normal_stress_pa, &point.loading_velocity_m_per_s))
     });
+    let live = live_map(&parameters.slider, &points, window, &scene.threshold());
     let families =
         Families::of(&parameters.slider, parameters.error_bars.as_ref(), points, &scene.threshold());
     let file = options.scene.file_name().unwrap_or_default().to_string_lossy().into_owned();
@@ -77,6 +75,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         command: &format!("slipmode explore {file}{} --output {}.html", options.typed_point(), scene.name),
         scene: &file,
         digest: &sha256_hex(&bytes),
+        live: live.as_ref(),
     };
     let html = render_explorer(&explorer(&families, window), &page)
         .map_err(|error| Failure::machine("the page cannot be made", &error))?;
@@ -153,53 +152,4 @@ fn window(
 fn including((low, high): (f64, f64), value: &Rational) -> (f64, f64) {
     let value = nearest_f64(value);
     if (low..=high).contains(&value) { (low, high) } else { (low.min(0.5 * value), high.max(2.0 * value)) }
-}
-
-/// The points that are followed, and a sentence on where they come from.
-fn points(
-    scene: &Scene,
-    parameters: &ParametersSection,
-    own: Option<&OperatingPoint<Rational>>,
-    window: Window,
-) -> (Vec<NamedPoint>, String) {
-    let own_point = own.map(|own| named("operating point", own.clone(), false));
-    let of_the_scene = parameters.point().map(|point| named("scene", point, true));
-    let trajectories = scene.trajectories.iter().flat_map(|section| &section.points).map(|point| {
-        let (stress, velocity) = (point.normal_stress_pa.clone(), point.loading_velocity_m_per_s.clone());
-        let point_of_operation =
-            OperatingPoint { normal_stress_pa: stress, loading_velocity_m_per_s: velocity };
-        named(&point.id, point_of_operation, false)
-    });
-    let mut points: Vec<_> = own_point.into_iter().chain(of_the_scene).chain(trajectories).collect();
-    let stated = points.len();
-    points.truncate(MOST_POINTS);
-    let words = match stated {
-        0 => {
-            points.push(middle(window));
-            "The scene has no points; the marked point is the middle of the map.".into()
-        }
-        _ if stated > MOST_POINTS => {
-            format!("The points are the first {MOST_POINTS} of the {stated} points of the scene.")
-        }
-        _ if own.is_some() => {
-            "The points are the operating point of the command and the points of the scene.".into()
-        }
-        _ => "The points are the points of the scene.".into(),
-    };
-    (points, words)
-}
-
-/// The middle of the axes, as the binary numbers that it is nearest to.
-fn middle(window: Window) -> NamedPoint {
-    let middle = |(low, high): (f64, f64)| {
-        let decade = (libm::log10(low) + libm::log10(high)) / 2.0;
-        Rational::from_f64(libm::exp10(decade)).unwrap_or_default()
-    };
-    let (normal_stress_pa, loading_velocity_m_per_s) = (middle(window.stress), middle(window.velocity));
-    named("middle", OperatingPoint { normal_stress_pa, loading_velocity_m_per_s }, false)
-}
-
-fn named(name: &str, point: OperatingPoint<Rational>, has_error_bars: bool) -> NamedPoint {
-    let OperatingPoint { normal_stress_pa, loading_velocity_m_per_s } = point;
-    NamedPoint { name: name.into(), normal_stress_pa, loading_velocity_m_per_s, has_error_bars }
 }

@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 
 use crate::claims::{DecidedFor, Entry, Evidence, Ledger, Part, Reading, Strength, Verdict};
-use crate::experiments::{Figure, Outcome};
+use crate::experiments::{Figure, Outcome, Scene};
+use crate::explorer::{LiveMap, Window, live_map, points};
 use crate::report::answer::answer;
 use crate::report::blocks::{BlockKind, Piece, pieces};
 use crate::report::certificates::Certificates;
@@ -16,8 +17,9 @@ use crate::report::{
     CardView, ChapterView, ClaimGroupView, ClaimView, EquationView, EvidenceView, FactView, InputView,
     PartView, ProofLineView, ProvenanceView, ReadingView, ReportView,
 };
-use crate::scene::{Chapter, ReportPlan, Sentence, Source, StatedClaim};
+use crate::scene::{Chapter, LogAxis, ReportPlan, Sentence, Source, StatedClaim};
 use slipmode_algebra::{Certificate, Line, Notation};
+use slipmode_core::number::nearest_f64;
 use slipmode_core::theory::Equations;
 use slipmode_plot::table::Table;
 
@@ -58,6 +60,7 @@ pub fn assemble(material: Material) -> ReportView {
         subtitle: introduction.map_or_else(String::new, |chapter| chapter.title.clone()),
         citation: citation(plan, &inputs),
         answer: answer(plan.question, ledger, outcome),
+        live: live(outcome),
         summary_markdown: introduction.map_or_else(String::new, |chapter| chapter_text(chapter, prose)),
         changes: changes(ledger),
         cards: cards(ledger),
@@ -81,6 +84,21 @@ pub fn assemble(material: Material) -> ReportView {
         },
         environment,
     }
+}
+
+/// The live map of the first scene with a slider and a map.
+fn live(outcome: &Outcome) -> Option<LiveMap> {
+    let of = |scene: &Scene| {
+        let (parameters, map) = (scene.parameters.as_ref()?, scene.map.as_ref()?);
+        let ends = |axis: &LogAxis| (nearest_f64(&axis.from), nearest_f64(&axis.to));
+        let window = Window {
+            velocity: ends(&map.rectangle.loading_velocity_m_per_s),
+            stress: ends(&map.rectangle.normal_stress_pa),
+        };
+        let (points, _) = points(scene, parameters, None, window);
+        live_map(&parameters.slider, &points, window, &scene.threshold())
+    };
+    outcome.scenes.iter().find_map(|computed| of(&computed.scene))
 }
 
 /// The figures in the order in which prose places them. A figure of the paper keeps the paper's number; the others are numbered R1,

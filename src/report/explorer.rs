@@ -6,9 +6,9 @@ use slipmode_core::number::Rational;
 
 use super::ReportError;
 use super::html::table_html;
-use super::page_style::{EXPLORER_SCRIPT, content_policy, explorer_style_sheet};
+use super::page_style::{EXPLORER_SCRIPT, LIVE_SCRIPT, content_policy, explorer_style_sheet};
 use super::templates::Templates;
-use crate::explorer::Explorer;
+use crate::explorer::{Explorer, LiveMap};
 use slipmode_core::number::format::rational_to_decimal;
 use slipmode_plot::figure::within_html;
 
@@ -27,6 +27,8 @@ pub struct ExplorerPage<'a> {
     pub scene: &'a str,
     /// Its SHA-256.
     pub digest: &'a str,
+    /// The map on which all values can be changed.
+    pub live: Option<&'a LiveMap>,
 }
 
 /// Digits of the slider's parameters: all that a person typed.
@@ -43,6 +45,7 @@ pub fn render_explorer(explorer: &Explorer, page: &ExplorerPage<'_>) -> Result<S
         tables_html += &table_html(&templates, table, String::new(), None)?;
     }
     let style_css = explorer_style_sheet();
+    let script_js = format!("{EXPLORER_SCRIPT}{LIVE_SCRIPT}");
     let controls = explorer.controls.iter().map(|control| {
         json!({
             "id": control.id,
@@ -69,7 +72,8 @@ pub fn render_explorer(explorer: &Explorer, page: &ExplorerPage<'_>) -> Result<S
         "title": page.title,
         "effect": rational_to_decimal(&page.slider.direct_effect, DIGITS),
         "slip": rational_to_decimal(&page.slider.critical_slip_distance_m, DIGITS),
-        "policy": content_policy(&style_css, EXPLORER_SCRIPT),
+        "live": page.live,
+        "policy": content_policy(&style_css, &script_js),
         "style_css": style_css,
         "controls": controls.collect::<Vec<_>>(),
         "drawing_svg": within_html(&explorer.svg),
@@ -81,7 +85,7 @@ pub fn render_explorer(explorer: &Explorer, page: &ExplorerPage<'_>) -> Result<S
         "command": page.command,
         "scene": page.scene,
         "digest": page.digest,
-        "script_js": EXPLORER_SCRIPT,
+        "script_js": script_js,
     });
     templates.render("explore.html", &context)
 }

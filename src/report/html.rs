@@ -9,7 +9,7 @@ use super::catalogue::{Catalogue, anchors, faults, group_anchor};
 use super::claim_html::{chip, claim_page};
 use super::markdown::Prose;
 use super::packed::Packed;
-use super::page_style::{OWN_STYLE, SCRIPT, content_policy, style_sheet};
+use super::page_style::{LIVE_SCRIPT, LIVE_STYLE, OWN_STYLE, SCRIPT, content_policy, style_sheet};
 use super::parts::{anchor, lead, runs, title};
 use super::templates::Templates;
 use super::view::{
@@ -74,13 +74,15 @@ impl<'a> Page<'a> {
             "inputs": view.provenance.inputs,
         });
         let own = if paper.is_some() { OWN_STYLE } else { "" };
-        let style_css = style_sheet(&format!("{}{own}", self.prose.mathematics.style_rules()));
+        let (live_style, live_script) = view.live.as_ref().map_or(("", ""), |_| (LIVE_STYLE, LIVE_SCRIPT));
+        let style_css = style_sheet(&format!("{}{own}{live_style}", self.prose.mathematics.style_rules()));
+        let script_js = format!("{SCRIPT}{live_script}");
         Ok(json!({
             "title": view.title,
             "subtitle": view.subtitle,
             "citation": view.citation,
             "short_sha256": view.citation.inputs_sha256.get(..12),
-            "policy": content_policy(&style_css, SCRIPT),
+            "policy": content_policy(&style_css, &script_js),
             "style_css": style_css,
             "answer": answer,
             "figure_html": figure_html,
@@ -92,7 +94,8 @@ impl<'a> Page<'a> {
             "picture_html": picture_html,
             "later_parts": later_parts,
             "paper": paper,
-            "script_js": SCRIPT,
+            "script_js": script_js,
+            "live": view.live,
             "appendix_html": appendix_html,
             "provenance": provenance,
             "environment_html": self.environment()?,

@@ -26,13 +26,19 @@ pub(crate) fn style_sheet(formula_rules: &str) -> String {
     )
 }
 
+/// The rules of a live map.
+pub(crate) const LIVE_STYLE: &str = include_str!("../../templates/live.css");
+
+/// The script of a live map: it evaluates what the program made.
+pub(crate) const LIVE_SCRIPT: &str = include_str!("../../templates/live.js");
+
 /// The explorer's script: it chooses among stored curves, steps and words.
 pub(crate) const EXPLORER_SCRIPT: &str = include_str!("../../templates/explore.js");
 
 /// The explorer's style sheet: that of the reports without the font, since no formula is set, and its own rules.
 #[must_use]
 pub(crate) fn explorer_style_sheet() -> String {
-    format!("{STYLE}{}", include_str!("../../templates/explore.css"))
+    format!("{STYLE}{}{LIVE_STYLE}", include_str!("../../templates/explore.css"))
 }
 
 /// A content policy under which the page may use this style sheet, this script and embedded fonts: no requests.
@@ -79,7 +85,9 @@ mod tests {
             "</script",
             "Function(",
         ] {
-            assert!(!SCRIPT.contains(word) && !EXPLORER_SCRIPT.contains(word), "{word}");
+            for script in [SCRIPT, EXPLORER_SCRIPT, LIVE_SCRIPT] {
+                assert!(!script.contains(word), "{word}");
+            }
         }
     }
 }

@@ -263,6 +263,7 @@ pub(crate) fn view() -> ReportView {
     };
     let fact = |name: &str, value: &str| FactView { name: name.into(), value: value.into() };
     ReportView {
+        live: None,
         citation: CitationView { program: "slipmode 0".into(), bibtex: "@misc{r}".into(), ..Default::default() },
         title: "When does frictional slip vibrate?".into(),
         subtitle: "The linear theory of Im & Avouac, proved, measured and checked claim by claim".into(),

@@ -146,7 +146,11 @@ fn sign(before: Option<char>, rest: &str) -> Set {
     let opens = before.is_none_or(|c| matches!(c, ' ' | '(' | '[' | '|' | '{'));
     let joins = before.is_some_and(|c| c.is_alphanumeric() || matches!(c, ')' | '\''));
     match first {
-        '-' if opens && (after.is_ascii_digit() || after == '(') => Some(("−".into(), 1)),
+        '-' if opens && after.is_ascii_digit() => {
+            let (set, length) = number(None, &rest[1..]).unwrap_or_default();
+            Some((format!("−{set}"), 1 + length))
+        }
+        '-' if opens && after == '(' => Some(("−".into(), 1)),
         '*' if joins && (after.is_alphanumeric() || after == '(') => Some(("·".into(), 1)),
         _ => None,
     }
@@ -192,6 +196,7 @@ mod tests {
             ("from 1e-6 to 6.1e-7.", "from 10<sup>−6</sup> to 6.1 × 10<sup>−7</sup>."),
             ("2^-52 of O(η^(1/3)) at 10^-5.5", "2<sup>−52</sup> of O(η<sup>1/3</sup>) at 10<sup>−5.5</sup>"),
             ("10⁻⁵·⁵ m/s, σ², x⁻¹·y", "10<sup>−5.5</sup> m/s, σ², x⁻¹·y"),
+            ("-6.27e-5", "−6.27 × 10<sup>−5</sup>"),
             ("-0.49 to 0.32, (-1/4), V*theta - D_c/V", "−0.49 to 0.32, (−1/4), V·θ − D<sub>c</sub>/V"),
             ("Delta_theta'*a -> sqrt(K/M) >= 0", "Δθ'·a → √(K/M) ≥ 0".replace('\'', "&#39;").as_str()),
         ] {

@@ -10,7 +10,7 @@ use super::symbols::set_symbols;
 use slipmode_plot::table::{escape_markdown, printable};
 
 /// Templates of the page, and of the results of a verification. Every one is escaped for HTML, whatever its name.
-const HTML: [(&str, &str); 22] = [
+const HTML: [(&str, &str); 23] = [
     ("report.html", include_str!("../../templates/report.html")),
     ("edition.html", include_str!("../../templates/edition.html")),
     ("part.html", include_str!("../../templates/part.html")),
@@ -31,6 +31,7 @@ const HTML: [(&str, &str); 22] = [
     ("equation.html", include_str!("../../templates/equation.html")),
     ("verdict.html", include_str!("../../templates/verdict.html")),
     ("environment.html", include_str!("../../templates/environment.html")),
+    ("live.html", include_str!("../../templates/live.html")),
     ("explore.html", include_str!("../../templates/explore.html")),
     ("junit.xml", include_str!("../../templates/junit.xml")),
 ];

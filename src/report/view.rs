@@ -6,6 +6,7 @@
 use serde::Serialize;
 
 pub use crate::experiments::Figure as FigureView;
+use crate::explorer::LiveMap;
 use crate::scene::{Part, Source, Verdict};
 use slipmode_plot::table::Table;
 
@@ -22,6 +23,8 @@ pub struct ReportView {
     pub answer: Vec<AnswerView>,
     /// What would be true in the place of the sentences that fail, in the order in which it matters to a reader of the paper.
     pub changes: Vec<ChangeView>,
+    /// The map on which a reader changes all values; none where no scene has a slider and a map.
+    pub live: Option<LiveMap>,
     /// What was checked, how, and how to read the answer. A figure that it places stands beside the answer.
     pub summary_markdown: String,
     /// Counts of verdicts, in the order in which they are shown.

@@ -83,6 +83,7 @@ fn filled_in(word: &str, report: &str) -> Result<String, Failure> {
         "root" => root(),
         "made" => workshop(),
         "report" => report.into(),
+        "program" => verify::binary(),
         "browser" => {
             let spellings = ["chromium", "chromium-browser", "google-chrome"];
             spellings.into_iter().find_map(process::find_program).unwrap_or_default()

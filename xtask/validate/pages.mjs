@@ -1,17 +1,19 @@
 // Opens pages from disk in Chromium, light and dark, wide and narrow, with and without scripts, and counts the faults.
 //
-// Usage: node pages.mjs CHROMIUM PAGE…   Prints one line per finding and ends with their number; exit code 1 when there is any.
+// Usage: node pages.mjs CHROMIUM SLIPMODE PAGE…   Prints one line per finding and ends with their number; exit code 1 when there is any.
 // It checks for requests for anything but the page itself, faults found by axe-core, text that only scripts show,
-// messages in the console, and readouts and sliders that the keyboard does not move; and, with everything that folds open,
+// messages in the console, readouts and sliders that the keyboard does not move, a live map that decides otherwise than the program,
+// raw mathematics, contents that leave the window, and an edition for paper of more than 12 pages; and, with everything that folds open,
 // at four widths, for content wider than the window and for text that its picture clips.
 
+import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { pathToFileURL } from "node:url";
 import { resolve } from "node:path";
 import { chromium } from "playwright-core";
 
-const [executablePath, ...pages] = process.argv.slice(2);
+const [executablePath, program, ...pages] = process.argv.slice(2);
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 const findings = [];
 
@@ -101,6 +103,10 @@ async function look(path, scene, { javaScriptEnabled, colorScheme, width }) {
     }
     await tryReadouts(page, scene);
     await trySliders(page, scene);
+    await findRawMathematics(page, scene);
+    await tryContents(page, scene, width);
+    if (colorScheme === "light" && width === 1280) await countPages(page, scene);
+    if (colorScheme === "light" && width === 1280) await tryLiveMap(page, scene);
   } else if (await page.locator("#controls").isVisible()) {
     findings.push(`${scene}: sliders that nothing listens to`);
   }
@@ -147,6 +153,71 @@ async function trySliders(page, scene) {
       await page.keyboard.press(end);
       if (/undefined/.test(await shown())) findings.push(`${scene}: nothing is stored at ${end}`);
     }
+  }
+}
+
+// Mathematics as a program writes it, outside of code, in a report of which everything is open.
+async function findRawMathematics(page, scene) {
+  if (await page.locator("nav.contents").count() === 0) return;
+  const raw = await page.evaluate(() => {
+    const texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+    const found = [];
+    while (texts.nextNode()) {
+      const inCode = texts.currentNode.parentElement.closest("code, pre, script, style, template, svg, math, .live");
+      const match = inCode ? null : texts.currentNode.data.match(/(?<![\w-])\d[\d.]*e-?\d+\b|\w\*\w|->|sqrt\(|\w\^[\w(-]/);
+      if (match) found.push(match[0]);
+    }
+    return found;
+  });
+  if (raw.length > 0) findings.push(`${scene}: raw mathematics at ${raw.length} places: ${raw.slice(0, 3).join(", ")}`);
+}
+
+// Contents and search stand on the first screen and stay there; the section that is read is marked.
+async function tryContents(page, scene, width) {
+  const contents = page.locator("nav.contents");
+  if (await contents.count() === 0) return;
+  await page.evaluate(() => scrollTo(0, 0.6 * document.documentElement.scrollHeight));
+  await page.waitForTimeout(100);
+  const box = await contents.boundingBox();
+  if (!box || box.y < 0 || box.y > 40) findings.push(`${scene}: the contents leave the window`);
+  if (width > 1000 && await contents.locator("a[aria-current]").count() !== 1) findings.push(`${scene}: no section is marked as the current one`);
+}
+
+// The edition for paper is short.
+async function countPages(page, scene) {
+  if (await page.locator("nav.contents").count() === 0) return;
+  const printed = (await page.pdf({ format: "A4" })).toString("latin1").match(/\/Type\s*\/Page\b/g).length;
+  if (printed > 12) findings.push(`${scene}: ${printed} pages on paper (allowed: 12)`);
+}
+
+// The live map decides as the program does: on limits, next to them, and at places all over the ranges. The address keeps the values.
+async function tryLiveMap(page, scene) {
+  const fields = page.locator(".live input[name]");
+  if (await fields.count() === 0) return;
+  const onTransition = [1, 3, 1, 4, 1, 1, 1];
+  const cases = [
+    onTransition, ["1", "3", "1", "4.000000000000000000001", "1", "1", "1"], ["1", "3", "1", "5", "1.5", "1", "1"],
+    ["1", "1", "1", "3.375", "0.125", "1", "1"], ["0.006", "0.004", "1e-5", "1e7", "1000", "1e7", "1e-6"],
+  ];
+  for (let number = 1; number <= 20; number += 1) {
+    // Places in the manner of van der Corput, other for each value.
+    const share = (base) => { let [left, digit, sum] = [number, 1, 0]; for (; left > 0; left = Math.floor(left / base)) sum += (left % base) * (digit /= base); return sum; };
+    const ends = [[-3, -1], [-3, -1], [-6, -3], [5, 9], [1, 5], [3, 8], [-6, 0]];
+    cases.push(ends.map(([low, high], which) => (10 ** (low + (high - low) * share([2, 3, 5, 7, 11, 13, 17][which]))).toExponential(3)));
+  }
+  for (const values of cases) {
+    for (const [which, value] of values.entries()) {
+      await fields.nth(which).evaluate((field, text) => { field.value = text; field.dispatchEvent(new Event("input", { bubbles: true })); }, String(value));
+    }
+    const said = (await page.locator(".live-said").textContent()).split("; ")[0].replace(/^[^:]*: /, "");
+    const options = ["a", "b", "d", "k", "m", "s", "v"].flatMap((letter, which) => [`-${letter}`, String(values[which])]);
+    const decided = JSON.parse(execFileSync(program, ["classify", ...options, "--json"], { encoding: "utf8" })).slip_mode;
+    if (said.replaceAll(" ", "-") !== decided) findings.push(`${scene}: the live map says ${said} where the program decides ${decided}: ${values}`);
+  }
+  const address = await page.evaluate(() => location.hash);
+  const last = cases.at(-1);
+  if (!["a", "b", "d", "k", "m", "s", "v"].every((letter, which) => address.includes(`&${letter}=${last[which]}`))) {
+    findings.push(`${scene}: the address ${address} does not keep ${last}`);
   }
 }
 

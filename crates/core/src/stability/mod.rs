@@ -25,6 +25,7 @@ mod certain_signs;
 pub mod curve;
 #[doc(hidden)]
 pub mod cusp;
+mod deciding_signs;
 mod decision;
 #[doc(hidden)]
 pub mod deviation;
@@ -54,6 +55,7 @@ pub use arc_point::{ArcFrame, ArcPoint, Sensitivity};
 pub use asymptote::Asymptote;
 pub use boundary::{BoundaryCurve, BoundaryPoint, Mark, Section};
 pub use curve::Arc;
+pub use deciding_signs::{DECIDING, deciding_quantities, slip_mode_of_signs};
 pub use decision::{boundary_sign, transition_sign};
 pub use distance::LogDistance;
 pub use frequencies::Frequencies;

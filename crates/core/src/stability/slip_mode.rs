@@ -134,15 +134,18 @@ pub(super) fn slip_mode_by(
 
 /// Whether a point with stable real roots lies in the upper area of a > b.
 pub(super) fn is_upper_area(groups: &Groups<Rational>) -> bool {
-    groups.effect_ratio < 1 && !is_lower_area(groups)
+    let Groups { inertial_parameter: eta, stiffness_group: kappa, effect_ratio: beta } = groups;
+    let sum = (kappa + eta).complete() - beta - 1u32;
+    let signs = [beta.partial_cmp(&1), eta.partial_cmp(&0.5), sum.partial_cmp(&0)];
+    is_upper_area_by(signs.map(|sign| sign.map_or(0, |sign| sign as i8)))
 }
 
-/// Whether a point with real roots lies in the lower area, where all of them are below −1.
+/// The same by the signs of β − 1, η − 1/2 and κ + η − 1 − β: all roots of the lower area are below −1.
 ///
 /// F(q−1) = ηq³ + (1−2η)q² + (κ+η−1−β)q + β has only negative roots when all coefficients are positive.
-fn is_lower_area(groups: &Groups<Rational>) -> bool {
-    let (eta, kappa) = (&groups.inertial_parameter, &groups.stiffness_group);
-    *eta < 0.5 && (kappa + eta).complete() > groups.effect_ratio.clone() + 1u32
+pub(super) fn is_upper_area_by([effect, inertia, sum]: [i8; 3]) -> bool {
+    let is_lower_area = inertia < 0 && sum > 0;
+    effect < 0 && !is_lower_area
 }
 
 #[cfg(test)]

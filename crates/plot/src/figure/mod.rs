@@ -63,7 +63,7 @@ pub use panels::{Panel, Panels};
 pub use range_chart::{RangeChart, RangeRow, Span};
 pub use readout::{Readout, Words, packed};
 pub use svg::within_html;
-pub use zone_map::{Zone, ZoneMap};
+pub use zone_map::{Zone, ZoneMap, zone_fill};
 pub use zones::zones_of_grid;
 
 /// What names a figure: its id and the words read out instead of it.

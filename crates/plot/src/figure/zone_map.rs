@@ -131,6 +131,12 @@ fn define_patterns<'z>(svg: &mut Svg, zones: impl Iterator<Item = &'z Zone>) {
     svg.close();
 }
 
+/// The colour of the zones of a style.
+#[must_use]
+pub fn zone_fill(style: usize) -> &'static str {
+    palette::ZONES[look(style)]
+}
+
 fn look(style: usize) -> usize {
     style % palette::ZONES.len()
 }

@@ -1,0 +1,232 @@
+"use strict";
+// The map on which all seven values can be changed. It computes monomials and polynomials that the program made; it knows no equation.
+(() => {
+  // A decimal as numerator and denominator; nothing for anything else, zero and negative numbers included.
+  const exact = (text) => {
+    const parts = /^\s*(\d+)(?:\.(\d*))?(?:e([+-]?\d{1,3}))?\s*$/i.exec(text) || /^\s*()\.(\d+)(?:e([+-]?\d{1,3}))?\s*$/i.exec(text);
+    if (!parts) return null;
+    const fraction = parts[2] || "";
+    const power = Number(parts[3] || 0) - fraction.length;
+    const digits = BigInt(parts[1] + fraction);
+    return digits > 0n ? [digits * 10n ** BigInt(Math.max(power, 0)), 10n ** BigInt(Math.max(-power, 0))] : null;
+  };
+  const sign = (value) => (value > 0 ? 2 : value < 0 ? 0 : 1);
+  // Three digits are enough for a place that was pointed at.
+  const short = (value) => value.toExponential(2).replace(/\.?0+e/, "e").replace("e+", "e");
+
+  for (const live of document.querySelectorAll(".live")) {
+    const model = JSON.parse(live.dataset.model);
+    const fields = [...live.querySelectorAll("input[name]")];
+    const ranges = [...live.querySelectorAll("input[type=range]")];
+    const letters = fields.map((field) => field.name);
+    const initial = fields.map((field) => field.value);
+    const points = model.points.map(([name, s, v]) => ({ name, s, v }));
+    const names = [...live.querySelectorAll(".live-modes li span")].map((item) => item.textContent).concat(model.neutral);
+    const fills = [...live.querySelectorAll(".live-modes li")].map((item) => [1, 3, 5].map((at) => parseInt(item.dataset.fill.slice(at, at + 2), 16)));
+    const ink = [31, 35, 40];
+    const canvas = live.querySelector("canvas");
+    const degrees = [1, 2, 3].map((at) => Math.max(...model.polynomials.flat().map((term) => term[at])));
+    let chosen = 0;
+
+    // The signs of the polynomials at groups given as fractions, multiplied by powers of the denominators; then the mode that is listed for them.
+    const modeAt = (values) => {
+      const groups = model.groups.map((exponents) => exponents.reduce(([above, below], exponent, which) => {
+        const [up, down] = exponent < 0 ? [values[which][1], values[which][0]] : values[which];
+        const times = BigInt(Math.abs(exponent));
+        return [above * up ** times, below * down ** times];
+      }, [1n, 1n]));
+      const term = ([coefficient, ...exponents]) => exponents.reduce((product, exponent, which) =>
+        product * groups[which][0] ** BigInt(exponent) * groups[which][1] ** BigInt(degrees[which] - exponent), BigInt(coefficient));
+      const places = model.polynomials.map((terms) => sign(terms.reduce((sum, one) => sum + term(one), 0n)));
+      return names[model.modes[places.reduceRight((place, one) => 3 * place + one, 0)]];
+    };
+
+    // The same in 64-bit numbers for every place of the map. The terms are ordered as they stand.
+    const terms = model.polynomials.map((polynomial) => polynomial.map(([coefficient, ...exponents]) => [Number(coefficient), ...exponents]));
+    const raster = (values, width, height, place) => {
+      const logs = values.map((value) => Math.log(Number(value)));
+      const [stress, velocity] = ["s", "v"].map((letter) => letters.indexOf(letter));
+      const fixed = model.groups.map((exponents) => exponents.reduce((sum, exponent, which) =>
+        sum + (which === stress || which === velocity ? 0 : exponent * logs[which]), 0));
+      const found = new Uint8Array(width * height);
+      const powers = degrees.map((degree) => new Float64Array(degree + 1));
+      for (let row = 0; row < height; row += 1) {
+        const s = Math.log(place.s((row + 0.5) / height));
+        for (let column = 0; column < width; column += 1) {
+          const v = Math.log(place.v((column + 0.5) / width));
+          model.groups.forEach((exponents, which) => {
+            const group = Math.exp(fixed[which] + exponents[stress] * s + exponents[velocity] * v);
+            for (let power = 0, value = 1; power <= degrees[which]; power += 1, value *= group) powers[which][power] = value;
+          });
+          let index = 0;
+          for (let which = terms.length - 1; which >= 0; which -= 1) {
+            let sum = 0;
+            for (const [coefficient, one, two, three] of terms[which]) sum += coefficient * powers[0][one] * powers[1][two] * powers[2][three];
+            index = 3 * index + sign(sum);
+          }
+          found[row * width + column] = model.modes.charCodeAt(index) - 48;
+        }
+      }
+      return found;
+    };
+
+    const [left, bottom, top, right] = [62, 46, 12, 22];
+    const ends = (which) => model.window[which].map(Math.log10);
+    const at = (which, share) => { const [low, high] = ends(which); return 10 ** (low + share * (high - low)); };
+    const share = (which, value) => { const [low, high] = ends(which); return (Math.log10(value) - low) / (high - low); };
+    const draw = () => {
+      const [wide, high] = [canvas.clientWidth, Math.min(0.72 * canvas.clientWidth, 560)];
+      if (!wide) return;
+      const scale = devicePixelRatio;
+      [canvas.width, canvas.height] = [wide * scale, high * scale].map(Math.round);
+      canvas.style.height = `${high}px`;
+      const pen = canvas.getContext("2d");
+      pen.scale(scale, scale);
+      const [width, height] = [Math.floor(wide - left - right), Math.floor(high - top - bottom)];
+      const modes = raster(fields.map((field) => field.value), width, height, { v: (x) => at("v", x), s: (y) => at("s", 1 - y) });
+      const image = new ImageData(width, height);
+      modes.forEach((mode, index) => {
+        const isEdge = (index % width && modes[index - 1] !== mode) || (index >= width && modes[index - width] !== mode);
+        image.data.set([...(isEdge ? ink : fills[mode] || ink), 255], 4 * index);
+      });
+      const layer = Object.assign(document.createElement("canvas"), { width, height });
+      layer.getContext("2d").putImageData(image, 0, 0);
+      pen.imageSmoothingEnabled = false;
+      pen.drawImage(layer, left, top);
+      const style = getComputedStyle(live);
+      const [line, surface] = ["--ink", "--surface"].map((name) => style.getPropertyValue(name));
+      pen.fillStyle = pen.strokeStyle = line;
+      pen.font = `13px ${style.fontFamily}`;
+      pen.strokeRect(left, top, width, height);
+      const raised = (exponent) => `10${[...String(exponent)].map((sign) => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(sign)]).join("")}`;
+      for (const [which, align, baseline] of [["v", "center", "top"], ["s", "right", "middle"]]) {
+        [pen.textAlign, pen.textBaseline] = [align, baseline];
+        const [low, up] = ends(which);
+        for (let exponent = Math.ceil(low - 1e-9); exponent <= up + 1e-9; exponent += 1) {
+          const along = share(which, 10 ** exponent);
+          const [x, y] = which === "v" ? [left + along * width, top + height] : [left, top + (1 - along) * height];
+          pen.fillRect(which === "v" ? x : x - 5, y, which === "v" ? 1 : 5, which === "v" ? 5 : 1);
+          pen.fillText(raised(exponent), which === "v" ? x : x - 8, which === "v" ? y + 7 : y);
+        }
+      }
+      [pen.textAlign, pen.textBaseline] = ["center", "bottom"];
+      pen.fillText("Loading velocity (m/s)", left + width / 2, high - 4);
+      pen.save();
+      pen.translate(12, top + height / 2);
+      pen.rotate(-Math.PI / 2);
+      pen.fillText("Normal stress (Pa)", 0, 6);
+      pen.restore();
+      points.forEach((point, index) => {
+        const [x, y] = [left + share("v", point.v) * width, top + (1 - share("s", point.s)) * height];
+        pen.beginPath();
+        pen.arc(x, y, index === chosen ? 7 : 5, 0, 2 * Math.PI);
+        pen.fillStyle = surface;
+        pen.fill();
+        pen.lineWidth = index === chosen ? 3 : 1.5;
+        pen.stroke();
+        [pen.textAlign, pen.textBaseline, pen.fillStyle] = ["left", "bottom", "#1f2328"];
+        pen.fillText(point.name, x + 8, y - 4);
+      });
+    };
+
+    // A frame draws once, however many changes came before it.
+    let isDue = false;
+    const show = () => {
+      const read = fields.map((field) => exact(field.value));
+      fields.forEach((field, which) => {
+        if (read[which]) field.removeAttribute("aria-invalid");
+        else field.setAttribute("aria-invalid", "true");
+      });
+      const said = live.querySelector(".live-said");
+      if (read.includes(null)) {
+        said.textContent = "Each value must be a positive decimal, such as 1e-5.";
+        return;
+      }
+      [points[chosen].s, points[chosen].v] = ["s", "v"].map((letter) => fields[letters.indexOf(letter)].value);
+      said.textContent = points.map((point) => {
+        const values = letters.map((letter, which) => (letter in point ? exact(point[letter]) : read[which]));
+        return `${point.name}: ${modeAt(values)}`;
+      }).join("; ");
+      ranges.forEach((range, which) => { range.value = Math.log10(Number(fields[which].value)); });
+      live.querySelector("code").textContent = `slipmode classify ${fields.map((field) => `-${field.name} ${field.value.trim()}`).join(" ")}`;
+      if (isDue) return;
+      isDue = true;
+      requestAnimationFrame(() => { isDue = false; draw(); });
+    };
+    const keep = () => {
+      const address = fields.map((field) => `${field.name}=${field.value.trim()}`).join("&");
+      history.replaceState(null, "", `#live&${address}`);
+    };
+    const change = () => { show(); keep(); };
+    const move = (v, s) => {
+      const limits = (which, value) => Math.min(Math.max(value, model.window[which][0]), model.window[which][1]);
+      fields[letters.indexOf("v")].value = short(limits("v", v));
+      fields[letters.indexOf("s")].value = short(limits("s", s));
+      change();
+    };
+    const choose = (index) => {
+      chosen = index;
+      for (const letter of ["s", "v"]) fields[letters.indexOf(letter)].value = points[index][letter];
+    };
+
+    ranges.forEach((range, which) => {
+      const window = model.window[letters[which]];
+      const middle = Math.log10(Number(initial[which]));
+      [range.min, range.max] = window ? window.map(Math.log10) : [middle - 3, middle + 3];
+      range.addEventListener("input", () => {
+        fields[which].value = short(10 ** Number(range.value));
+        change();
+      });
+    });
+    fields.forEach((field) => field.addEventListener("input", change));
+    const placeOf = (event) => {
+      const seen = canvas.getBoundingClientRect();
+      const x = (event.clientX - seen.left - left) / (seen.width - left - right);
+      const y = (event.clientY - seen.top - top) / (seen.height - top - bottom);
+      return [x, 1 - y];
+    };
+    canvas.addEventListener("pointerdown", (event) => {
+      const [x, y] = placeOf(event);
+      const far = points.map((point) => Math.hypot(share("v", point.v) - x, share("s", point.s) - y));
+      const nearest = far.indexOf(Math.min(...far));
+      if (far[nearest] < 0.04) choose(nearest);
+      canvas.setPointerCapture(event.pointerId);
+      move(at("v", x), at("s", y));
+    });
+    canvas.addEventListener("pointermove", (event) => {
+      if (!canvas.hasPointerCapture(event.pointerId)) return;
+      const [x, y] = placeOf(event);
+      move(at("v", x), at("s", y));
+    });
+    const steps = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+    live.querySelector(".live-map").addEventListener("keydown", (event) => {
+      const step = steps[event.key];
+      if (!step || event.altKey || event.ctrlKey || event.metaKey) return;
+      event.preventDefault();
+      const by = event.shiftKey ? 0.1 : 0.01;
+      move(at("v", share("v", points[chosen].v) + by * step[0]), at("s", share("s", points[chosen].s) + by * step[1]));
+    });
+    live.querySelector("button").addEventListener("click", () => {
+      model.points.forEach(([, s, v], index) => Object.assign(points[index], { s, v }));
+      chosen = 0;
+      fields.forEach((field, which) => { field.value = initial[which]; });
+      show();
+      history.replaceState(null, "", location.pathname + location.search);
+    });
+
+    const [mark, ...given] = location.hash.split("&");
+    if (mark === "#live") {
+      for (const pair of given) {
+        const [letter, value] = pair.split("=");
+        if (letters.includes(letter) && exact(value || "")) fields[letters.indexOf(letter)].value = value;
+      }
+      const fold = live.closest("details");
+      if (fold) fold.open = true;
+    }
+    live.hidden = false;
+    live.closest("details")?.removeAttribute("hidden");
+    new ResizeObserver(() => draw()).observe(canvas.parentElement);
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", draw);
+    show();
+  }
+})();
