@@ -163,7 +163,7 @@ async function findRawMathematics(page, scene) {
     const texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
     const found = [];
     while (texts.nextNode()) {
-      const inCode = texts.currentNode.parentElement.closest("code, pre, script, style, template, svg, math, .live");
+      const inCode = texts.currentNode.parentElement.closest("code, pre, script, style, template, svg, math, .live, .said");
       const match = inCode ? null : texts.currentNode.data.match(/(?<![\w-])\d[\d.]*e-?\d+\b|\w\*\w|->|sqrt\(|\w\^[\w(-]/);
       if (match) found.push(match[0]);
     }

@@ -63,6 +63,7 @@ fn answer(ClassifiedPoint { parameters, found, frequencies }: &ClassifiedPoint) 
         .note(transition_words(found.transition_sign))
         .item("boundary_sign", "sign of discriminant", found.boundary_sign)
         .note(boundary_words(found.boundary_sign))
+        .text("\n")
         .item("max_real_per_s", "max Re(s)", Item::from(found.max_real_per_s).in_unit("1/s"))
         .item("max_imaginary_per_s", "max Im(s)", Item::from(found.max_imaginary_per_s).in_unit("1/s"))
         .item("frequency_hz", "frequency", Item::rounded(derived.frequency_hz, " Hz"))
@@ -80,6 +81,7 @@ fn answer(ClassifiedPoint { parameters, found, frequencies }: &ClassifiedPoint) 
             "distance to max Im(s) = 0",
             distance(&LogDistance::to_boundary(parameters)),
         )
+        .text("\n")
         .part(
             "groups",
             Answer::default()
