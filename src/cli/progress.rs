@@ -34,12 +34,13 @@ impl Progress {
         self.bar(ProgressBar::new(total), "{bar:40} {human_pos}/{human_len} points {eta}")
     }
 
-    /// A bar over the items of a plan, fed by the work itself.
+    /// A bar over the estimated work of a plan, fed by the work itself.
     pub fn items<T>(self, work: impl FnOnce(slipmode::experiments::Progress) -> T) -> T {
-        let bar = self.bar(ProgressBar::no_length(), "{bar:40} {pos}/{len} {elapsed} {msg}");
-        let result = work(&|item: &str, number: usize, count: usize| {
-            bar.set_length(count as u64);
-            bar.set_position(number as u64);
+        let bar =
+            self.bar(ProgressBar::no_length(), "{bar:40} {percent:>3} % {elapsed}, about {eta} left, {msg}");
+        let result = work(&|item: &str, before: usize, all: usize| {
+            bar.set_length(all as u64);
+            bar.set_position(before as u64);
             bar.set_message(item.to_string());
         });
         bar.finish_and_clear();

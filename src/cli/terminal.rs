@@ -2,9 +2,12 @@
 
 use std::io::Write;
 
+use anstream::{AutoStream, ColorChoice};
+use clap::builder::styling::Styles;
+
 use slipmode::scene::{LONGEST_MESSAGE, visible, with_short_quotations};
 
-use crate::cli::capture::{StandardError, StandardOutput};
+use crate::cli::capture::{StandardError, StandardOutput, is_capturing};
 use crate::cli::failure::Failure;
 
 /// Writes a finished text to standard output. A reader that has gone is no failure.
@@ -31,9 +34,21 @@ fn print_raw(text: &str) -> Result<(), Failure> {
 
 /// Writes lines to standard error. Where it cannot be written, result and exit code are the same without them.
 pub fn message(text: &str) {
-    let line = |line: &str| with_short_quotations(&visible(line), LONGEST_MESSAGE);
+    let line = |line: &str| coloured(with_short_quotations(&visible(line), LONGEST_MESSAGE));
     let lines = text.split('\n').map(line).collect::<Vec<_>>().join("\n");
     let _ = StandardError.write_all(format!("{lines}\n").as_bytes());
+}
+
+/// A line with the word it begins with in the colours of the command line's own errors, where a terminal shows them.
+fn coloured(line: String) -> String {
+    let styles = Styles::styled();
+    let kinds = [("error:", styles.get_error()), ("warning:", styles.get_context())];
+    let found = kinds.into_iter().find_map(|(word, style)| Some((word, style, line.strip_prefix(word)?)));
+    let is_plain = is_capturing() || AutoStream::choice(&std::io::stderr()) == ColorChoice::Never;
+    match found.filter(|_| !is_plain) {
+        Some((word, style, rest)) => format!("{style}{word}{style:#}{rest}"),
+        None => line,
+    }
 }
 
 /// A number of things: `1 row`, `2 rows`.

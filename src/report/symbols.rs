@@ -29,7 +29,12 @@ fn number(before: Option<char>, rest: &str) -> Set {
         && !before.is_some_and(|c| c.is_alphanumeric() || matches!(c, '_' | '.' | '-' | '/'));
     let word = run(rest, |c| c.is_ascii_alphanumeric() || matches!(c, '.' | '-' | '_')).trim_end_matches('.');
     let (mantissa, exponent) = word.split_once('e').filter(|_| starts)?;
-    mantissa.parse::<f64>().ok().filter(|_| exponent.parse::<i32>().is_ok())?;
+    let is_decimal = mantissa.ends_with(|c: char| c.is_ascii_digit())
+        && mantissa.split('.').count() <= 2
+        && mantissa.chars().all(|c| c.is_ascii_digit() || c == '.');
+    if !is_decimal || exponent.parse::<i32>().is_err() {
+        return None;
+    }
     let ten = format!("10<sup>{}</sup>", exponent.replace('-', "−"));
     Some((if mantissa == "1" { ten } else { format!("{mantissa} × {ten}") }, word.len()))
 }

@@ -268,7 +268,7 @@ fn the_answer_stands_first_and_follows_the_verdicts() {
             let report = place.read(file);
             let answer = report.find(words).expect(words);
             assert!(
-                report.contains(expected) && answer < report.find("Ledger of claims").unwrap(),
+                report.contains(expected) && answer < report.rfind("Ledger of claims").unwrap(),
                 "{report}"
             );
         }
