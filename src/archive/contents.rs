@@ -33,6 +33,8 @@ pub const CHECKER_FILE: &str = "certified_cycle.py";
 
 /// The exact versions and digests of the packages that the program is built from.
 pub const LOCK_FILE: &str = "Cargo.lock";
+/// The sources of the program with all packages, from which it builds without a network.
+pub const SOURCES_FILE: &str = "sources.tar.xz";
 /// The same as a CycloneDX bill of materials.
 pub(super) const MATERIALS_FILE: &str = "sbom.cdx.json";
 /// The files that follow from the others.
@@ -82,6 +84,8 @@ pub struct Parts<'p> {
     pub theorems: &'p BTreeMap<String, String>,
     /// The program.
     pub facts: &'p Facts,
+    /// The file of [`SOURCES_FILE`], where the archive has one.
+    pub sources: Option<&'p [u8]>,
     /// The paper, where the archive is prepared for a CODECHECK certificate.
     pub codecheck: Option<&'p Paper>,
 }
@@ -118,6 +122,9 @@ pub fn contents(parts: &Parts<'_>) -> Files {
     files.extend(texts.map(|(path, text)| (path.to_string(), text.as_bytes().to_vec())));
     if parts.certificate_files().next().is_some() {
         files.insert(CHECKER_FILE.into(), CHECKER.into());
+    }
+    if let Some(sources) = parts.sources {
+        files.insert(SOURCES_FILE.into(), sources.to_vec());
     }
     if parts.codecheck.is_some() {
         files.insert(LICENCE_FILE.into(), LICENCES.as_bytes().to_vec());

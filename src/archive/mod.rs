@@ -28,8 +28,8 @@ pub use budget::{Budget, Request, requests};
 pub use codecheck::{CODECHECK_FILE, open_fields};
 pub use container::{ReleaseTime, pack};
 pub use contents::{
-    Facts, INPUT_FOLDER, Parts, README_FILE, REPORT_FOLDER, STATEMENT_FILE, THEOREMS_FOLDER, VERSIONS_FILE,
-    contents,
+    Facts, INPUT_FOLDER, Parts, README_FILE, REPORT_FOLDER, SOURCES_FILE, STATEMENT_FILE, THEOREMS_FOLDER,
+    VERSIONS_FILE, contents,
 };
 pub use digests::{DIGESTS_FILE, digest_faults, finished_hex, sha256_hex, sha256_of_reader};
 pub use ledger_difference::ledger_differences;

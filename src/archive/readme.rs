@@ -4,7 +4,8 @@ use std::fmt::Write;
 
 use super::codecheck::CODECHECK_FILE;
 use super::contents::{
-    CHECKER_FILE, INPUT_FOLDER, Parts, REPORT_FOLDER, STATEMENT_FILE, THEOREMS_FOLDER, VERSIONS_FILE,
+    CHECKER_FILE, INPUT_FOLDER, Parts, REPORT_FOLDER, SOURCES_FILE, STATEMENT_FILE, THEOREMS_FOLDER,
+    VERSIONS_FILE,
 };
 
 /// The text of the README.
@@ -23,9 +24,11 @@ pub(super) fn readme(parts: &Parts<'_>) -> String {
          | `SHA256SUMS` | digests, for `sha256sum --check SHA256SUMS` |\n\
          | `ro-crate-metadata.json`, `{STATEMENT_FILE}` | the same for machines: an RO-Crate, and an unsigned in-toto statement |\n\n\
          ## Check it\n\n\
+         {}\n\n\
          `slipmode replay FILE.zip` checks all digests, computes every verdict again from `{INPUT_FOLDER}/`, and compares all results with `{REPORT_FOLDER}/`.\n\
          To check one claim, from the unpacked archive:\n\n\
-         | claim | command | expected |\n| --- | --- | --- |\n"
+         | claim | command | expected |\n| --- | --- | --- |\n",
+        install(parts)
     );
     for entry in &parts.ledger.claims {
         let (id, verdict) = (&entry.id, entry.finding.verdict.as_str());
@@ -58,6 +61,24 @@ pub(super) fn readme(parts: &Parts<'_>) -> String {
         );
     }
     text
+}
+
+/// How a stranger gets the program.
+fn install(parts: &Parts<'_>) -> String {
+    if parts.sources.is_none() {
+        return "You need the program slipmode, of the version above or a newer one. `slipmode archive --with-sources` makes archives that have its sources."
+            .into();
+    }
+    format!(
+        "`{SOURCES_FILE}` has the sources of slipmode with all packages that it is built from. You need Rust {} or newer, a C compiler, make, m4 and diff, and no network:\n\n\
+         ```sh\n\
+         tar --extract --file {SOURCES_FILE}\n\
+         cd slipmode-sources\n\
+         cargo install --offline --locked --path . --root ../program\n\
+         ```\n\n\
+         The program is then `program/bin/slipmode`. `docker build -t slipmode slipmode-sources` makes a container with it instead.",
+        env!("CARGO_PKG_RUST_VERSION")
+    )
 }
 
 /// The number of a row whose cycle is proved within seconds: of the cycles that pass the section at V = V_l, which hardly stick, the one in the middle.

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use serde_json::json;
 use slipmode::archive::{
-    CODECHECK_FILE, Facts, Files, Parts, ReleaseTime, contents, open_fields, pack, sha256_hex,
+    CODECHECK_FILE, Caps, Facts, Files, Parts, ReleaseTime, contents, open_fields, pack, sha256_hex,
 };
 use slipmode::report::{Folder, Product, without_environment};
 
@@ -34,6 +34,9 @@ pub struct Options {
     /// Also prepares the archive for a CODECHECK certificate: codecheck.yml with the manifest, and LICENSE; authors and reference are those of [paper] in report.toml
     #[arg(long)]
     codecheck: bool,
+    /// Also packs the program's sources, so that a reader builds it without a network: FILE is what `cargo xtask sources` made in a checkout
+    #[arg(long, value_name = "FILE.tar.xz")]
+    with_sources: Option<PathBuf>,
     /// One JSON object instead of text: the numbers of verdicts and the archive's SHA-256
     #[arg(long)]
     json: bool,
@@ -50,12 +53,16 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     let time = stated_time(std::env::var_os("SOURCE_DATE_EPOCH"))?;
     let (mut archive, mut timings) =
         (Output::create(&options.output)?, Output::create(&timings_file(&options.output))?);
+    let sources = options.with_sources.as_deref().map(read_sources).transpose()?;
     let (folder, inputs) = read_report_from(Source::Folder(options.folder.clone()), options.limit.limits()?)?;
     let product = recompute(&folder, &options.folder, progress)?;
     refuse_contradictions(&product.ledger)?;
     let facts = facts(time);
     let theorems = theorems(&folder, &product.ledger)?;
-    let parts = parts(&folder, &inputs, &product, &theorems, &facts, options.codecheck);
+    let parts = Parts {
+        sources: sources.as_deref(),
+        ..parts(&folder, &inputs, &product, &theorems, &facts, options.codecheck)
+    };
     let packed = pack(&contents(&parts), time).map_err(Failure::Refused)?;
     archive.write_all(&packed).map_err(|error| machine_write(&error))?;
     timings.write_all(environment.to_json().as_bytes()).map_err(|error| machine_write(&error))?;
@@ -95,13 +102,42 @@ pub fn parts<'p>(
     has_codecheck: bool,
 ) -> Parts<'p> {
     let codecheck = has_codecheck.then_some(&plan.paper);
-    Parts { name: &plan.name, title: &plan.title, inputs, product, ledger, theorems, facts, codecheck }
+    let sources = None;
+    Parts {
+        name: &plan.name,
+        title: &plan.title,
+        inputs,
+        product,
+        ledger,
+        theorems,
+        facts,
+        sources,
+        codecheck,
+    }
 }
 
 /// The texts of a report without what depends on the machine.
 pub fn machine_free(product: &mut Product) {
     product.files.values_mut().for_each(|text| *text = without_environment(text));
 }
+
+/// Reads a file of sources, which must look like one and fit into an archive that is read again.
+fn read_sources(path: &Path) -> Result<Vec<u8>, Failure> {
+    let most = Caps::default().file_bytes;
+    let bytes = std::fs::read(path).map_err(|error| Failure::place(path, &error.to_string()))?;
+    if !bytes.starts_with(XZ) {
+        return Err(Failure::place(path, "is no .tar.xz file (`cargo xtask sources` makes one)"));
+    }
+    match bytes.len() as u64 {
+        length if length > most => {
+            Err(Failure::place(path, &format!("has {length} bytes (allowed: {most})")))
+        }
+        _ => Ok(bytes),
+    }
+}
+
+/// The first bytes of each file that xz has compressed.
+const XZ: &[u8] = b"\xfd7zXZ\0";
 
 fn stated_time(variable: Option<OsString>) -> Result<ReleaseTime, Failure> {
     let Some(text) = variable else { return Ok(ReleaseTime::UNSTATED) };

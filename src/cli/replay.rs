@@ -8,8 +8,8 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use serde_json::json;
 use slipmode::archive::{
-    Budget, CODECHECK_FILE, Caps, Facts, Files, INPUT_FOLDER, Maker, ReleaseTime, Reproduction,
-    digest_faults, reproduction, requests, unpack,
+    Budget, CODECHECK_FILE, Caps, Facts, Files, INPUT_FOLDER, Maker, Parts, ReleaseTime, Reproduction,
+    SOURCES_FILE, digest_faults, reproduction, requests, unpack,
 };
 use slipmode::claims::Ledger;
 use slipmode::report::{Folder, Product, produce};
@@ -168,7 +168,9 @@ impl Replay<'_> {
         let product = recompute(&folder, &inside, progress)?;
         let theorems = theorems(&folder, &product.ledger)?;
         let has_codecheck = self.opened.files.contains_key(CODECHECK_FILE);
+        let sources = self.opened.files.get(SOURCES_FILE).map(Vec::as_slice);
         let parts = parts(&folder, &read, &product, &theorems, self.facts, has_codecheck);
+        let parts = Parts { sources, ..parts };
         let mut found = reproduction(&self.opened.container, &self.opened.files, &parts, &self.maker);
         found.differences.extend(contradictions(&product.ledger));
         found.differences.extend(drift(&product.ledger));

@@ -21,6 +21,7 @@ const STEPS: &[Step] = &[
     #[cfg(target_os = "linux")]
     ("cluster-test", crate::cluster_test::run),
     ("package", || process::check(&mut Command::new(root().join(".ci/package")))),
+    ("sources", crate::sources::try_out),
     ("validate", validate::run),
     ("wheel", || wheel::run(&["--test".into()])),
 ];

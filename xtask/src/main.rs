@@ -17,6 +17,7 @@ mod open_fields;
 mod process;
 mod prove;
 mod repository;
+mod sources;
 mod test;
 mod tidy;
 mod validate;
@@ -63,6 +64,7 @@ fn run(arguments: &[String]) -> Result<(), Failure> {
         "advisories" => advisories::run(),
         "licences" => licences::run(),
         "semver" => interface::semver(),
+        "sources" => sources::run(),
         "wheels" => wheels::run(),
         "open-fields" => open_fields::run(),
         "machine" => machine::run(),
