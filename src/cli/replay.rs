@@ -174,6 +174,9 @@ impl Replay<'_> {
         let mut found = reproduction(&self.opened.container, &self.opened.files, &parts, &self.maker);
         found.differences.extend(contradictions(&product.ledger));
         found.differences.extend(drift(&product.ledger));
+        found.not_verified.extend(sources.map(|_| {
+            format!("{SOURCES_FILE}: that these are the sources of the program that made the archive")
+        }));
         Ok((product, found))
     }
 
