@@ -24,11 +24,7 @@ pub fn table_columns(header: Vec<u8>, unused: Vec<String>) -> Answer<Columns> {
 
 /// The seven values of each row of a CSV file in SI, as exact texts; empty ones where a value is missing.
 #[pyfunction]
-pub fn table_rows(
-    py: Python<'_>,
-    csv: Vec<u8>,
-    unused: Vec<String>,
-) -> PyResult<Answer<Vec<[String; 7]>>> {
+pub fn table_rows(py: Python<'_>, csv: Vec<u8>, unused: Vec<String>) -> PyResult<Answer<Vec<[String; 7]>>> {
     let (rows, captured) = in_background(py, move || capture_rows(csv, quantities(&unused)))?;
     Ok(answer(rows, captured))
 }
