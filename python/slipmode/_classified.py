@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 
 from slipmode import _slipmode
 from slipmode._exact import exact
-from slipmode._frames import Categories, filled, pandas_column
-from slipmode._table import Table, axes, html_table, series
+from slipmode._frames import Categories, filled
+from slipmode._table import Table, axes, html_table, pandas_column, series
 
 if TYPE_CHECKING:
     import pandas

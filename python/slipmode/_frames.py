@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from slipmode._errors import InputError
 from slipmode._exact import exact, is_of
-from slipmode._table import Table
+from slipmode._table import Table, column, pandas_column
 
 PACKAGES = ("pandas", "polars", "xarray", "pyarrow")
 
@@ -79,7 +79,11 @@ class Kind:
         return getattr(Kind(self.package), f"_{self.package}")(dict(table))
 
     def _numpy(self, columns: dict[str, Any]) -> Table:
-        return Table(columns)
+        if not self.is_frame:
+            return Table(columns)
+        shape = next(iter(columns.values())).shape
+        given = {name: cells_of(values, shape) for name, values in self.example.items()}
+        return Table({**given, **columns})
 
     def _pandas(self, columns: dict[str, Any]) -> Any:
         import pandas
@@ -127,15 +131,13 @@ class Kind:
         return frame
 
 
-def pandas_column(column: Any) -> Any:
-    """Return a column of pandas, with missing values as such."""
-    import pandas
-
-    if isinstance(column, Categories):
-        return column.to_pandas()
-    if np.ma.isMA(column):
-        return pandas.arrays.IntegerArray(np.asarray(column.data).ravel(), np.ma.getmaskarray(column).ravel())
-    return column.ravel()
+def cells_of(values: Any, shape: tuple[int, ...]) -> NDArray[Any]:
+    """Return a column of a mapping, or one value for all rows, as an array."""
+    if isinstance(values, (str, tuple)) or not hasattr(values, "__len__"):
+        one = np.empty((), dtype=object)
+        one[()] = values
+        return np.broadcast_to(one, shape)
+    return np.broadcast_to(values if isinstance(values, np.ndarray) else column(list(values)), shape, subok=True)
 
 
 def filled(column: Any) -> NDArray[Any]:

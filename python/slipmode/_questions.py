@@ -20,7 +20,7 @@ from slipmode._frames import Categories
 from slipmode._rows import KEYS, NAMES, FrameColumn, Rows, Value, is_number
 from slipmode._run import call_json, each, in_python, remark, warn
 from slipmode._simulated import Failed, Simulation, Simulations
-from slipmode._table import Table, column
+from slipmode._table import Record, Table, column
 
 #: Options of the command line by argument.
 OPTIONS = {name: f"--{key.replace('_', '-')}" for name, key in KEYS.items()}
@@ -39,7 +39,7 @@ Texts = Mapping[str, str]
 
 
 @dataclass(frozen=True)
-class Root:
+class Root(Record):
     """A root s of eq 8, 1/s: the true one lies within ``radius`` of re + i·im."""
 
     re: Decimal
@@ -52,7 +52,7 @@ class Root:
 
 
 @dataclass(frozen=True)
-class Solution:
+class Solution(Record):
     """A solution of an inverse question, in SI."""
 
     value: Decimal
@@ -68,7 +68,7 @@ class Solution:
 
 
 @dataclass(frozen=True)
-class Distance:
+class Distance(Record):
     """log10 of the factors by which one input has to change; none where no change suffices."""
 
     #: Of σ, to the transition K = K_c.
@@ -164,7 +164,7 @@ def classify(
 
     ``frame`` has columns with the names that ``slipmode classify --points`` reads, such as ``a``, ``Dc [um]`` and ``a_err``, or is a
     mapping of columns. Arguments add columns to it. The result is the frame with further columns, whose names are those of the
-    command line. With errors they are ranges and what is possible.
+    command line; a :class:`Table` for a mapping. With errors they are ranges and what is possible.
 
     A row with a missing value (NaN, None or masked) has a missing result. Signs are exact. Frequencies in Hz are correctly
     rounded; growth rates and angular frequencies have a relative error below 1e-14. An oscillation is inertial from
@@ -179,7 +179,7 @@ def classify(
     if rows.is_uncertain:
         return classify_uncertain(rows, threshold)
     found = classify_rows(rows, threshold)
-    return found if rows.kind.package == "numpy" else rows.wrap(found.results())
+    return rows.wrap(found.results()) if rows.is_framed else found
 
 
 def classify_point(values: Mapping[str, str | float], threshold: str | None) -> Classification | Possibilities:
@@ -310,7 +310,7 @@ def roots(
     refuse_error_bars("classify", rows.is_uncertain)
     buffer = _slipmode.roots_of_points(rows.native, rows.size)
     complexes = np.frombuffer(buffer, "<c16").reshape(*rows.shape, 3)
-    if rows.kind.package == "numpy" and not rows.kind.is_frame:
+    if not rows.is_framed:
         return complexes
     parts = {"re": complexes.real, "im": complexes.imag}
     names = ((place, part) for place in range(3) for part in parts)
@@ -536,9 +536,7 @@ def simulate(
     items = [None if texts is None else (texts, own) for texts, own in zip(rows.texts(), laws)]
     inputs = {name: array.ravel() for name, array in rows.inputs().items()}
     runs = Simulations([run or Failed("a value is missing") for run in each(items, one)], inputs)
-    if rows.kind.package == "numpy" and not rows.kind.is_frame:
-        return runs
-    return rows.wrap(columns_of_rows(runs.rows(), rows.shape))
+    return rows.wrap(columns_of_rows(runs.rows(), rows.shape)) if rows.is_framed else runs
 
 
 def simulate_point(

@@ -159,6 +159,11 @@ class Rows:
         """Return the inputs by the names of the command line."""
         return {KEYS[name]: column.shown(self.shape) for name, column in self.columns.items()}
 
+    @property
+    def is_framed(self) -> bool:
+        """Whether results are the columns of a frame, and not arrays alone."""
+        return self.kind.is_frame or self.kind.package != "numpy"
+
     def wrap(self, results: Mapping[str, Any]) -> Any:
         """Return results as what was given."""
         return self.kind.wrap(self.inputs() if not self.kind.is_frame else {}, results)

@@ -18,6 +18,8 @@ from slipmode._errors import CheckFailed, InputError, SlipmodeWarning
 T = TypeVar("T")
 R = TypeVar("R")
 WARNING = "warning: "
+#: Between two looks at a process.
+TICK_S = 0.05
 
 #: What Python calls the keys and the options of the command line, where the names differ.
 ARGUMENTS = {
@@ -66,7 +68,7 @@ def run(*arguments: str, may_differ: bool = False) -> tuple[bool, str]:
     command = [sys.executable, "-m", "slipmode", *arguments, "--quiet"]
     process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     try:
-        output, messages = process.communicate()
+        output, messages = outcome(process)
     except BaseException:
         process.terminate()
         process.communicate()
@@ -75,6 +77,15 @@ def run(*arguments: str, may_differ: bool = False) -> tuple[bool, str]:
     if not (code == 1 and may_differ):
         remark(code, messages.decode())
     return code == 0, output.decode() + (messages.decode() if code == 1 else "")
+
+
+def outcome(process: subprocess.Popen[bytes]) -> tuple[bytes, bytes]:
+    """Return what a process prints; Ctrl-C is at most a tick late (``communicate`` without a limit waits 0.25 s more)."""
+    while True:
+        try:
+            return process.communicate(timeout=TICK_S)
+        except subprocess.TimeoutExpired:
+            pass
 
 
 def remark(code: int, messages: str, warned: list[str] | None = None) -> None:

@@ -205,3 +205,11 @@ class Simulations(Sequence["Simulation | Failed"]):
     def __repr__(self) -> str:
         failed = sum(isinstance(run, Failed) for run in self._runs)
         return f"<Simulations: {len(self)} runs, {failed} of them without a result>"
+
+    def _repr_html_(self) -> str:
+        def cells(run: Simulation | Failed) -> dict[str, Any]:
+            if isinstance(run, Failed):
+                return {"mode": run.reason, "slip mode": "", "peak velocity": "", "period": ""}
+            return {"mode": run.mode, "slip mode": run.slip_mode, "peak velocity": run.peak_velocity, "period": run.period}
+
+        return Table.of_rows([{"run": row} | cells(run) for row, run in enumerate(self)])._repr_html_()

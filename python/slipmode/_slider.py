@@ -178,14 +178,13 @@ class Slider(Frozen):
         inertial_threshold: Number | None = None,
     ) -> Map:
         """Classify a grid with equal logarithmic steps, each axis given as (from, to, number of coordinates), and draw it."""
-        stresses, velocities = (f"{exact(low)}:{exact(high)}:{points}" for low, high, points in (sigma, v))
+        axes = [f"{exact(low)}:{exact(high)}:{points}" for low, high, points in (v, sigma)]
         threshold = None if inertial_threshold is None else exact(inertial_threshold)
         texts = [exact(value) for value in self]
-        code, messages, grid = _slipmode.draw_grid(texts, velocities, stresses, threshold)
+        code, messages, grid = _slipmode.draw_grid(texts, axes, threshold)
         remark(code, in_python(messages))
         assert grid is not None  # A command without a result has raised.
-        axes = (np.frombuffer(axis, "<f8").astype(np.float64) for axis in grid[:2])
-        velocity, stress = np.meshgrid(*axes)
+        velocity, stress = np.meshgrid(*(np.frombuffer(axis, "<f8").astype(np.float64) for axis in grid[:2]))
         found = questions.classify_rows(Rows.of(None, self._at(stress, velocity)), threshold)
         fields = {each.name: getattr(found, each.name) for each in dataclasses.fields(found)}
         return Map(**fields, svg=grid[2])

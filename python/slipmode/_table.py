@@ -26,7 +26,7 @@ class Table(Mapping[str, NDArray[Any]]):
     """Columns by name; every column is an array."""
 
     def __init__(self, columns: Mapping[str, Any]) -> None:
-        self._columns = {name: np.asarray(column) for name, column in columns.items()}
+        self._columns: dict[str, NDArray[Any]] = {name: np.asanyarray(column) for name, column in columns.items()}
 
     @classmethod
     def of_rows(cls, rows: list[dict[str, Any]]) -> Table:
@@ -52,7 +52,7 @@ class Table(Mapping[str, NDArray[Any]]):
         """Return the columns as a data frame of pandas."""
         import pandas
 
-        return pandas.DataFrame({name: array.ravel() for name, array in self._columns.items()})
+        return pandas.DataFrame({name: pandas_column(array) for name, array in self._columns.items()})
 
     def to_dataframe(self) -> pandas.DataFrame:
         """Return :meth:`to_pandas`."""
@@ -67,6 +67,32 @@ class Table(Mapping[str, NDArray[Any]]):
         rest = self.rows - len(body)
         note = f"<p>and {rest} more rows</p>" if rest > 0 else ""
         return html_table(list(self._columns), body) + note
+
+
+class Record:
+    """A result whose fields are values: a row of pandas, and a table of a notebook."""
+
+    def to_pandas(self) -> pandas.Series[Any]:
+        """Return the fields by name."""
+        import pandas
+
+        return pandas.Series(vars(self), dtype=object)
+
+    def _repr_html_(self) -> str:
+        return html_table(["name", "value"], [[name, str(value)] for name, value in vars(self).items()])
+
+
+def pandas_column(column: Any) -> Any:
+    """Return a column of pandas, with missing values as such."""
+    import pandas
+
+    if hasattr(column, "to_pandas"):
+        return column.to_pandas()
+    if np.ma.isMA(column) and column.dtype.kind == "f":
+        return column.filled(np.nan).ravel()
+    if np.ma.isMA(column):
+        return pandas.arrays.IntegerArray(np.asarray(column.data).ravel(), np.ma.getmaskarray(column).ravel())
+    return column.ravel()
 
 
 def column(cells: list[Any]) -> NDArray[Any]:

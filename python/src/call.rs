@@ -37,7 +37,7 @@ pub fn roots_of_point(py: Python<'_>, values: [String; 7], digits: String) -> Py
 }
 
 /// Does work on a thread of its own, for which Ctrl-C does not wait.
-fn in_background<T: Send + 'static>(
+pub fn in_background<T: Send + 'static>(
     py: Python<'_>,
     work: impl FnOnce() -> T + Send + 'static,
 ) -> PyResult<T> {

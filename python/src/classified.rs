@@ -4,6 +4,8 @@ use pyo3::prelude::*;
 use pyo3::types::PyByteArray;
 use slipmode::cli::{Captured, capture_grid, capture_point};
 
+use crate::call::in_background;
+
 /// Loading velocities and normal stresses as little-endian 64-bit numbers, and the picture as SVG.
 type Grid<'py> = (Bound<'py, PyByteArray>, Bound<'py, PyByteArray>, String);
 /// The exit code and the messages of the command, and its result unless it fails.
@@ -21,25 +23,26 @@ pub fn describe_point(
     py.detach(|| Some(capture_point(values, inertial_threshold).0?.json().to_string()))
 }
 
-/// Draws the slip modes of a grid; each axis is `FROM:TO:N`.
+/// Draws the slip modes of a grid, whose axes, V0 and σ, are `FROM:TO:N`.
 #[pyfunction]
-#[pyo3(signature = (slider, loading_velocity, normal_stress, inertial_threshold=None))]
-pub fn draw_grid<'py>(
-    py: Python<'py>,
+#[pyo3(signature = (slider, axes, inertial_threshold=None))]
+pub fn draw_grid(
+    py: Python<'_>,
     slider: [String; 5],
-    loading_velocity: &str,
-    normal_stress: &str,
-    inertial_threshold: Option<&str>,
-) -> Answer<Grid<'py>> {
-    let slider = slider.each_ref().map(String::as_str);
-    let axes = [loading_velocity, normal_stress];
-    let (grid, captured) = py.detach(|| capture_grid(slider, axes, inertial_threshold));
+    axes: [String; 2],
+    inertial_threshold: Option<String>,
+) -> PyResult<Answer<Grid<'_>>> {
+    let work = move || {
+        let (slider, axes) = (slider.each_ref().map(String::as_str), axes.each_ref().map(String::as_str));
+        capture_grid(slider, axes, inertial_threshold.as_deref())
+    };
+    let (grid, captured) = in_background(py, work)?;
     let bytes = |numbers: &[f64]| {
         PyByteArray::new(py, &numbers.iter().flat_map(|number| number.to_le_bytes()).collect::<Vec<u8>>())
     };
     let columns =
         grid.map(|grid| (bytes(&grid.loading_velocity_m_per_s), bytes(&grid.normal_stress_pa), grid.svg));
-    answer(columns, captured)
+    Ok(answer(columns, captured))
 }
 
 /// A result with the exit code and the messages of the command.

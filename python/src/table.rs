@@ -5,6 +5,7 @@ use slipmode::cli::{capture_columns, capture_rows};
 use slipmode::scene::Quantity;
 use slipmode_core::number::format::exact_text;
 
+use crate::call::in_background;
 use crate::classified::{Answer, answer};
 
 /// The column and the size in SI of its unit for each quantity, and the columns of errors.
@@ -23,9 +24,9 @@ pub fn table_columns(header: Vec<u8>, unused: Vec<String>) -> Answer<Columns> {
 
 /// The seven values of each row of a CSV file in SI, as exact texts; empty ones where a value is missing.
 #[pyfunction]
-pub fn table_rows(py: Python<'_>, csv: Vec<u8>, unused: Vec<String>) -> Answer<Vec<[String; 7]>> {
-    let (rows, captured) = py.detach(|| capture_rows(csv, quantities(&unused)));
-    answer(rows, captured)
+pub fn table_rows(py: Python<'_>, csv: Vec<u8>, unused: Vec<String>) -> PyResult<Answer<Vec<[String; 7]>>> {
+    let (rows, captured) = in_background(py, move || capture_rows(csv, quantities(&unused)))?;
+    Ok(answer(rows, captured))
 }
 
 fn quantities(keys: &[String]) -> Vec<Quantity> {

@@ -55,6 +55,52 @@ def test_missing_values_stay_missing():
     assert np.isnan(slipmode.roots(**VALUES | {"sigma": masked})).all(axis=1).tolist() == [False, True, False]
 
 
+#: The questions of points, and what else they are asked.
+QUESTIONS = {
+    "classify": (slipmode.classify, {}, "frequency_hz"),
+    "roots": (slipmode.roots, {}, "root_1_re_per_s"),
+    "distance": (slipmode.distance, {}, "transition_normal_stress"),
+    "solve": (lambda frame=None, **values: slipmode.solve("k", frame, **values), {"transition": True}, "solution_1"),
+    "simulate": (slipmode.simulate, {"law": "slip", "rtol": "1e-4"}, "peak_velocity_m_per_s"),
+}
+
+
+@pytest.mark.parametrize("question", QUESTIONS)
+def test_a_missing_value_is_a_missing_result_of_every_question(question):
+    call, asked, name = QUESTIONS[question]
+    whole = call({**VALUES, "sigma": STRESSES, "v": [1e-5] * 3}, **asked)
+    assert isinstance(whole, slipmode.Table)
+    for missing in (np.ma.array(STRESSES, mask=[False, True, False]), np.array([1e5, np.nan, 2e7]), [1e5, None, 2e7]):
+        found = call({**VALUES, "sigma": missing, "sample": ["x", "y", "z"]}, **asked)
+        assert list(found)[: len(VALUES) + 1] == [*VALUES, "sample"] and found["sample"].tolist() == ["x", "y", "z"]
+        numbers = found[name].astype(float)
+        assert np.isnan(numbers).tolist() == [False, True, False]
+        assert numbers[::2].tolist() == whole[name][::2].tolist()
+        if question == "classify":
+            assert np.ma.getmaskarray(found["transition_sign"]).tolist() == [False, True, False]
+            assert pytest.importorskip("pandas").isna(found.to_pandas()["transition_sign"]).tolist() == [False, True, False]
+
+
+@pytest.mark.parametrize("question", QUESTIONS)
+@pytest.mark.parametrize("package", ["pandas", "polars", "pyarrow", "xarray"])
+def test_every_question_of_a_frame_has_a_frame_of_its_package(package, question):
+    library = pytest.importorskip(package)
+    call, asked, name = QUESTIONS[question]
+    columns = {own: [value] * 3 for own, value in VALUES.items()} | {"sigma": STRESSES, "sample": ["x", "y", "z"]}
+    frames = {
+        "pandas": lambda: library.DataFrame(columns, index=[7, 8, 9]),
+        "polars": lambda: library.DataFrame(columns),
+        "pyarrow": lambda: library.table(columns),
+        "xarray": lambda: library.Dataset({own: ("x", column) for own, column in columns.items()}),
+    }
+    frame = frames[package]()
+    found = call(frame, **asked)
+    assert type(found) is type(frame) and np.asarray(found["sample"]).tolist() == ["x", "y", "z"]
+    assert np.asarray(found[name]).tolist() == call(columns, **asked)[name].tolist()
+    if package == "pandas":
+        assert found.index.equals(frame.index)
+
+
 @pytest.mark.parametrize("package", ["pandas", "polars", "pyarrow"])
 def test_a_frame_gives_a_frame_of_its_package(package):
     library = pytest.importorskip(package)
@@ -227,6 +273,9 @@ def test_records_have_tables_and_plots_return_axes():
     from matplotlib import pyplot
 
     assert SLIDER.classify(5e6, 1e-5).to_pandas()["slip_mode"] == "stick-slip"
+    (place,) = SLIDER.solve("k", sigma="5MPa", v="10um/s", transition=True)
+    for record in (place, SLIDER.distance(5e6, 1e-5), SLIDER.roots(5e6, 1e-5)[0]):
+        assert record.to_pandas().to_dict() == vars(record) and str([*vars(record)][0]) in record._repr_html_()
     run = SLIDER.simulate("5MPa", "10um/s", law="slip", rtol="1e-6")
     assert run.to_pandas()["mode"] == "periodic"
     _, ax = pyplot.subplots()

@@ -106,12 +106,20 @@ def test_another_thread_runs_meanwhile():
     assert meanwhile > 10_000
 
 
+#: On the transition every row needs exact arithmetic; a run takes milliseconds.
+ONE = dict(zip(("a", "b", "d_c", "k", "m", "v"), (1.0, 2.0, 1.0, 2.0, 1.0, 1.0)))
+LONG = {
+    "classify": lambda: slipmode.classify(**ONE, sigma=np.full(3_000_000, 1.0)),
+    "simulate": lambda: slipmode.simulate(**ONE, sigma=np.full(100_000, 1.0), law="slip"),
+    "map": lambda: [SLIDER.map(("10kPa", "100MPa", 2000), ("0.1um/s", "10cm/s", 2000)) for _ in range(20)],
+    "errors": lambda: slipmode.classify({**ONE, "sigma": np.full(10**6, 1.0), "a_err": np.full(10**6, 0.1)}),
+    "compare": lambda: slipmode.compare([ONE | {"sigma": 1.0, "peak_velocity_m_per_s": 2.0}] * 20_000, law="slip"),
+}
+
+
 @pytest.mark.filterwarnings("ignore::slipmode.SlipmodeWarning")
-@pytest.mark.parametrize("work", ["classify", "simulate"])
-def test_control_c_ends_long_arrays(work):
-    # On the transition every row needs exact arithmetic; a run takes milliseconds.
-    one = dict(zip(("a", "b", "d_c", "k", "m", "v"), (1.0, 2.0, 1.0, 2.0, 1.0, 1.0)))
-    stresses = np.full(3_000_000 if work == "classify" else 100_000, 1.0)
+@pytest.mark.parametrize("work", LONG)
+def test_control_c_ends_long_work(work):
     sent = []
 
     def interrupt():
@@ -120,7 +128,7 @@ def test_control_c_ends_long_arrays(work):
 
     threading.Timer(0.5, interrupt).start()
     with pytest.raises(KeyboardInterrupt):
-        getattr(slipmode, work)(**one, sigma=stresses, **({"law": "slip"} if work == "simulate" else {}))
+        LONG[work]()
     # 0.2 s on a machine that does nothing else.
     assert time.monotonic() - sent[0] < 1.0
 

@@ -200,7 +200,7 @@ def test_observables_have_errors_that_hold():
 @pytest.mark.filterwarnings("ignore::slipmode.SlipmodeWarning")
 def test_runs_of_arrays_keep_their_order_and_name_failures():
     runs = SLIDER.simulate(np.array([1e6, 5e6]), 1e-5, law="aging")
-    assert [run.mode for run in runs] == ["decaying", "periodic"]
+    assert [run.mode for run in runs] == ["decaying", "periodic"] and "decaying" in runs._repr_html_()
     alone = SLIDER.simulate(5e6, 1e-5, law="aging")
     assert runs[1] == alone
     failed = slipmode.Slider(a="1e-200", b="2e-200", d_c=1, k=1, m=1).simulate(np.array([1.0]), 1.0, law="aging")

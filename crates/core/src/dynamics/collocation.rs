@@ -39,10 +39,7 @@ pub struct Collocation<R, const S: usize> {
 }
 
 impl<R: Scalar, const S: usize> Collocation<R, S> {
-    /// The constants, rounded from the ones kept at 640 bits.
-    ///
-    /// # Panics
-    /// When S is even or above 16: no such method exists here.
+    /// The constants, rounded from the ones kept at 640 bits. An even S, or one above 16, does not compile: there is no such method.
     #[must_use]
     pub fn new() -> Self {
         const { assert!(S % 2 == 1 && S <= MOST_STAGES) };
