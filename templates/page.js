@@ -1,5 +1,6 @@
 "use strict";
-// Sorting, searching and showing map values. The page is complete without this script. No mathematics, no requests.
+// Unpacking what is opened, sorting, searching and showing map values. Without this script, links lead to the files beside the page. No
+// mathematics, no requests.
 // Text that it adds is marked `data-extra`; a check ensures that the rest is the same without scripts.
 (() => {
   const make = (tag, attributes, ...children) => {

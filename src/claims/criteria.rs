@@ -99,8 +99,11 @@ fn errors_of_the_asymptotes(context: &Context, asked: Asked) -> Finding {
         .collect();
     let finding = worst().fold(finding, |finding, (number, place, error)| {
         finding.with_evidence(Evidence::Enclosure {
-            quantity: cited(&format!("Largest relative error of eq {number} on its arc, {place}")),
-            value: format!("{} ({})", certain_digits(error, 6), at_most_per_cent(error)),
+            quantity: cited(&format!(
+                "Largest relative error of eq {number} on its arc, {place} ({})",
+                at_most_per_cent(error)
+            )),
+            value: certain_digits(error, 6),
         })
     });
     let most = |(number, _, error): (&&str, _, &Ball)| {

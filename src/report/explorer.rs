@@ -1,4 +1,4 @@
-//! The explorer's page: one self-contained HTML file whose script only chooses among what is stored in it.
+//! The explorer's page: one self-contained HTML file. Its scripts choose among what is stored in it, and compute what the program made.
 
 use serde_json::json;
 use slipmode_core::friction::Slider;

@@ -1,8 +1,8 @@
 //! Reports: a view of text in, one self-contained HTML page and one Markdown document out.
 //!
 //! Nothing here does arithmetic or reads files: numbers arrive formatted, figures arrive drawn, templates and fonts
-//! are part of the program. The page makes no network requests; its one script
-//! adds sorting, finding and reading out, and everything is readable without it.
+//! are part of the program. The page makes no network requests. Its one script unpacks what is opened, sorts, finds and reads out; without
+//! it, links lead to the files beside the page.
 
 mod answer;
 mod assemble;
