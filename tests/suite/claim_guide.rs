@@ -73,11 +73,11 @@ fn entry(file: &str, id: &str) -> String {
 
 #[test]
 fn the_gallery_shows_what_check_decides() {
-    let entries: Vec<&str> = GALLERY.split("\n### ").skip(1).collect();
+    let entries: Vec<&str> = GALLERY.split("\n## ").skip(1).collect();
     assert_eq!(entries.len(), 12);
     for shown in entries {
-        let (heading, body) = shown.split_once("\n\n").unwrap();
-        let (_, link) = heading.split_once("[").unwrap();
+        let (heading, rest) = shown.split_once("\n\n[").unwrap();
+        let (link, body) = rest.split_once("\n\n").unwrap();
         let (file, id) = link.split_once(".toml").unwrap();
         let id = id.trim_start_matches(", ").split(']').next().unwrap();
         let expected = entry(file, id);

@@ -1,4 +1,4 @@
-//! Ways in from outside: the action of a workflow, the image and the development container.
+//! Ways in from outside: the action of a workflow, the image, the development container and the recipe for conda.
 
 use std::fs;
 use std::path::Path;
@@ -73,5 +73,33 @@ fn the_doors_install_what_the_build_needs() {
     let action = read("action.yml");
     for part in ["$GITHUB_ACTION_PATH/action/verify.sh", "inputs.report", "inputs.junit"] {
         assert!(action.contains(part), "{part}");
+    }
+}
+
+#[test]
+fn the_recipe_for_conda_states_what_the_manifests_state() {
+    let [cargo, python] =
+        ["Cargo.toml", "python/pyproject.toml"].map(|name| read(name).parse::<toml::Table>().unwrap());
+    let (package, workspace) = (&cargo["package"], &cargo["workspace"]["package"]);
+    let text = |value: &toml::Value| value.as_str().unwrap().to_owned();
+    let recipe = read("conda/recipe.yaml");
+    let stated =
+        |line: String| assert_eq!(recipe.lines().filter(|found| found.trim() == line).count(), 1, "{line}");
+    stated(format!("name: {}", text(&package["name"])));
+    stated(format!("version: \"{}\"", text(&workspace["version"])));
+    stated(format!("- rust >={}", text(&workspace["rust-version"])));
+    stated(format!("summary: {}", text(&package["description"])));
+    // A compiled program has the licence of the wheel, which has the same parts.
+    let licence = text(&python["project"]["license"]);
+    assert!(licence.contains(&format!("({})", text(&workspace["license"]))), "{licence}");
+    stated(format!("license: {licence}"));
+    for line in recipe.lines().skip_while(|line| *line != "  license_file:").skip(1) {
+        let file = line.trim().trim_start_matches("- ");
+        assert!(Path::new(ROOT).join(file).is_file(), "{file}");
+    }
+    for tool in ["make", "m4", "diff"] {
+        let tools = read("xtask/tools.txt");
+        let row = tools.lines().find(|line| line.starts_with(&format!("{tool} |"))).unwrap();
+        stated(format!("- {}", row.rsplit('|').next().unwrap().trim()));
     }
 }

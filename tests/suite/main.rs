@@ -77,6 +77,7 @@ mod reports;
 mod roots;
 mod runs_within_error_bars;
 mod sabotage;
+mod schemas;
 mod shell;
 mod simulate;
 mod simulate_points;

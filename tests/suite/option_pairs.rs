@@ -335,6 +335,7 @@ const COMMANDS: &[Command] = &[
         options: &[
             ("--output", &["-o", "out.zip"]),
             ("--codecheck", &["--codecheck"]),
+            ("--with-sources", &["--with-sources", "sources.tar.xz"]),
             ("--json", &["--json"]),
             ("--max-points", &["--max-points", "2"]),
         ],
@@ -395,6 +396,7 @@ fn workplace() -> Workplace {
     place.write("s.toml", format!("{SCENE}[boundary]\npoints = 3\ndigits = 20\n"));
     place.write("statements.toml", include_str!("../../examples/check/brusselator.toml"));
     place.write("sweep.toml", sweep(8, 10));
+    place.write("sources.tar.xz", b"\xfd7zXZ\0");
     for folder in ["blocks", "fewer"] {
         place.run(["sweep", "sweep.toml", "--out", folder]).expect_success();
     }

@@ -2,6 +2,7 @@
 //!
 //! The tools are those of `python/tests/requirements.txt`, installed by pip below `target/wheel/`. With `--test`, the wheel is built
 //! with the profile of the other tasks, whose parts it shares; it is then installed where no compiler is found, tested and checked.
+//! With `--pages`, the site of `docs/` is made with such a wheel, whose docstrings it shows.
 
 use std::ffi::OsString;
 use std::fs;
@@ -20,14 +21,14 @@ pub const FIRST_USE: &str = "import slipmode; s = slipmode.Slider(a='0.004', b='
 /// Where wheels and source packages lie.
 pub const WHEELS: &str = "target/wheels";
 
-/// Builds the wheel; with `--test`, tests it.
+/// Builds the wheel; with `--test`, tests it; with `--pages`, makes the site.
 ///
 /// # Errors
 /// With exit code 2 when Python or a tool is missing, 1 when the build or a test fails.
 pub fn run(arguments: &[String]) -> Result<(), Failure> {
-    let is_test = arguments == ["--test"];
-    if !is_test && !arguments.is_empty() {
-        return Err(Failure::bad_input("`wheel` takes `--test` or nothing"));
+    let (is_test, is_site) = (arguments == ["--test"], arguments == ["--pages"]);
+    if !is_test && !is_site && !arguments.is_empty() {
+        return Err(Failure::bad_input("`wheel` takes `--test`, `--pages` or nothing"));
     }
     machine::require(&["python3"])?;
     if is_test && machine::is_continuous_integration() {
@@ -37,8 +38,12 @@ pub fn run(arguments: &[String]) -> Result<(), Failure> {
     machine::run()?;
     let tools = tools()?;
     remove_wheels();
-    let profile = if is_test { verify::profile() } else { "dist" };
+    let profile = if is_test || is_site { verify::profile() } else { "dist" };
     let wheel = maturin(&tools, &["build", "--locked", "--profile", profile], &[])?;
+    if is_site {
+        install(&tools, &wheel)?;
+        return pages(&tools);
+    }
     maturin(&tools, &["sdist"], &[])?;
     if is_test { test(&tools, &wheel) } else { Ok(()) }
 }
@@ -75,7 +80,7 @@ pub fn test(tools: &Path, wheel: &Path) -> Result<(), Failure> {
     process::check(pip(&fresh).arg(wheel).env("PATH", &search_path))?;
     let mut python = Command::new(fresh.join("bin/python"));
     process::check(python.args(["-c", FIRST_USE]).env("PATH", &search_path).current_dir(&fresh))?;
-    process::check(pip(tools).args(["--force-reinstall", "--no-deps"]).arg(wheel))?;
+    install(tools, wheel)?;
     let folder = root().join("python");
     let check = |program: &str, arguments: &[&str], files: &[PathBuf]| {
         let mut command = Command::new(tools.join("bin").join(program));
@@ -89,11 +94,21 @@ pub fn test(tools: &Path, wheel: &Path) -> Result<(), Failure> {
     )?;
     check("mypy", &["--config-file"], &[settings.clone(), folder.join("examples")])?;
     check("stubtest", &["slipmode", "--mypy-config-file"], &[settings, "--allowlist".into(), allowed])?;
-    // Warnings are errors, such as a link that leads nowhere.
-    let pages = root().join("docs/python");
-    check("sphinx-build", &["--quiet", "--fail-on-warning", "--fresh-env"], &[pages, workshop("pages")])?;
+    pages(tools)?;
     check("twine", &["check", "--strict"], &entries(&root().join(WHEELS))?)?;
     if cfg!(target_os = "linux") { check("auditwheel", &["show"], &[wheel.to_path_buf()]) } else { Ok(()) }
+}
+
+/// Installs a wheel beside the tools.
+fn install(tools: &Path, wheel: &Path) -> Result<(), Failure> {
+    process::check(pip(tools).args(["--force-reinstall", "--no-deps"]).arg(wheel))
+}
+
+/// Makes the site of `docs/`. Warnings are errors, such as a link that leads nowhere.
+fn pages(tools: &Path) -> Result<(), Failure> {
+    let mut sphinx = Command::new(tools.join("bin/sphinx-build"));
+    sphinx.args(["--quiet", "--fail-on-warning", "--fresh-env"]).arg(root().join("docs"));
+    process::check(sphinx.arg(workshop("pages")))
 }
 
 /// A folder for environments.
