@@ -46,6 +46,25 @@ fn an_archive_is_replayed_in_another_place() {
 }
 
 #[test]
+fn sources_are_packed_as_they_are_and_replay_says_that_nothing_proves_them() {
+    let place = small_report();
+    place.write("sources.zip", "PK");
+    place
+        .run(["archive", "small", "-o", "a.zip", "--with-sources", "sources.zip"])
+        .expect_refusal(&["sources.zip: is no .tar.xz file (`cargo xtask sources` makes one)"]);
+    assert!(!place.path("a.zip").exists());
+    let sources = b"\xfd7zXZ\0and more";
+    place.write("sources.tar.xz", sources);
+    place.run(["archive", "small", "-o", "a.zip", "--with-sources", "sources.tar.xz"]).expect_success();
+    let said = place.run(["replay", "a.zip"]).expect_success();
+    assert!(said.contains("all bytes compared\nnot verified: sources.tar.xz: "), "{said}");
+    let (files, _) = unpack(&fs::read(place.path("a.zip")).unwrap(), &Caps::default()).unwrap();
+    assert_eq!(files["sources.tar.xz"], sources);
+    let readme = String::from_utf8(files["README.md"].clone()).unwrap();
+    assert!(readme.contains("cargo install --offline --locked"), "{readme}");
+}
+
+#[test]
 fn archives_have_the_same_bytes_on_any_number_of_threads() {
     let place = small_report();
     for threads in ["1", "2"] {

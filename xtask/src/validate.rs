@@ -219,7 +219,10 @@ mod tests {
         assert!(tools.all(|tool| listed.contains(&format!("\n{tool} | "))));
         for place in all.iter().flat_map(|[_, _, command]| command.split('{').skip(1)) {
             let place = place.split('}').next().unwrap();
-            assert!(["npm", "venv", "here", "root", "made", "pages", "browser", "report"].contains(&place));
+            assert!(
+                ["npm", "venv", "here", "root", "made", "pages", "browser", "program", "report"]
+                    .contains(&place)
+            );
         }
         assert_eq!(filled_in("a", "r").unwrap(), "a");
         let archive = filled_in("{made}/{report}.zip", "r").unwrap();
