@@ -6,7 +6,7 @@ use std::io::{self, Write};
 
 use clap::Parser;
 
-use crate::cli::failure::Failure;
+use crate::cli::failure::{Failure, print_json_usage};
 use crate::cli::progress::Progress;
 use crate::cli::{Cli, asks_for_json, dispatch, without_usage_of_conflict};
 
@@ -46,10 +46,18 @@ pub fn capture(arguments: impl IntoIterator<Item = OsString>) -> Captured {
         Ok(cli) => cli,
         Err(error) => {
             let error = without_usage_of_conflict(error);
-            let text = crate::cli::shortened_usage(&error)
-                .unwrap_or_else(|| error.render().to_string())
-                .into_bytes();
-            let (output, messages) = if error.use_stderr() { (Vec::new(), text) } else { (text, Vec::new()) };
+            let text = crate::cli::shortened_usage(&error).unwrap_or_else(|| error.render().to_string());
+            let as_json = || {
+                let print = || {
+                    print_json_usage(&text);
+                    Ok(())
+                };
+                captured(false, print).1.output
+            };
+            let (output, messages) = match error.use_stderr() {
+                true => (if asks_for_json(&arguments) { as_json() } else { Vec::new() }, text.into_bytes()),
+                false => (text.into_bytes(), Vec::new()),
+            };
             return Captured { exit_code: crate::cli::exit_code_of_usage(&error), output, messages };
         }
     };
@@ -140,5 +148,7 @@ mod tests {
         assert!(help.exit_code == 0 && help.output.starts_with(b"slipmode "));
         let wrong = captured("slipmode roots --nonsense");
         assert!(wrong.exit_code == 2 && wrong.output.is_empty() && !wrong.messages.is_empty());
+        let wrong = captured("slipmode roots --nonsense --json");
+        assert!(wrong.exit_code == 2 && wrong.output.starts_with(b"{\n  \"errors\": ["));
     }
 }
