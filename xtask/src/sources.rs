@@ -111,6 +111,11 @@ fn manifest(path: &Path) -> Result<(), Failure> {
 /// # Errors
 /// With exit code 1 when the program does not build, or finds another result.
 pub fn try_out() -> Result<(), Failure> {
+    let is_requested = std::env::args().any(|word| ["--all", "--record"].contains(&word.as_str()));
+    if machine::is_continuous_integration() && !is_requested {
+        println!("sources: left out: everything would be compiled once more; `--all` and `--record` run it");
+        return Ok(());
+    }
     let sources = make()?;
     verify::build()?;
     let place = workshop().join("trial");
