@@ -180,7 +180,7 @@ fn of_source(source: Source, claims: &[&Entry]) -> Option<AnswerView> {
         Source::Assumption => {
             ["Not stated by the paper", "assumption of this report", "assumptions of this report"]
         }
-        Source::Result => ["Beyond the paper", "result of our own", "results of our own"],
+        Source::Result => ["New here", "result of our own", "results of our own"],
     };
     let of = if claims.len() == 1 { one } else { several };
     let text = format!("{lead}, {} {of}: {}.", claims.len(), listed(&found)?);
@@ -285,7 +285,7 @@ mod tests {
                 "Right: all claims about the linearisation hold as stated, and those about the stability transition at least within a limit.",
                 "One claim is wrong as stated, with a counter-example:",
                 "In simulations: “Words of N1” holds; “Words of N2” holds within a first limit.",
-                "Beyond the paper, 1 result of our own: 1 holds.",
+                "New here, 1 result of our own: 1 holds.",
             ]
         );
         assert!(found[2].is_list && found[2].claims == ["B6"]);

@@ -130,7 +130,11 @@ fn chapter_text(chapter: &Chapter, prose: &BTreeMap<String, String>) -> String {
     prose.get(&chapter.prose).cloned().unwrap_or_default()
 }
 
+/// Counts of the paper's claims; none where a report has no paper.
 fn cards(ledger: &Ledger) -> Vec<CardView> {
+    if ledger.claims.iter().all(|entry| entry.sentence.source != Source::Paper) {
+        return Vec::new();
+    }
     [
         (Verdict::Fails, "with a counter-example"),
         (Verdict::HoldsWithin, "inside a quantified limit"),

@@ -3,6 +3,7 @@
 use slipmode_algebra::{Expression, Symbol};
 use slipmode_core::theory::Equations;
 use slipmode_core::theory::planar::MotionLemma;
+use slipmode_core::theory::weak_instability::WeakMotion;
 
 use crate::scene::Problem;
 use crate::scene::claim_formula::read_side;
@@ -28,6 +29,8 @@ slipmode_algebra::named! {
         LateDeceleration = "late-deceleration",
         /// A steady state is unstable although no root has a positive real part.
         WeakInstability = "weak-instability",
+        /// A steady state attracts although a pair of roots is on the axis.
+        WeakAttraction = "weak-attraction",
     }
 }
 
@@ -47,8 +50,8 @@ pub struct ClaimMotion {
 pub enum MotionSaid {
     /// Of every motion of two equations.
     Planar(MotionLemma),
-    /// Three equations have a pair of roots ±i times this on the axis, and their steady state is unstable all the same.
-    WeakInstability(Expression),
+    /// Three equations have a pair of roots ±i times this on the axis, and motions next to their steady state move like this.
+    Weak(WeakMotion, Expression),
 }
 
 impl ClaimMotion {
@@ -70,7 +73,7 @@ impl ClaimMotion {
     pub fn expressions(&self) -> Vec<(&'static str, &Expression)> {
         match &self.said {
             MotionSaid::Planar(lemma) => lemma.expressions(),
-            MotionSaid::WeakInstability(frequency) => vec![("frequency", frequency)],
+            MotionSaid::Weak(_, frequency) => vec![("frequency", frequency)],
         }
     }
 
@@ -80,8 +83,13 @@ impl ClaimMotion {
         let name = &self.name;
         let variable = |index: &usize| self.state.get(*index).map(Symbol::as_str).unwrap_or_default();
         let says = match &self.said {
-            MotionSaid::WeakInstability(..) => {
+            MotionSaid::Weak(WeakMotion::Unstable, _) => {
                 format!("the steady state of {name} is unstable although no root has a positive real part")
+            }
+            MotionSaid::Weak(WeakMotion::Attracted, _) => {
+                format!(
+                    "the steady state of {name} attracts although a pair of roots is on the imaginary axis"
+                )
             }
             MotionSaid::Planar(lemma) => match lemma {
                 MotionLemma::Periodic { .. } => format!("every motion of {name} is periodic"),
@@ -126,15 +134,20 @@ fn read_said(
         return entry.refuse(Problem::Needs(format!("the name of a [[system]] of equations.toml{near}")));
     };
     let states = system.state.len();
-    let said = match word {
-        Word::WeakInstability if states == 3 && !system.steady.is_empty() => {
-            MotionSaid::WeakInstability(read_expression(section, "frequency", &names)?)
+    let weak = match word {
+        Word::WeakInstability => Some(WeakMotion::Unstable),
+        Word::WeakAttraction => Some(WeakMotion::Attracted),
+        _ => None,
+    };
+    let said = match (word, weak) {
+        (_, Some(motion)) if states == 3 && !system.steady.is_empty() => {
+            MotionSaid::Weak(motion, read_expression(section, "frequency", &names)?)
         }
-        Word::WeakInstability => {
+        (_, Some(_)) => {
             let needed = "a system with three state variables and a steady state";
             return entry.refuse(Problem::Needs(needed.into()));
         }
-        word if states == 2 => MotionSaid::Planar(read_lemma(section, word, &system.state, &names)?),
+        (word, None) if states == 2 => MotionSaid::Planar(read_lemma(section, word, &system.state, &names)?),
         _ => return entry.refuse(Problem::Needs("a system with two state variables".into())),
     };
     Some(ClaimMotion { state: system.state.clone(), name, said })
@@ -157,7 +170,9 @@ fn read_index(section: &mut Section<'_>, state: &[Symbol]) -> Option<usize> {
 /// All expressions are read before the first fault ends it.
 fn read_lemma(section: &mut Section<'_>, word: Word, state: &[Symbol], names: &Names) -> Option<MotionLemma> {
     let keys: &[&'static str] = match word {
-        Word::Periodic | Word::LateDeceleration | Word::WeakInstability => &["quantity"],
+        Word::Periodic | Word::LateDeceleration | Word::WeakInstability | Word::WeakAttraction => {
+            &["quantity"]
+        }
         Word::Attraction => &["quantity", "zero"],
         Word::Escape => &["quantity", "zero", "threshold", "growth"],
         Word::Runaway => &["region", "growth"],

@@ -5,7 +5,8 @@ use std::path::PathBuf;
 
 use serde_json::Value;
 
-const REPORTS: [&str; 8] = [
+const REPORTS: [&str; 9] = [
+    "friction-laws",
     "gu-et-al-1984",
     "hoffmann-et-al-2002",
     "im-avouac",
@@ -69,6 +70,13 @@ fn every_document_has_the_counts_of_the_ledgers() {
             ("– not checked (in this report)", "not-checked"),
         ];
         let [edition, whole] = ["report.md", "ledger.md"].map(|file| published(report, file));
+        if paper.is_empty() {
+            assert!(
+                !edition.contains("claims of the paper") && !whole.contains("| Verdict | Claims |"),
+                "{report}"
+            );
+            continue;
+        }
         for (words, verdict) in verdicts {
             let row = format!("| {words} | {} |", count(&paper, verdict));
             assert!(edition.contains(&row) && whole.contains(&row), "{report}: {row}");

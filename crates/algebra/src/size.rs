@@ -1,9 +1,11 @@
 //! How large an expression becomes when it is multiplied out, estimated from above before that is done.
 
+use std::collections::BTreeSet;
+
 use rug::{Integer, Rational};
 use thiserror::Error;
 
-use super::{Expression, Function, Polynomial};
+use super::{Expression, Function, Generator, Polynomial};
 
 /// An upper bound on a polynomial's number of terms, total degree, and the length of its numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -68,6 +70,16 @@ impl Extent {
             degree: polynomial.total_degree().into(),
             bits: polynomial.terms().map(|(_, coefficient)| of(coefficient)).max().unwrap_or_default(),
         }
+    }
+
+    /// Of a product: it has no more terms than there are powers of its variables up to their degrees.
+    #[must_use]
+    pub fn of_product(left: &Polynomial, right: &Polynomial) -> Self {
+        let names: BTreeSet<_> = left.generators().into_iter().chain(right.generators()).collect();
+        let powers = |name: &Generator| u64::from(left.degree(name)) + u64::from(right.degree(name)) + 1;
+        let dense = names.iter().fold(1_u64, |count, name| count.saturating_mul(powers(name)));
+        let product = Self::of(left).times(Self::of(right));
+        Self { terms: product.terms.min(dense), ..product }
     }
 
     /// Of the sum of two such polynomials.

@@ -2,7 +2,7 @@
 
 use slipmode_algebra::{Domain, Expression, Literal, Sign, Symbol};
 use slipmode_core::theory::planar::{MotionLemma, PlanarSystem};
-use slipmode_core::theory::weak_instability::ThreeStates;
+use slipmode_core::theory::weak_instability::{ThreeStates, WeakMotion};
 
 use super::Problem;
 use super::points::Points;
@@ -12,7 +12,7 @@ use crate::scene::{ClaimMotion, MotionSaid};
 /// A statement with the system as the equations say.
 enum Said {
     Planar(PlanarSystem, MotionLemma),
-    WeakInstability(ThreeStates, Expression),
+    Weak(ThreeStates, WeakMotion, Expression),
 }
 
 impl Problem<'_> {
@@ -31,15 +31,15 @@ impl Problem<'_> {
             MotionSaid::Planar(lemma) => {
                 PlanarSystem::of(system).map(|system| Said::Planar(system.map(resolved), lemma.map(resolved)))
             }
-            MotionSaid::WeakInstability(frequency) => ThreeStates::of(system)
-                .map(|system| Said::WeakInstability(system.map(resolved), resolved(frequency))),
+            MotionSaid::Weak(motion, frequency) => ThreeStates::of(system)
+                .map(|system| Said::Weak(system.map(resolved), *motion, resolved(frequency))),
         };
         let Some(said) = said else {
             return Finding::not_checked(format!("The lemma is not for {} equations.", system.state.len()));
         };
         let region = match &said {
             Said::Planar(system, lemma) => lemma.region(system),
-            Said::WeakInstability(..) => None,
+            Said::Weak(..) => None,
         };
         let mut assumed = self.premises.clone();
         assumed.conditions.extend(region.map(|region| Literal::new(region, Sign::Positive)));
@@ -60,7 +60,7 @@ impl Problem<'_> {
         let domains = domain.forms(&[]);
         let proof = match said {
             Said::Planar(system, lemma) => lemma.prove(start, &system, &domains),
-            Said::WeakInstability(system, frequency) => system.weakly_unstable(start, &frequency, &domains),
+            Said::Weak(system, motion, frequency) => system.weakly_move(start, motion, &frequency, &domains),
         };
         match proof {
             Ok(proof) => Finding::from_proof(Ok(proof)),

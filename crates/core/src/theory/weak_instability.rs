@@ -6,6 +6,37 @@ use super::hopf::projection::{Critical, Vector, coefficient};
 use super::notation::{formula, simplified};
 use slipmode_algebra::{Domain, Expression, Proof, Refutation, Symbol};
 
+/// How motions next to the steady state move where the linear part does not decide.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum WeakMotion {
+    /// They leave it: the transition is subcritical.
+    Unstable,
+    /// They approach it: the transition is supercritical.
+    Attracted,
+}
+
+impl WeakMotion {
+    /// The sign of Re c_1, what has it, and what follows.
+    fn said(self) -> (Expression, &'static str, &'static str) {
+        match self {
+            Self::Unstable => (
+                Expression::integer(1),
+                "Re c_1",
+                "with Re c_1 > 0: motions spiral outwards. The steady state is unstable and no periodic motion is near it. Where a \
+                 parameter moves the pair into the stable half-plane with a speed that is not zero, an unstable periodic motion \
+                 surrounds the steady state (Andronov and Hopf).",
+            ),
+            Self::Attracted => (
+                Expression::integer(-1),
+                "minus Re c_1",
+                "with Re c_1 < 0: motions spiral inwards. The steady state attracts every motion that starts near it. Where a \
+                 parameter moves the pair into the unstable half-plane with a speed that is not zero, a small stable periodic motion \
+                 surrounds the steady state (Andronov and Hopf).",
+            ),
+        }
+    }
+}
+
 /// Three equations of first order with a steady state.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ThreeStates {
@@ -39,14 +70,16 @@ impl ThreeStates {
         Self { state: self.state.clone(), rates, steady }
     }
 
-    /// Adds to a proof that the steady state is unstable although no root has a positive real part: a pair ±i·`frequency` is on the
-    /// axis, the third root is negative, and the first Lyapunov coefficient is positive. `domains` are forms of one domain.
+    /// Adds to a proof how motions next to the steady state move although no root has a positive real part: a pair ±i·`frequency` is
+    /// on the axis, the third root is negative, and the first Lyapunov coefficient has the sign of the motion. `domains` are forms of
+    /// one domain.
     ///
     /// # Errors
     /// The hypothesis that is refused.
-    pub fn weakly_unstable(
+    pub fn weakly_move(
         &self,
         start: Proof,
+        motion: WeakMotion,
         frequency: &Expression,
         domains: &[Domain],
     ) -> Result<Proof, Refutation> {
@@ -92,13 +125,12 @@ impl ThreeStates {
         let imaginary = simplified(&proof, &[], &first.derivative(&Symbol::from("i")), domain)?;
         let parts = real.clone() + formula("i") * imaginary;
         let proof = proof.identity("the real and the imaginary part of c_1", &[], &first, &parts, domain)?;
-        let proof = positive(proof, "Re c_1", &real, domains)?;
-        Ok(proof.reason(
+        let (sign, what, follows) = motion.said();
+        let proof = positive(proof, what, &(sign * real), domains)?;
+        Ok(proof.reason(format!(
             "The third root is negative, so that near the steady state every motion approaches the two-dimensional centre manifold \
-             (centre manifold theorem). On it d|w|/dt = Re c_1 |w|³ + O(|w|⁴), with Re c_1 > 0: motions spiral outwards. The steady \
-             state is unstable and no periodic motion is near it. Where a parameter moves the pair into the stable half-plane with a \
-             speed that is not zero, an unstable periodic motion surrounds the steady state (Andronov and Hopf).",
-        ))
+             (centre manifold theorem). On it d|w|/dt = Re c_1 |w|³ + O(|w|⁴), {follows}"
+        )))
     }
 
     /// A name of the system that the certificates of the lemma use for something of their own.
@@ -201,14 +233,21 @@ mod tests {
     fn a_small_mass_makes_the_aging_law_weakly_unstable_and_a_large_one_or_the_slip_law_does_not() {
         // The known coefficient (claim N4 of the report on Im and Avouac) is positive exactly where this is.
         let small = "1 - 6*eta - eta^2*(7 + 4*w^2)";
+        let prove_motion = |motion, system: &ThreeStates, frequency: &str, domain: &[Domain]| {
+            system.weakly_move(Proof::new("weak", "Weak."), motion, &formula(frequency), domain)
+        };
         let prove = |system: &ThreeStates, frequency: &str, domain: &[Domain]| {
-            system.weakly_unstable(Proof::new("weak", "Unstable."), &formula(frequency), domain)
+            prove_motion(WeakMotion::Unstable, system, frequency, domain)
         };
         let proof = prove(&slider(AGING), "w", &domain(small, "1/100")).unwrap();
         assert_eq!(proof.recheck(), Ok(()));
         let large = domain("eta^2*(7 + 4*w^2) + 6*eta - 1", "1");
         let refused = prove(&slider(AGING), "w", &large).unwrap_err();
         assert!(refused.statement.contains("Re c_1"), "{refused}");
+        let attracted = prove_motion(WeakMotion::Attracted, &slider(AGING), "w", &large).unwrap();
+        assert_eq!(attracted.recheck(), Ok(()));
+        let refused = prove_motion(WeakMotion::Attracted, &slider(AGING), "w", &domain(small, "1/100"));
+        assert!(refused.unwrap_err().statement.contains("minus Re c_1"));
         let slip = prove(&slider("-v*theta*ln(v*theta)"), "w", &domain(small, "1/100")).unwrap_err();
         assert!(slip.statement.contains("Re c_1"), "{slip}");
         // Another frequency has no eigenvector; another stiffness has no pair on the axis.
