@@ -52,7 +52,7 @@ impl ConversionError {
 }
 
 /// What a numerator or denominator may come to when it is multiplied out.
-const LARGEST: Extent = Extent { terms: 60_000, degree: 256, bits: 1 << 20 };
+const LARGEST: Extent = Extent { terms: 20_000, degree: 256, bits: 1 << 20 };
 
 /// What a converter knows of a domain: squares, and polynomials with the relation that a condition states.
 type Assumptions = (BTreeMap<Generator, RationalFunction>, Vec<(Polynomial, Relation)>);
@@ -389,12 +389,7 @@ impl<'d> Converter<'d> {
 
 /// left + right, unless it is too large.
 fn sum(left: &RationalFunction, right: &RationalFunction) -> Result<RationalFunction, ConversionError> {
-    let crossed = |one: &RationalFunction, other: &RationalFunction| {
-        Extent::of_product(one.numerator(), other.denominator())
-    };
-    crossed(left, right).plus(crossed(right, left)).within(LARGEST)?;
-    Extent::of_product(left.denominator(), right.denominator()).within(LARGEST)?;
-    Ok(left + right)
+    Ok(left.checked_sum(right, |extent| extent.within(LARGEST))?)
 }
 
 /// left·right, unless it is too large.

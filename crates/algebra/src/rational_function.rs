@@ -2,10 +2,12 @@
 
 use std::borrow::Cow;
 use std::collections::BTreeSet;
+use std::convert::Infallible;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use rug::Rational;
 
+use super::size::Extent;
 use super::{Generator, Polynomial, Symbol};
 use crate::number::Field;
 
@@ -130,6 +132,30 @@ fn reduced(numerator: Polynomial, denominator: Polynomial) -> RationalFunction {
     RationalFunction::new(numerator, denominator).unwrap_or_else(|| Polynomial::zero().into())
 }
 
+impl RationalFunction {
+    /// The sum, where `allows` permits the size that numerator and denominator may come to.
+    ///
+    /// # Errors
+    /// What `allows` says.
+    pub(super) fn checked_sum<E>(
+        &self,
+        other: &Self,
+        allows: impl Fn(Extent) -> Result<(), E>,
+    ) -> Result<Self, E> {
+        // Knuth, The art of computer programming, 4.5.1: with g the common divisor of the denominators, only a divisor of g cancels.
+        let [left, right, shared] = cancelled(&self.denominator, &other.denominator);
+        let crossed = Extent::of_product(&self.numerator, &right);
+        allows(crossed.plus(Extent::of_product(&other.numerator, &left)))?;
+        allows(Extent::of_product(&left, &other.denominator))?;
+        let numerator = &(&self.numerator * &right) + &(&other.numerator * &left);
+        if numerator.is_zero() {
+            return Ok(numerator.into());
+        }
+        let [numerator, rest, _] = cancelled(&numerator, &shared);
+        Ok(Self { numerator: numerator.into_owned(), denominator: &(&*left * &right) * &rest })
+    }
+}
+
 /// Both divided by their greatest common divisor, and this divisor. The second one and the divisor have the leading coefficient 1.
 fn cancelled<'p>(one: &'p Polynomial, other: &'p Polynomial) -> [Cow<'p, Polynomial>; 3] {
     let unit = || Cow::Owned(Polynomial::one());
@@ -162,14 +188,8 @@ impl Add<&RationalFunction> for &RationalFunction {
     type Output = RationalFunction;
 
     fn add(self, other: &RationalFunction) -> RationalFunction {
-        // Knuth, The art of computer programming, 4.5.1: with g the common divisor of the denominators, only a divisor of g cancels.
-        let [left, right, shared] = cancelled(&self.denominator, &other.denominator);
-        let numerator = &(&self.numerator * &right) + &(&other.numerator * &left);
-        if numerator.is_zero() {
-            return numerator.into();
-        }
-        let [numerator, rest, _] = cancelled(&numerator, &shared);
-        RationalFunction { numerator: numerator.into_owned(), denominator: &(&*left * &right) * &rest }
+        let sum: Result<_, Infallible> = self.checked_sum(other, |_| Ok(()));
+        sum.unwrap_or_else(|never| match never {})
     }
 }
 
