@@ -3,7 +3,7 @@
 use slipmode_algebra::{Expression, Symbol};
 use slipmode_core::theory::Equations;
 use slipmode_core::theory::planar::MotionLemma;
-use slipmode_core::theory::weak_instability::WeakMotion;
+use slipmode_core::theory::weak_instability::Weakly;
 
 use crate::scene::Problem;
 use crate::scene::claim_formula::read_side;
@@ -29,8 +29,8 @@ slipmode_algebra::named! {
         LateDeceleration = "late-deceleration",
         /// A steady state is unstable although no root has a positive real part.
         WeakInstability = "weak-instability",
-        /// A steady state attracts although a pair of roots is on the axis.
-        WeakAttraction = "weak-attraction",
+        /// The sign of the first Lyapunov coefficient.
+        Transition = "transition",
     }
 }
 
@@ -50,8 +50,8 @@ pub struct ClaimMotion {
 pub enum MotionSaid {
     /// Of every motion of two equations.
     Planar(MotionLemma),
-    /// Three equations have a pair of roots ±i times this on the axis, and motions next to their steady state move like this.
-    Weak(WeakMotion, Expression),
+    /// Three equations have a pair of roots ±i times this on the axis, and this is said of their steady state.
+    Weak(Weakly, Expression),
 }
 
 impl ClaimMotion {
@@ -73,7 +73,10 @@ impl ClaimMotion {
     pub fn expressions(&self) -> Vec<(&'static str, &Expression)> {
         match &self.said {
             MotionSaid::Planar(lemma) => lemma.expressions(),
-            MotionSaid::Weak(_, frequency) => vec![("frequency", frequency)],
+            MotionSaid::Weak(Weakly::Unstable, frequency) => vec![("frequency", frequency)],
+            MotionSaid::Weak(Weakly::HasSignOf(sign), frequency) => {
+                vec![("frequency", frequency), ("sign", sign)]
+            }
         }
     }
 
@@ -83,12 +86,12 @@ impl ClaimMotion {
         let name = &self.name;
         let variable = |index: &usize| self.state.get(*index).map(Symbol::as_str).unwrap_or_default();
         let says = match &self.said {
-            MotionSaid::Weak(WeakMotion::Unstable, _) => {
+            MotionSaid::Weak(Weakly::Unstable, _) => {
                 format!("the steady state of {name} is unstable although no root has a positive real part")
             }
-            MotionSaid::Weak(WeakMotion::Attracted, _) => {
+            MotionSaid::Weak(Weakly::HasSignOf(_), _) => {
                 format!(
-                    "the steady state of {name} attracts although a pair of roots is on the imaginary axis"
+                    "the transition of {name} is subcritical where the sign is positive and supercritical where it is negative"
                 )
             }
             MotionSaid::Planar(lemma) => match lemma {
@@ -134,20 +137,20 @@ fn read_said(
         return entry.refuse(Problem::Needs(format!("the name of a [[system]] of equations.toml{near}")));
     };
     let states = system.state.len();
-    let weak = match word {
-        Word::WeakInstability => Some(WeakMotion::Unstable),
-        Word::WeakAttraction => Some(WeakMotion::Attracted),
-        _ => None,
-    };
-    let said = match (word, weak) {
-        (_, Some(motion)) if states == 3 && !system.steady.is_empty() => {
-            MotionSaid::Weak(motion, read_expression(section, "frequency", &names)?)
-        }
-        (_, Some(_)) => {
+    let is_weak = matches!(word, Word::WeakInstability | Word::Transition);
+    let said = match word {
+        _ if is_weak && (states != 3 || system.steady.is_empty()) => {
             let needed = "a system with three state variables and a steady state";
             return entry.refuse(Problem::Needs(needed.into()));
         }
-        (word, None) if states == 2 => MotionSaid::Planar(read_lemma(section, word, &system.state, &names)?),
+        Word::WeakInstability => {
+            MotionSaid::Weak(Weakly::Unstable, read_expression(section, "frequency", &names)?)
+        }
+        Word::Transition => {
+            let [frequency, sign] = ["frequency", "sign"].map(|key| read_expression(section, key, &names));
+            MotionSaid::Weak(Weakly::HasSignOf(sign?), frequency?)
+        }
+        word if states == 2 => MotionSaid::Planar(read_lemma(section, word, &system.state, &names)?),
         _ => return entry.refuse(Problem::Needs("a system with two state variables".into())),
     };
     Some(ClaimMotion { state: system.state.clone(), name, said })
@@ -170,9 +173,7 @@ fn read_index(section: &mut Section<'_>, state: &[Symbol]) -> Option<usize> {
 /// All expressions are read before the first fault ends it.
 fn read_lemma(section: &mut Section<'_>, word: Word, state: &[Symbol], names: &Names) -> Option<MotionLemma> {
     let keys: &[&'static str] = match word {
-        Word::Periodic | Word::LateDeceleration | Word::WeakInstability | Word::WeakAttraction => {
-            &["quantity"]
-        }
+        Word::Periodic | Word::LateDeceleration | Word::WeakInstability | Word::Transition => &["quantity"],
         Word::Attraction => &["quantity", "zero"],
         Word::Escape => &["quantity", "zero", "threshold", "growth"],
         Word::Runaway => &["region", "growth"],

@@ -2,7 +2,7 @@
 
 use slipmode_algebra::{Domain, Expression, Literal, Sign, Symbol};
 use slipmode_core::theory::planar::{MotionLemma, PlanarSystem};
-use slipmode_core::theory::weak_instability::{ThreeStates, WeakMotion};
+use slipmode_core::theory::weak_instability::{ThreeStates, Weakly};
 
 use super::Problem;
 use super::points::Points;
@@ -12,7 +12,7 @@ use crate::scene::{ClaimMotion, MotionSaid};
 /// A statement with the system as the equations say.
 enum Said {
     Planar(PlanarSystem, MotionLemma),
-    Weak(ThreeStates, WeakMotion, Expression),
+    Weak(ThreeStates, Weakly, Expression),
 }
 
 impl Problem<'_> {
@@ -31,8 +31,13 @@ impl Problem<'_> {
             MotionSaid::Planar(lemma) => {
                 PlanarSystem::of(system).map(|system| Said::Planar(system.map(resolved), lemma.map(resolved)))
             }
-            MotionSaid::Weak(motion, frequency) => ThreeStates::of(system)
-                .map(|system| Said::Weak(system.map(resolved), *motion, resolved(frequency))),
+            MotionSaid::Weak(weakly, frequency) => ThreeStates::of(system).map(|system| {
+                let weakly = match weakly {
+                    Weakly::Unstable => Weakly::Unstable,
+                    Weakly::HasSignOf(sign) => Weakly::HasSignOf(resolved(sign)),
+                };
+                Said::Weak(system.map(resolved), weakly, resolved(frequency))
+            }),
         };
         let Some(said) = said else {
             return Finding::not_checked(format!("The lemma is not for {} equations.", system.state.len()));
@@ -60,7 +65,7 @@ impl Problem<'_> {
         let domains = domain.forms(&[]);
         let proof = match said {
             Said::Planar(system, lemma) => lemma.prove(start, &system, &domains),
-            Said::Weak(system, motion, frequency) => system.weakly_move(start, motion, &frequency, &domains),
+            Said::Weak(system, weakly, frequency) => system.weakly(start, &weakly, &frequency, &domains),
         };
         match proof {
             Ok(proof) => Finding::from_proof(Ok(proof)),

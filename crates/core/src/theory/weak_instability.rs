@@ -3,38 +3,16 @@
 use super::System;
 use super::hopf::expansion::{Conditions, in_basis, solve, taylor_part};
 use super::hopf::projection::{Critical, Vector, coefficient};
-use super::notation::{formula, simplified};
+use super::notation::{formula, rational, simplified};
 use slipmode_algebra::{Domain, Expression, Proof, Refutation, Symbol};
 
-/// How motions next to the steady state move where the linear part does not decide.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum WeakMotion {
-    /// They leave it: the transition is subcritical.
+/// What is said of a steady state with a pair of roots on the imaginary axis.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Weakly {
+    /// It is unstable.
     Unstable,
-    /// They approach it: the transition is supercritical.
-    Attracted,
-}
-
-impl WeakMotion {
-    /// The sign of Re c_1, what has it, and what follows.
-    fn said(self) -> (Expression, &'static str, &'static str) {
-        match self {
-            Self::Unstable => (
-                Expression::integer(1),
-                "Re c_1",
-                "with Re c_1 > 0: motions spiral outwards. The steady state is unstable and no periodic motion is near it. Where a \
-                 parameter moves the pair into the stable half-plane with a speed that is not zero, an unstable periodic motion \
-                 surrounds the steady state (Andronov and Hopf).",
-            ),
-            Self::Attracted => (
-                Expression::integer(-1),
-                "minus Re c_1",
-                "with Re c_1 < 0: motions spiral inwards. The steady state attracts every motion that starts near it. Where a \
-                 parameter moves the pair into the unstable half-plane with a speed that is not zero, a small stable periodic motion \
-                 surrounds the steady state (Andronov and Hopf).",
-            ),
-        }
-    }
+    /// The first Lyapunov coefficient has the sign of this.
+    HasSignOf(Expression),
 }
 
 /// Three equations of first order with a steady state.
@@ -70,16 +48,16 @@ impl ThreeStates {
         Self { state: self.state.clone(), rates, steady }
     }
 
-    /// Adds to a proof how motions next to the steady state move although no root has a positive real part: a pair ±i·`frequency` is
-    /// on the axis, the third root is negative, and the first Lyapunov coefficient has the sign of the motion. `domains` are forms of
-    /// one domain.
+    /// Adds to a proof what is said of the steady state although no root has a positive real part: a pair ±i·`frequency` is on the axis,
+    /// the third root is negative, and the first Lyapunov coefficient is positive, or has the sign of an expression. `domains` are forms
+    /// of one domain.
     ///
     /// # Errors
     /// The hypothesis that is refused.
-    pub fn weakly_move(
+    pub fn weakly(
         &self,
         start: Proof,
-        motion: WeakMotion,
+        said: &Weakly,
         frequency: &Expression,
         domains: &[Domain],
     ) -> Result<Proof, Refutation> {
@@ -125,11 +103,13 @@ impl ThreeStates {
         let imaginary = simplified(&proof, &[], &first.derivative(&Symbol::from("i")), domain)?;
         let parts = real.clone() + formula("i") * imaginary;
         let proof = proof.identity("the real and the imaginary part of c_1", &[], &first, &parts, domain)?;
-        let (sign, what, follows) = motion.said();
-        let proof = positive(proof, what, &(sign * real), domains)?;
+        let (proof, follows) = match said {
+            Weakly::Unstable => (positive(proof, "Re c_1", &real, domains)?, OUTWARDS),
+            Weakly::HasSignOf(sign) => (has_sign_of(proof, &real, sign, domains)?, EITHER_WAY),
+        };
         Ok(proof.reason(format!(
             "The third root is negative, so that near the steady state every motion approaches the two-dimensional centre manifold \
-             (centre manifold theorem). On it d|w|/dt = Re c_1 |w|³ + O(|w|⁴), {follows}"
+             (centre manifold theorem). On it d|w|/dt = Re c_1 |w|³ + O(|w|⁴){follows}"
         )))
     }
 
@@ -156,6 +136,31 @@ impl ThreeStates {
             domain,
         )
     }
+}
+
+const OUTWARDS: &str = ", with Re c_1 > 0: motions spiral outwards. The steady state is unstable and no periodic motion is near it. Where a \
+     parameter moves the pair into the stable half-plane with a speed that is not zero, an unstable periodic motion surrounds the steady \
+     state (Andronov and Hopf).";
+
+const EITHER_WAY: &str = ". Where Re c_1 > 0 motions spiral outwards: the steady state is unstable, and where a parameter moves the pair into \
+     the stable half-plane with a speed that is not zero, an unstable periodic motion surrounds the steady state. Where Re c_1 < 0 they \
+     spiral inwards: the steady state attracts what starts near it, and on the unstable side a small stable periodic motion surrounds it \
+     (Andronov and Hopf).";
+
+/// The steps that `real` is a positive multiple of `sign`.
+fn has_sign_of(
+    proof: Proof,
+    real: &Expression,
+    sign: &Expression,
+    domains: &[Domain],
+) -> Result<Proof, Refutation> {
+    let says = "Re c_1 is a factor times the expression";
+    let Some(domain) = domains.first() else { return Err(proof.refute(says, &[], "there is no domain")) };
+    let factor = rational(&proof, &[], real, domain)?.checked_div(&rational(&proof, &[], sign, domain)?);
+    let Some(factor) = factor else { return Err(proof.refute(says, &[], "the expression is zero")) };
+    let factor = Expression::from(&factor);
+    let proof = proof.identity(says, &[], real, &(factor.clone() * sign.clone()), domain)?;
+    positive(proof, "the factor", &factor, domains)
 }
 
 /// The step that an expression is positive, in the first form of the domain in which it is found.
@@ -233,21 +238,25 @@ mod tests {
     fn a_small_mass_makes_the_aging_law_weakly_unstable_and_a_large_one_or_the_slip_law_does_not() {
         // The known coefficient (claim N4 of the report on Im and Avouac) is positive exactly where this is.
         let small = "1 - 6*eta - eta^2*(7 + 4*w^2)";
-        let prove_motion = |motion, system: &ThreeStates, frequency: &str, domain: &[Domain]| {
-            system.weakly_move(Proof::new("weak", "Weak."), motion, &formula(frequency), domain)
+        let prove_that = |said, system: &ThreeStates, frequency: &str, domain: &[Domain]| {
+            system.weakly(Proof::new("weak", "Weak."), &said, &formula(frequency), domain)
         };
         let prove = |system: &ThreeStates, frequency: &str, domain: &[Domain]| {
-            prove_motion(WeakMotion::Unstable, system, frequency, domain)
+            prove_that(Weakly::Unstable, system, frequency, domain)
         };
         let proof = prove(&slider(AGING), "w", &domain(small, "1/100")).unwrap();
         assert_eq!(proof.recheck(), Ok(()));
         let large = domain("eta^2*(7 + 4*w^2) + 6*eta - 1", "1");
         let refused = prove(&slider(AGING), "w", &large).unwrap_err();
         assert!(refused.statement.contains("Re c_1"), "{refused}");
-        let attracted = prove_motion(WeakMotion::Attracted, &slider(AGING), "w", &large).unwrap();
-        assert_eq!(attracted.recheck(), Ok(()));
-        let refused = prove_motion(WeakMotion::Attracted, &slider(AGING), "w", &domain(small, "1/100"));
-        assert!(refused.unwrap_err().statement.contains("minus Re c_1"));
+        let everywhere = [Domain::positive("eta w v theta")];
+        let sign = |text: &str| Weakly::HasSignOf(formula(text));
+        let either = prove_that(sign(small), &slider(AGING), "w", &everywhere).unwrap();
+        assert_eq!(either.recheck(), Ok(()));
+        let refused = prove_that(sign(&format!("-({small})")), &slider(AGING), "w", &everywhere).unwrap_err();
+        assert!(refused.statement.contains("the factor"), "{refused}");
+        assert!(prove_that(sign("1 - 6*eta"), &slider(AGING), "w", &everywhere).is_err());
+        assert!(prove_that(sign("0"), &slider(AGING), "w", &everywhere).is_err());
         let slip = prove(&slider("-v*theta*ln(v*theta)"), "w", &domain(small, "1/100")).unwrap_err();
         assert!(slip.statement.contains("Re c_1"), "{slip}");
         // Another frequency has no eigenvector; another stiffness has no pair on the axis.
