@@ -6,6 +6,7 @@ use crate::claims::simulated::{Runs, extent, grids, range};
 use crate::claims::{Evidence, Finding};
 use crate::experiments::{Context, Outcome};
 use crate::fitting::{EFFECT_RATIOS, LEAST_ROWS, PeakFit, PeakGiven, PeakRow, fit_peaks};
+use crate::scene::cited;
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::format::round_digits;
 
@@ -96,8 +97,7 @@ fn of_rows(grid: &Runs, measured: &[Measured]) -> Finding {
     let known = extent(measured.iter().map(|one| one.known));
     let parts = extent(measured.iter().map(|one| one.part));
     Finding::from_evidence(Evidence::Simulation {
-        quantity: "Fitted 2 V_18 over that of eq 18; deviation as a part of V_l/(2 V_18) + K/K_c,qs + 1/A²"
-            .into(),
+        quantity: cited("Fitted 2 V_18 over that of {inertial-upper}; deviation as a part of V_l/(2 V_18) + K/K_c,qs + 1/A²"),
         value: format!("{}; {}", range(known, 4), range(parts, 3)),
         error: errors(grid),
         runs: measured.len(),

@@ -94,14 +94,15 @@ struct Request {
 /// When the arguments or the record are at fault, nothing fits the record, or an output cannot be written.
 pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     let request = options.read()?;
+    let known = options.peaks.is_table.then(|| options.peaks.read(&request)).transpose()?;
     let [csv, svg] = Output::create_both([options.output.as_deref(), options.svg.as_deref()])?;
     let rows = open_csv(&options.record, options.dialect.dialect())?;
     let no_fit =
         |failure: String| Failure::Input(vec![fault_of(&options.record, CsvProblem::Record(failure).into())]);
-    if options.peaks.is_table {
+    if let Some(mut known) = known {
         let table = read_peak_table(rows, request.normal_stress_pa)?;
         print_unread(table.unread.iter().map(String::as_str));
-        let known = options.peaks.read(&request, &table)?;
+        known.given.has_errors = table.has_errors;
         let fits = progress.spinner("fitting", || fit_peaks(&table.rows, &known.given));
         let fits = fits.map_err(|failure| no_fit(failure.to_string()))?;
         let answer = peaks::answer(&table, &fits, &known);

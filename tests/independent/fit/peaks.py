@@ -7,7 +7,7 @@ peak velocities come from limit cycles that `slipmode simulate` integrates to 1e
 multiplicative noise of 1 to 5 %. The fit knows one of three things besides the table: nothing, a range of b/a, or ranges of b/a and D_c with K and M.
 The noise is stated in half of the tables. Experiment i does not depend on N.
 
---tables keeps the tables with options and truth in one file: tests/data/peak_tables.csv has 12 experiments.
+--tables keeps the tables with options and truth in one file: tests/data/peak_tables.csv has 12 experiments of seed 2.
 
 The table of results has, for each group: the share of intervals that contain the true (b - a) sigma/sqrt(K M); the same for the interval of the
 noise alone, with the true law; the median of (value - truth)/truth and of half the interval over the truth; refused tables; tables that tell the
