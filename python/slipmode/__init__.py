@@ -8,7 +8,7 @@ SI.
 from slipmode._classified import BoundaryTable, Classification, Classifications, Map, Possibilities
 from slipmode._curves import boundary, tolerance
 from slipmode._errors import CheckFailed, InputError, SlipmodeError, SlipmodeWarning
-from slipmode._fit import Fit, FittedValue, LawComparison, Residuals, fit
+from slipmode._fit import Fit, FittedValue, LawComparison, Residuals, fit, fit_peaks
 from slipmode._frames import Categories
 from slipmode._questions import (
     Distance,
@@ -60,6 +60,7 @@ __all__ = [
     "compare",
     "distance",
     "fit",
+    "fit_peaks",
     "report",
     "roots",
     "simulate",

@@ -245,17 +245,55 @@ def fit(
     options += ["--drift"] if drift else []
     with tempfile.TemporaryDirectory() as folder:
         curve, picture = Path(folder, "fitted.csv"), Path(folder, "fitted.svg")
-        if isinstance(record, (str, os.PathLike)):
-            file, of_frame = str(Path(record)), None
-            if file == "-":
-                raise InputError("record = -: standard input is not read (write the path of a file)")
-        else:
-            file = of_frame = str(Path(folder, "record.csv"))
-            write_csv(Path(file), record)
-        files = (f"--output={curve}", f"--svg={picture}")
-        code, output, messages = _slipmode.call(("fit", "--json", *options, *files, "--", file))
-        remark(code, in_python(messages, of_frame))
-        return Fit.of(json.loads(output), Table(columns_of_csv(curve.read_text())), picture.read_text())
+        found = printed(folder, record, [*options, f"--output={curve}", f"--svg={picture}"])
+        return Fit.of(found, Table(columns_of_csv(curve.read_text())), picture.read_text())
+
+
+def fit_peaks(
+    table: Record,
+    *,
+    law: str = "both",
+    effect_ratio: Number | None = None,
+    normal_stress_pa: Number | None = None,
+    stiffness_pa_per_m: Number | None = None,
+    mass_per_area_kg_per_m2: Number | None = None,
+    critical_slip_distance_m: Number | None = None,
+    bandwidth_hz: Number | None = None,
+) -> dict[str, Any]:
+    """Fit (b − a)σ/√(KM) to peak velocities of stick-slip, and return the object of ``slipmode fit --peaks --json``.
+
+    ``table`` is a data frame of pandas or polars, columns by name, or the path of a CSV file. Its columns are
+    ``loading_velocity_m_per_s``; ``peak_velocity_m_per_s``; optionally ``peak_velocity_error_m_per_s``, the standard error; and
+    optionally ``normal_stress_pa``. ``effect_ratio`` is b/a, and ``critical_slip_distance_m`` (m) is D_c, each a value or a range
+    such as ``"[1.5, 2]"``. ``bandwidth_hz`` is the −3 dB frequency of the velocity record. D_c and the bandwidth need
+    ``stiffness_pa_per_m`` (Pa/m) and ``mass_per_area_kg_per_m2`` (kg/m²).
+    """
+    numbers = {
+        "--effect-ratio": effect_ratio,
+        "--normal-stress-pa": normal_stress_pa,
+        "--stiffness-pa-per-m": stiffness_pa_per_m,
+        "--mass-per-area-kg-per-m2": mass_per_area_kg_per_m2,
+        "--critical-slip-distance-m": critical_slip_distance_m,
+        "--bandwidth-hz": bandwidth_hz,
+    }
+    options = [f"--law={law}"] + [f"{name}={exact(number)}" for name, number in numbers.items() if number is not None]
+    with tempfile.TemporaryDirectory() as folder:
+        return printed(folder, table, ["--peaks", *options])
+
+
+def printed(folder: str, record: Record, options: list[str]) -> dict[str, Any]:
+    """Return the object that ``slipmode fit`` prints for a record or a table; a frame is written into the folder."""
+    if isinstance(record, (str, os.PathLike)):
+        file, of_frame = str(Path(record)), None
+        if file == "-":
+            raise InputError("record = -: standard input is not read (write the path of a file)")
+    else:
+        file = of_frame = str(Path(folder, "record.csv"))
+        write_csv(Path(file), record)
+    code, output, messages = _slipmode.call(("fit", "--json", *options, "--", file))
+    remark(code, in_python(messages, of_frame))
+    found: dict[str, Any] = json.loads(output)
+    return found
 
 
 def in_python(text: str, file: str | None = None) -> str:

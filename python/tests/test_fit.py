@@ -113,3 +113,17 @@ def test_a_value_without_a_bound_makes_no_slider():
     assert str(value) == "1 ± 0.1 (95 %: no bound to 1.2)"
     with pytest.raises(slipmode.InputError, match="does not bound direct_effect"):
         slipmode._fit.interval("direct_effect", value)
+
+
+def test_peaks_are_those_of_the_command_line():
+    table = RECORD.parents[1] / "peaks.csv"
+    options = ["--peaks", "--effect-ratio=[1.4, 1.6]", "-k=1e7", "-m=1000", "-s=1e6", "--json"]
+    command = [sys.executable, "-m", "slipmode", "fit", os.fspath(table), *options]
+    printed = json.loads(subprocess.run(command, capture_output=True, check=True).stdout)
+    columns = np.genfromtxt(table, delimiter=",", names=True)
+    frame = {name: columns[name] for name in columns.dtype.names}
+    given = {"stiffness_pa_per_m": 1e7, "mass_per_area_kg_per_m2": 1000, "normal_stress_pa": 1e6}
+    for source in (table, frame):
+        assert slipmode.fit_peaks(source, effect_ratio="[1.4, 1.6]", **given) == printed
+    with pytest.raises(slipmode.InputError, match="argument effect_ratio"):
+        slipmode.fit_peaks(frame, effect_ratio=1.1)

@@ -20,6 +20,7 @@ mod gate;
 mod ledger;
 mod linearisation;
 mod new_edge;
+mod new_method;
 mod new_peak;
 mod new_results;
 mod over_rows;

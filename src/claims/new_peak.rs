@@ -6,15 +6,12 @@ use crate::claims::{Evidence, Finding};
 use crate::experiments::simulations::LeastPeak;
 use crate::experiments::{Context, Outcome};
 use crate::scene::cited;
-use slipmode_core::dynamics::{DeepCycle, PeakLaw, drop_over_impedance};
+use slipmode_core::dynamics::{DEEP, DeepCycle, PeakLaw, drop_over_impedance};
 use slipmode_core::friction::{EvolutionLaw, Slider};
 use slipmode_core::number::format::round_digits;
 use slipmode_core::number::{Rational, nearest_f64};
 use slipmode_core::theory::Role;
 use slipmode_core::theory::emergence;
-
-/// Deep stick-slip: the largest κ/(β − 1) = K/K_c,qs, and the largest V_l over the velocity of eq 18.
-const DEEP: f64 = 0.1;
 
 /// The largest κ/(β − 1) of the lowest peaks that are compared.
 const SOFT: f64 = 0.5;
@@ -26,43 +23,52 @@ const FEWEST: usize = 4;
 const BITS: u32 = 128;
 
 /// One evolution law and the slider that it is compared on.
-struct Compared<'c> {
+pub(super) struct Compared<'c> {
     context: &'c Context<'c>,
     parameters: &'c Slider<Rational>,
-    slider: Slider<f64>,
+    pub(super) slider: Slider<f64>,
     law: PeakLaw,
 }
 
 /// A cycle of deep stick-slip and what it shows.
-struct Deep<'r> {
-    run: &'r Run<'r>,
-    cycle: DeepCycle,
+pub(super) struct Deep<'r> {
+    pub(super) run: &'r Run<'r>,
+    pub(super) cycle: DeepCycle,
     /// Velocity of eq 18, m/s.
-    eq18_m_per_s: f64,
+    pub(super) eq18_m_per_s: f64,
 }
 
-pub(super) fn decide(context: &Context, law: EvolutionLaw) -> Result<Finding, Finding> {
-    let none = || Finding::not_checked("The report has no simulations with a < b under this law.");
-    let grid = grids(context, Outcome::potentially_unstable)?.into_iter().find(|grid| grid.law == law);
-    let grid = grid.ok_or_else(none)?;
+/// The comparison of a law with the grid of its runs, and the cycles of deep stick-slip in each row of it.
+pub(super) fn compared<'c>(
+    context: &'c Context<'c>,
+    grid: &'c Runs<'c>,
+) -> Result<(Compared<'c>, Vec<Vec<Deep<'c>>>), Finding> {
     let parameters = context.outcome.potentially_unstable().and_then(|scene| scene.slider());
-    let parameters = parameters.ok_or_else(none)?;
+    let parameters = parameters.ok_or_else(no_runs)?;
     let slider = parameters.map(nearest_f64);
-    let law = PeakLaw::new(law, slider.effect_ratio());
+    let law = PeakLaw::new(grid.law, slider.effect_ratio());
     let compared = Compared { context, parameters, slider, law };
     let rows: Option<Vec<Vec<Deep>>> = grid.rows().map(|row| compared.deep(row)).collect();
     let rows =
         rows.ok_or_else(|| Finding::failing(cited("As stated, {inertial-upper} gives no velocity.")))?;
-    let deep: Vec<&Deep> = rows.iter().flatten().collect();
-    if deep.is_empty() {
-        return Err(Finding::not_checked("No limit cycle of the grid is deep stick-slip."));
+    match rows.iter().all(Vec::is_empty) {
+        true => Err(Finding::not_checked("No limit cycle of the grid is deep stick-slip.")),
+        false => Ok((compared, rows)),
     }
+}
+
+fn no_runs() -> Finding {
+    Finding::not_checked("The report has no simulations with a < b under this law.")
+}
+
+pub(super) fn decide(context: &Context, law: EvolutionLaw) -> Result<Finding, Finding> {
+    let grid = grids(context, Outcome::potentially_unstable)?.into_iter().find(|grid| grid.law == law);
+    let grid = grid.ok_or_else(no_runs)?;
+    let (compared, rows) = compared(context, &grid)?;
+    let deep: Vec<&Deep> = rows.iter().flatten().collect();
     let least = &outcome(context, Outcome::potentially_unstable)?.least_peaks;
     let least = least.iter().filter(|found| found.law == grid.law).collect();
-    let healing = match grid.law {
-        EvolutionLaw::Slip => "s = 0",
-        EvolutionLaw::Aging => "s = β/(β − 1)",
-    };
+    let healing = healing(grid.law);
     let written = Draft::new("deep stick-slip, K/K_c,qs and V_l/V_18 up to a tenth")
         .part(
             "the stress drop is 2 √(KM) V_peak [√(1 − 2 V_l/V_peak) + (ln 2 − ½)/A²], A = V_peak/(2 V_18)",
@@ -96,6 +102,14 @@ pub(super) fn decide(context: &Context, law: EvolutionLaw) -> Result<Finding, Fi
         .remark(remark(grid.law)))
 }
 
+/// The power s of the stick's duration.
+pub(super) fn healing(law: EvolutionLaw) -> &'static str {
+    match law {
+        EvolutionLaw::Slip => "s = 0",
+        EvolutionLaw::Aging => "s = β/(β − 1)",
+    }
+}
+
 fn remark(law: EvolutionLaw) -> &'static str {
     match law {
         EvolutionLaw::Slip => {
@@ -122,7 +136,7 @@ impl Compared<'_> {
     }
 
     /// K/K_c,qs at this normal stress, and κ.
-    fn softness(&self, stress: f64) -> [f64; 2] {
+    pub(super) fn softness(&self, stress: f64) -> [f64; 2] {
         let kappa = self.slider.stiffness_stress_pa() / (self.slider.direct_effect * stress);
         [kappa / (self.slider.effect_ratio() - 1.0), kappa]
     }
@@ -185,7 +199,7 @@ impl Compared<'_> {
     }
 
     /// Between neighbours along V_l; the formula leaves out loading during the slip, the spring's loss, and terms in 1/A².
-    fn slope(&self, grid: &Runs, rows: &[Vec<Deep>]) -> Finding {
+    pub(super) fn slope(&self, grid: &Runs, rows: &[Vec<Deep>]) -> Finding {
         let deviation = |pair: &[Deep]| {
             let [first, second] = pair else { return None };
             let middle = |of: fn(&Deep) -> f64| (of(first) * of(second)).sqrt();
@@ -261,7 +275,7 @@ fn of_runs(grid: &Runs, deep: &[&Deep], quantity: &str, ranges: [(f64, f64); 3])
 }
 
 /// The largest error estimate of a peak or stress drop on the grid.
-fn errors(grid: &Runs) -> String {
+pub(super) fn errors(grid: &Runs) -> String {
     let of = |run: &Run| run.simulation.peak_relative_error.max(run.simulation.stress_drop_relative_error);
     let cycles = grid.runs.iter().filter(|run| run.periodic());
     format!("{} of peak velocity or stress drop", round_digits(cycles.map(of).fold(0.0, f64::max), 2))

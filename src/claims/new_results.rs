@@ -2,7 +2,7 @@
 
 use crate::claims::computed::{Asked, either};
 use crate::claims::reading::{Draft, of_readings};
-use crate::claims::{Check, Finding, new_edge, new_peak};
+use crate::claims::{Check, Finding, new_edge, new_method, new_peak};
 use crate::experiments::{Context, Need};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::format::round_digits;
@@ -21,6 +21,13 @@ pub(super) const CHECKS: &[Check] = &[
             let unknown = || Finding::not_checked("There is no such evolution law.");
             either(law.ok_or_else(unknown).and_then(|law| new_peak::decide(context, law)))
         },
+    },
+    Check {
+        name: "weakening-from-peaks",
+        is_of_runs: true,
+        roles: &[Role::InertialUpper],
+        needs: &[Need::Simulations],
+        decide: |context, _| either(new_method::decide(context)),
     },
     Check {
         name: "sign-of-the-lyapunov-coefficient",

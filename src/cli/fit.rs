@@ -1,14 +1,15 @@
 //! `slipmode fit`: a, b, D_c and more from a record of velocity steps, with intervals, and a report on what follows.
 
 mod laboratory;
+mod peaks;
 mod view;
 
 use std::path::PathBuf;
 
 use clap::Args;
-use slipmode::csv::read_step_record;
-use slipmode::experiments::fit::fit_picture;
-use slipmode::fitting::{FitFailure, Fits, Given, StepRecord};
+use slipmode::csv::{read_peak_table, read_step_record};
+use slipmode::experiments::fit::{fit_picture, peak_picture};
+use slipmode::fitting::{Fits, Given, StepRecord, fit_peaks};
 use slipmode::scene::{CsvProblem, Quantity, of_word};
 use slipmode_core::friction::{EvolutionLaw, OperatingPoint};
 use slipmode_core::number::format::shortest;
@@ -25,7 +26,7 @@ use crate::cli::progress::Progress;
 /// Options of `fit`.
 #[derive(Debug, Args)]
 pub struct Options {
-    /// The record, one sample per row; `-` reads standard input
+    /// The record, one sample per row, or with --peaks a table; `-` reads standard input
     ///
     /// Columns: time_s; load_point_displacement_m or load_point_velocity_m_per_s; shear_stress_pa or friction; optionally
     /// normal_stress_pa. Another unit may stand behind a name, as in load_point_displacement_um. A velocity or a normal stress holds
@@ -61,14 +62,16 @@ pub struct Options {
     #[arg(long, value_name = "DIR", requires = "mass_per_area_kg_per_m2")]
     into: Option<PathBuf>,
     #[command(flatten)]
+    peaks: peaks::PeakOptions,
+    #[command(flatten)]
     dialect: DialectOptions,
     /// One JSON object instead of text
     #[arg(long)]
     json: bool,
-    /// Also write the record as CSV with the fitted friction and the residuals; `-` is standard output, instead of text
+    /// Also write the record or the table as CSV with the fitted values and the residuals; `-` is standard output, instead of text
     #[arg(short, long, value_name = "OUT.csv")]
     output: Option<PathBuf>,
-    /// Also draw the record, the fit and the residuals
+    /// Also draw the record or the peaks, the fit and the residuals
     #[arg(long, value_name = "OUT.svg")]
     svg: Option<PathBuf>,
 }
@@ -91,14 +94,26 @@ struct Request {
 /// When the arguments or the record are at fault, nothing fits the record, or an output cannot be written.
 pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     let request = options.read()?;
+    let known = options.peaks.is_table.then(|| options.peaks.read(&request)).transpose()?;
     let [csv, svg] = Output::create_both([options.output.as_deref(), options.svg.as_deref()])?;
     let rows = open_csv(&options.record, options.dialect.dialect())?;
+    let no_fit =
+        |failure: String| Failure::Input(vec![fault_of(&options.record, CsvProblem::Record(failure).into())]);
+    if let Some(mut known) = known {
+        let table = read_peak_table(rows, request.normal_stress_pa)?;
+        print_unread(table.unread.iter().map(String::as_str));
+        known.given.has_errors = table.has_errors;
+        let fits = progress.spinner("fitting", || fit_peaks(&table.rows, &known.given));
+        let fits = fits.map_err(|failure| no_fit(failure.to_string()))?;
+        let answer = peaks::answer(&table, &fits, &known);
+        csv.map_or(Ok(()), |output| output.finish(peaks::rows(&table, &fits)))?;
+        svg.map_or(Ok(()), |output| output.finish(peak_picture(&table.rows, &fits)))?;
+        return answer.print_beside(options.json, options.output.as_deref());
+    }
     let (record, unread) = read_step_record(rows, request.normal_stress_pa)?;
     print_unread(unread.iter().map(String::as_str));
     let fits = progress.spinner("fitting", || Fits::of(&record, &request.laws, &request.given));
-    let no_fit =
-        |failure: FitFailure| fault_of(&options.record, CsvProblem::Record(failure.to_string()).into());
-    let fits = fits.map_err(|failure| Failure::Input(vec![no_fit(failure)]))?;
+    let fits = fits.map_err(|failure| no_fit(failure.to_string()))?;
     let point = request.point(&record);
     let answer = view::answer(&record, &fits, &point);
     if let Some(place) = &options.into {

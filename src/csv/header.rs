@@ -182,6 +182,11 @@ impl<P> Header<P> {
         self.names.iter().position(|known| is_named(known, name))
     }
 
+    /// Where the errors of a column that was wanted stand, and their unit.
+    pub fn error_place(&self, index: usize) -> Option<&ErrorPlace> {
+        self.errors.get(index)?.as_ref()
+    }
+
     /// The size in SI of the unit of a column that was wanted; none for SI.
     pub fn unit(&self, index: usize) -> Option<&Rational> {
         self.units.get(index)?.as_ref()

@@ -38,8 +38,12 @@ pub fn read_recording(reader: RowReader, log_level: f64) -> Result<Recording, Fa
     let file = reader.name().to_string();
     let mut read = Read::default();
     // A velocity that is not positive is reported with all the others.
-    let samples =
-        Samples { columns: COLUMNS, physical: &[1], needs_for_errors: NEEDS_FOR_ERRORS, most: MOST_SAMPLES };
+    let samples = Samples {
+        columns: COLUMNS,
+        physical: &[1],
+        needs_for_errors: Some(NEEDS_FOR_ERRORS),
+        most: MOST_SAMPLES,
+    };
     let mut faults = samples.read(reader, |cells, values| {
         if let [Some(time), Some(velocity), stress] = values {
             if velocity <= 0.0 {

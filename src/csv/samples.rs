@@ -21,8 +21,8 @@ pub struct Samples<'c, const N: usize> {
     pub columns: [Wanted; N],
     /// Columns of which positive values have to be of a physical size.
     pub physical: &'c [usize],
-    /// What a column of errors would need.
-    pub needs_for_errors: &'c str,
+    /// What a column of errors would need; none where errors are read.
+    pub needs_for_errors: Option<&'c str>,
     /// The most samples.
     pub most: usize,
 }
@@ -43,8 +43,7 @@ impl<const N: usize> Samples<'_, N> {
     ) -> Result<Faults, Faults> {
         let file = reader.name().to_string();
         let first = reader.block(1).map_err(|fault| vec![fault])?;
-        let beyond =
-            Beyond { appended: &[], needs_for_errors: Some(self.needs_for_errors), reads: &|_| false };
+        let beyond = Beyond { appended: &[], needs_for_errors: self.needs_for_errors, reads: &|_| false };
         let header = Header::of_columns(&file, first.rows().next(), self.columns, &beyond, |_| Vec::new())?;
         let mut faults = Faults::new();
         let (mut last, mut count) = (None, 0);
@@ -104,7 +103,7 @@ fn numbers<const N: usize>(
 }
 
 /// A cell as the nearest 64-bit number in SI; its decimal is read exactly first.
-fn number(cell: &[u8], is_physical: bool, unit: Option<&Rational>) -> Result<f64, Problem> {
+pub fn number(cell: &[u8], is_physical: bool, unit: Option<&Rational>) -> Result<f64, Problem> {
     if let Some(problem) = cell_problem(cell) {
         return Err(problem);
     }

@@ -50,7 +50,7 @@ pub fn read_step_record(
     let samples = Samples {
         columns: [TIME, DISPLACEMENT, VELOCITY, SHEAR_STRESS, FRICTION, NORMAL_STRESS],
         physical: &[5],
-        needs_for_errors: NEEDS_FOR_ERRORS,
+        needs_for_errors: Some(NEEDS_FOR_ERRORS),
         most: MOST_SAMPLES,
     };
     let (mut columns, mut unread) = (None, Vec::new());

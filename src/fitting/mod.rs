@@ -7,6 +7,7 @@ mod estimate;
 mod least_squares;
 mod load_path;
 mod parameter;
+mod peaks;
 mod problem;
 mod profile;
 mod record;
@@ -19,6 +20,10 @@ mod words;
 pub use estimate::{Estimate, Fit, FitFailure, Fits, LawComparison};
 pub use load_path::LoadPath;
 pub use parameter::{Parameter, slider};
+pub use peaks::{
+    EFFECT_RATIOS, LEAST_ROWS, PeakComparison, PeakFailure, PeakFit, PeakFits, PeakGiven, PeakRow, fit_peaks,
+    hidden_part,
+};
 pub use problem::Given;
 pub use profile::ProfilePoint;
 pub use record::{Load, Measured, Response, StepRecord};

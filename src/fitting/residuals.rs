@@ -15,6 +15,8 @@ pub struct Residuals {
 
 /// A correlation of neighbours beyond this many of its standard errors is significant: one record in a hundred has it by chance.
 const SIGNIFICANT: f64 = 2.58;
+/// The 97.5 % quantile of the normal distribution.
+pub(super) const NORMAL_QUANTILE: f64 = 1.959_963_984_540_054;
 /// Fewest degrees of freedom that quantiles are taken for.
 const FEWEST: f64 = 4.0;
 
@@ -52,9 +54,9 @@ fn inflation(correlation: impl Fn(usize) -> f64, rows: usize) -> f64 {
     1.0 + 2.0 * pairs.take_while(|pair| *pair > 0.0).sum::<f64>()
 }
 
-/// The 97.5 % quantile of Student's distribution by its expansion about the normal one: to 0.3 % from four degrees of freedom on.
-fn student_quantile(degrees: f64) -> f64 {
-    let z: f64 = 1.959_963_984_540_054;
+/// The 97.5 % quantile of Student's distribution by its expansion about the normal one: to 0.3 % from four degrees of freedom on, to 0.8 % from three.
+pub(super) fn student_quantile(degrees: f64) -> f64 {
+    let z = NORMAL_QUANTILE;
     let z3 = z * z * z;
     let (z5, z7) = (z3 * z * z, z3 * z3 * z);
     z + (z3 + z) / (4.0 * degrees)

@@ -33,6 +33,9 @@ impl AllowedRange {
     /// Sizes of small disturbances: above them nothing is linear, below them double-double arithmetic has no digits left.
     pub const AMPLITUDE: Self = Self { lower: "1e-15", upper: "0.1", ends_included: true };
 
+    /// The values of b/a of [`crate::fitting::EFFECT_RATIOS`].
+    pub const EFFECT_RATIO: Self = Self { lower: "1.2", upper: "5", ends_included: true };
+
     /// Factors on what a replay may take.
     pub const BUDGET: Self = Self { lower: "1e-6", upper: "1e6", ends_included: true };
 

@@ -43,6 +43,7 @@ mod error_bars;
 mod estimated_errors;
 mod explore;
 mod fit;
+mod fit_peaks;
 mod frequencies;
 mod full_disk;
 mod grid;

@@ -12,6 +12,7 @@ const GUIDE: &str = include_str!("../../docs/guide.md");
 const TABLES: &str = include_str!("../../docs/from-pandas-or-matlab.md");
 const FITS: &str = include_str!("../../docs/fit.md");
 const FIT_PICTURE: &str = include_str!("../../docs/fit.svg");
+const PEAK_PICTURE: &str = include_str!("../../docs/fit-peaks.svg");
 const BASALT: &str = include_str!("../data/records/basalt-step.csv");
 const PROMPT: &str = "$ slipmode ";
 /// Stands for any lines on a line of its own, and for any rest at the end of a line.
@@ -150,14 +151,14 @@ fn the_commands_for_pandas_and_matlab_work_as_written() {
 }
 
 #[test]
-fn the_picture_of_a_fit_is_what_its_command_draws() {
+fn the_pictures_of_fits_are_what_their_commands_draw() {
     let place = Workplace::new();
     place.write("basalt-step.csv", BASALT);
-    check_examples(FITS, 1, &place);
-    assert!(
-        place.read("fit.svg") == FIT_PICTURE,
-        "docs/fit.svg is not what the example of docs/fit.md draws"
-    );
+    place.write("peaks.csv", include_str!("../data/peaks.csv"));
+    check_examples(FITS, 2, &place);
+    for (name, picture) in [("fit.svg", FIT_PICTURE), ("fit-peaks.svg", PEAK_PICTURE)] {
+        assert!(place.read(name) == picture, "docs/{name} is not what the example of docs/fit.md draws");
+    }
 }
 
 #[test]

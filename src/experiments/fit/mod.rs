@@ -1,12 +1,14 @@
 //! Friction parameters fitted to a record of velocity steps.
 
 pub(crate) mod figures;
+mod peaks;
 pub(crate) mod run;
 pub(crate) mod section;
 pub(crate) mod tables;
 pub(crate) mod words;
 
 pub use figures::fit_picture;
+pub use peaks::peak_picture;
 pub use run::FitOutcome;
 pub use section::FitSection;
 pub use words::{estimate_words, fit_words, shares_of_modes};

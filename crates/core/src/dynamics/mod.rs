@@ -112,7 +112,7 @@ pub use integrator::{Control, Integrator};
 pub use long_term::{Cycle, Decay, LongTerm, Oscillation, long_term_behaviour};
 pub use model::{Balance, Model, State};
 pub use outcome::{Behaviour, Outcome, Simulation};
-pub use peak_law::{DeepCycle, PeakLaw, drop_over_impedance};
+pub use peak_law::{DEEP, DeepCycle, PeakLaw, drop_over_impedance};
 #[doc(hidden)]
 pub use profile::{Estimate, Profile};
 #[doc(hidden)]

@@ -25,6 +25,9 @@ pub struct DeepCycle {
     pub stiffness_group: f64,
 }
 
+/// Deep stick-slip: the largest κ/(β − 1) = K/K_c,qs, and the largest V_l over V_18.
+pub const DEEP: f64 = 0.1;
+
 /// The law of the peak velocity for one evolution law and one β = b/a > 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PeakLaw {
@@ -102,6 +105,27 @@ impl PeakLaw {
             EvolutionLaw::Aging => libm::log(2.0 * excess * cycle.peak),
         };
         cycle.stiffness_group * (healed - libm::log(cycle.loading * cycle.stiffness_group)) / excess
+    }
+
+    /// A for V_l/(2 V_18) and κ, if the spring loses this part of [`Self::weakening`] while the state weakens. None without such a peak.
+    #[must_use]
+    pub fn peak(&self, load: f64, stiffness_group: f64, part: f64) -> Option<f64> {
+        /// Far above any peak, and far more steps than a search from there takes.
+        const START: f64 = 300.0;
+        const MOST_STEPS: usize = 100;
+        let mut peak = START;
+        for _ in 0..MOST_STEPS {
+            let cycle = DeepCycle { peak, loading: load / peak, stiffness_group };
+            let step = self.slope(peak) * (self.remainder(&cycle) - part * self.weakening(&cycle));
+            peak += step;
+            if peak.is_nan() || peak <= 1.0 + self.healing() || load >= 0.5 * peak {
+                return None;
+            }
+            if step.abs() < 1e-13 * peak {
+                return Some(peak);
+            }
+        }
+        None
     }
 
     /// −dV_peak/d ln V_l in 2 V_18, without loading during the slip.

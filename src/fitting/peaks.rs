@@ -1,0 +1,436 @@
+//! (b − a)σ/√(KM) from the peak velocities of deep stick-slip over the load velocity: least squares with the law of the peak, and
+//! intervals by its profile.
+//!
+//! The law has two unknowns: the scale S = (b − a)σ/√(KM) = 2 V_18, and K/K_c,qs = D_c √(K/M)/S. The scale is held, K/K_c,qs is fitted
+//! between its bounds, and the sum of squares is a function of S alone.
+
+use rayon::prelude::*;
+use slipmode_core::dynamics::{DEEP, DeepCycle, PeakLaw};
+use slipmode_core::friction::EvolutionLaw;
+use thiserror::Error;
+
+use super::residuals::{NORMAL_QUANTILE, student_quantile};
+
+/// A mean peak velocity at one velocity of the load point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PeakRow {
+    /// V_l, m/s.
+    pub load_m_per_s: f64,
+    /// V_peak, m/s.
+    pub peak_m_per_s: f64,
+    /// Its standard error over V_peak; 1 in every row of a table without errors.
+    pub relative_error: f64,
+    /// The normal stress over that of the first row.
+    pub stress: f64,
+}
+
+/// What is known besides the table.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PeakGiven {
+    /// The evolution laws.
+    pub laws: Vec<EvolutionLaw>,
+    /// The least and the greatest b/a.
+    pub effect_ratio: [f64; 2],
+    /// The least and the greatest D_c √(K/M), m/s.
+    pub slip_velocity_m_per_s: Option<[f64; 2]>,
+    /// The largest part of a peak that the machine's bandwidth hides.
+    pub hidden: f64,
+    /// Whether the rows have errors; else the scatter of the peaks gives their error.
+    pub has_errors: bool,
+}
+
+/// The fit of one law.
+#[derive(Debug, Clone)]
+pub struct PeakFit {
+    /// The law.
+    pub law: EvolutionLaw,
+    /// S at the normal stress of the first row, at the middle b/a and half of the bounded loss of the spring, m/s.
+    pub scale_m_per_s: f64,
+    /// One standard error of it, from the noise: its interval over that of a standard error.
+    pub standard_error: f64,
+    /// The ends of its 95 % interval, from the noise; none where the table sets no bound.
+    pub from_noise: [Option<f64>; 2],
+    /// The least and the greatest S over b/a.
+    pub over_effect_ratio: [f64; 2],
+    /// S without and with all of the loss that the law bounds.
+    pub over_loss: [f64; 2],
+    /// The ends of the 95 % interval over all of these, and over what the bandwidth hides.
+    pub ends: [Option<f64>; 2],
+    /// K/K_c,qs.
+    pub softness: f64,
+    /// V_peak of each row by the law, m/s.
+    pub peaks_m_per_s: Vec<f64>,
+    /// The same at the ends of the interval from the noise; empty where there is no bound.
+    pub band_m_per_s: [Vec<f64>; 2],
+    /// The standard deviation of V_peak over V_peak, or of its residuals over their errors.
+    pub scatter: f64,
+    /// The least sum of squares over b/a and the loss, for the comparison of laws.
+    cost: f64,
+}
+
+/// Fits of the laws, the better one first.
+#[derive(Debug, Clone)]
+pub struct PeakFits {
+    /// The fits.
+    pub laws: Vec<PeakFit>,
+    /// How the other law compares.
+    pub comparison: Option<PeakComparison>,
+    /// Laws that have no such peaks in deep stick-slip.
+    pub without_fit: Vec<EvolutionLaw>,
+    /// The ends of the 95 % interval over the laws that the table does not exclude.
+    pub ends: [Option<f64>; 2],
+}
+
+/// Two laws on the same table.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PeakComparison {
+    /// The root of the excess of the worse law's sum of squares over the variance of a peak.
+    pub distance: f64,
+    /// Beyond this the table tells the laws apart.
+    pub quantile: f64,
+}
+
+impl PeakComparison {
+    /// Whether the worse law is excluded. If it is true, this happens in one table of forty at most: the excess is the largest for a law
+    /// that differs from it by as much as the excess itself, and then it has the distribution of Student's quantile.
+    #[must_use]
+    pub fn tells_apart(&self) -> bool {
+        self.distance > self.quantile
+    }
+}
+
+/// Why there is no fit.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum PeakFailure {
+    /// Too few rows.
+    #[error("{0} rows (wanted: at least {LEAST_ROWS})")]
+    TooFewRows(usize),
+    /// Too narrow a range.
+    #[error("the load velocities span a factor of {0:.3} (wanted: at least {LEAST_RANGE})")]
+    Narrow(f64),
+    /// A load velocity near the peak.
+    #[error(
+        "row {}, column loading_velocity_m_per_s: {load:e} m/s is {over:.2} V_18, V_18 = (b - a) sigma/(2 sqrt(K M)) = {eq18:.3e} m/s (wanted: at most {DEEP} V_18, deep stick-slip)", .row + 1
+    )]
+    Fast {
+        /// The row, counted from 0.
+        row: usize,
+        /// V_l, m/s.
+        load: f64,
+        /// V_l/V_18.
+        over: f64,
+        /// V_18, m/s.
+        eq18: f64,
+    },
+    /// The peaks do not follow the law.
+    #[error(
+        "the peaks are not those of deep stick-slip with the {} law: they require K/K_c,qs above {DEEP}, or fall too steeply", .0.as_str()
+    )]
+    NotDeep(EvolutionLaw),
+    /// The peaks do not fall.
+    #[error("the peaks do not fall as the load velocity rises: they set no bound of (b - a) sigma/sqrt(K M)")]
+    Flat,
+}
+
+/// b/a with which simulated peaks of deep stick-slip follow their law: next to 1 the stress drop is not large against aσ.
+pub const EFFECT_RATIOS: [f64; 2] = [1.2, 5.0];
+/// Fewest rows: with fewer, two unknowns leave no estimate of the noise.
+pub const LEAST_ROWS: usize = 5;
+/// The smallest ratio of the greatest and the least load velocity.
+const LEAST_RANGE: f64 = 3.0;
+/// b/a and parts of the spring's loss between their ends, at which the law is fitted.
+const COUNT: u32 = 5;
+const LOSSES: [f64; 3] = [0.5, 0.0, 1.0];
+/// A of the largest peak that is tried, and places between it and the smallest.
+const LARGEST: f64 = 150.0;
+const PLACES: u32 = 90;
+/// ln of a K/K_c,qs below that of the largest peak that is tried, and a K/K_c,qs far above deep stick-slip.
+const SOFTEST: f64 = -200.0;
+const NOT_DEEP: f64 = 10.0;
+/// S and K/K_c,qs.
+const UNKNOWNS: f64 = 2.0;
+
+/// Checks a table and fits the laws to it.
+///
+/// # Errors
+/// When the method does not hold for the table.
+pub fn fit_peaks(rows: &[PeakRow], given: &PeakGiven) -> Result<PeakFits, PeakFailure> {
+    if rows.len() < LEAST_ROWS {
+        return Err(PeakFailure::TooFewRows(rows.len()));
+    }
+    let loads = || rows.iter().map(|row| row.load_m_per_s);
+    let range = loads().fold(0.0, f64::max) / loads().fold(f64::INFINITY, f64::min);
+    if range < LEAST_RANGE {
+        return Err(PeakFailure::Narrow(range));
+    }
+    let found: Vec<Result<PeakFit, PeakFailure>> =
+        given.laws.iter().map(|law| fit_law(rows, given, *law)).collect();
+    let pairs = given.laws.iter().zip(&found);
+    let without_fit = pairs.filter(|(_, fit)| fit.is_err()).map(|(law, _)| *law).collect();
+    let failure = found.iter().find_map(|fit| fit.as_ref().err()).cloned();
+    let mut laws: Vec<PeakFit> = found.into_iter().flatten().collect();
+    laws.sort_by(|one, other| one.cost.total_cmp(&other.cost));
+    let comparison = match &laws[..] {
+        [better, worse] => {
+            let [variance, quantile] = noise(rows, given, better.cost, UNKNOWNS + 1.0);
+            Some(PeakComparison { distance: ((worse.cost - better.cost) / variance).sqrt(), quantile })
+        }
+        _ => None,
+    };
+    let kept = if comparison.is_some_and(|found| found.tells_apart()) { 1 } else { laws.len() };
+    let ends = union(laws[..kept].iter().map(|fit| fit.ends));
+    match failure.filter(|_| laws.is_empty()) {
+        Some(failure) => Err(failure),
+        None => Ok(PeakFits { laws, comparison, without_fit, ends }),
+    }
+}
+
+/// The variance of the peaks over that of their errors, and the quantile for it. Peaks that scatter more than their errors have larger ones.
+fn noise(rows: &[PeakRow], given: &PeakGiven, cost: f64, unknowns: f64) -> [f64; 2] {
+    let degrees = rows.len() as f64 - unknowns;
+    let scatter = (cost / (rows.len() as f64 - UNKNOWNS)).max(f64::MIN_POSITIVE);
+    if given.has_errors { [scatter.max(1.0), NORMAL_QUANTILE] } else { [scatter, student_quantile(degrees)] }
+}
+
+/// The least of the lower ends and the greatest of the upper ones.
+fn union(ends: impl Iterator<Item = [Option<f64>; 2]> + Clone) -> [Option<f64>; 2] {
+    let side = |side: usize, of: fn(f64, f64) -> f64| {
+        ends.clone().map(|ends| ends[side]).reduce(|one, other| Some(of(one?, other?))).flatten()
+    };
+    [side(0, f64::min), side(1, f64::max)]
+}
+
+fn fit_law(rows: &[PeakRow], given: &PeakGiven, law: EvolutionLaw) -> Result<PeakFit, PeakFailure> {
+    let [low, high] = given.effect_ratio.map(|ratio| libm::log(ratio - 1.0));
+    let count = if low < high { COUNT } else { 1 };
+    let part = |n: u32| f64::from(n) / f64::from((count - 1).max(1));
+    let ratios: Vec<f64> = (0..count).map(|n| 1.0 + libm::exp(low + (high - low) * part(n))).collect();
+    let at = |ratio: &f64| {
+        let peak_law = PeakLaw::new(law, *ratio);
+        LOSSES.map(|loss| Case {
+            rows,
+            given,
+            name: law,
+            law: peak_law,
+            effect_ratio: *ratio,
+            loss,
+            deepest: DEEP,
+        })
+    };
+    let cases: Vec<Case> = ratios.iter().flat_map(at).collect();
+    let fits: Vec<Result<CaseFit, PeakFailure>> = cases.par_iter().map(|case| case.fit()).collect();
+    // A b/a with which the peaks are not those of deep stick-slip is not that of this table.
+    let possible: Vec<usize> =
+        (0..fits.len()).step_by(LOSSES.len()).filter(|place| fits[*place].is_ok()).collect();
+    let middle = possible.get(possible.len() / 2).copied().unwrap_or(0);
+    let central = fits[middle].clone()?;
+    for (index, row) in rows.iter().enumerate() {
+        let eq18 = 0.5 * central.scale * row.stress;
+        let over = row.load_m_per_s / eq18;
+        if over > DEEP {
+            return Err(PeakFailure::Fast { row: index, load: row.load_m_per_s, over, eq18 });
+        }
+    }
+    let scales = |of: &[Result<CaseFit, PeakFailure>]| {
+        let scales = of.iter().flatten().map(|fit| fit.scale);
+        scales.fold([f64::INFINITY, 0.0], |[low, high], scale: f64| [low.min(scale), high.max(scale)])
+    };
+    let unspent: Vec<Result<CaseFit, PeakFailure>> = fits.iter().step_by(LOSSES.len()).cloned().collect();
+    let [low, high] = union(fits.iter().flatten().map(|fit| fit.ends));
+    let peaks = |residuals: &[f64]| -> Vec<f64> {
+        rows.iter().zip(residuals).map(|(row, residual)| row.peak_m_per_s * libm::exp(-residual)).collect()
+    };
+    let held = |end: Option<f64>| cases[middle].held(libm::log(end?));
+    let band_m_per_s = central.ends.map(|end| held(end).map_or_else(Vec::new, |held| peaks(&held.residuals)));
+    Ok(PeakFit {
+        law,
+        scale_m_per_s: central.scale,
+        standard_error: central.standard_error,
+        from_noise: central.ends,
+        over_effect_ratio: scales(&unspent),
+        over_loss: scales(&fits[middle..middle + LOSSES.len()]),
+        ends: [low, high.map(|high| high / (1.0 - given.hidden))],
+        softness: central.softness,
+        scatter: (central.cost / (rows.len() as f64 - UNKNOWNS)).sqrt(),
+        cost: fits.iter().flatten().map(|fit| fit.cost).fold(f64::INFINITY, f64::min),
+        peaks_m_per_s: peaks(&central.residuals),
+        band_m_per_s,
+    })
+}
+
+/// The law at one b/a and one part of the spring's loss, on the table.
+#[derive(Clone, Copy)]
+struct Case<'t> {
+    rows: &'t [PeakRow],
+    given: &'t PeakGiven,
+    name: EvolutionLaw,
+    law: PeakLaw,
+    effect_ratio: f64,
+    loss: f64,
+    /// The largest K/K_c,qs.
+    deepest: f64,
+}
+
+/// Its fit.
+#[derive(Debug, Clone)]
+struct CaseFit {
+    scale: f64,
+    standard_error: f64,
+    ends: [Option<f64>; 2],
+    softness: f64,
+    residuals: Vec<f64>,
+    cost: f64,
+}
+
+/// The best K/K_c,qs at a held scale.
+struct Held {
+    log_softness: f64,
+    residuals: Vec<f64>,
+    cost: f64,
+}
+
+impl Case<'_> {
+    /// κ and V_l/S of a row.
+    fn groups(&self, row: &PeakRow, scale: f64, log_softness: f64) -> [f64; 2] {
+        let kappa = (self.effect_ratio - 1.0) * libm::exp(log_softness) / row.stress;
+        [kappa, row.load_m_per_s / (scale * row.stress)]
+    }
+
+    /// The peak of a row by the law, m/s, and A.
+    fn peak(&self, row: &PeakRow, scale: f64, log_softness: f64) -> Option<[f64; 2]> {
+        let [kappa, load] = self.groups(row, scale, log_softness);
+        let peak = self.law.peak(load, kappa, self.loss)?;
+        Some([peak * scale * row.stress, peak])
+    }
+
+    /// The logarithms of the least and the greatest K/K_c,qs.
+    fn bounds(&self, scale: f64) -> Option<[f64; 2]> {
+        let deepest = libm::log(self.deepest);
+        let [low, high] = match self.given.slip_velocity_m_per_s {
+            Some(ends) => ends.map(|velocity| libm::log(velocity / scale)),
+            None => [SOFTEST, deepest],
+        };
+        (low <= deepest && high >= SOFTEST).then_some([low.max(SOFTEST), high.min(deepest)])
+    }
+
+    /// The least sum of squares at this scale. Peaks are nearly linear in ln(K/K_c,qs), so that a few steps of Gauss and Newton find it.
+    fn held(&self, log_scale: f64) -> Option<Held> {
+        const MOST_STEPS: usize = 50;
+        let scale = libm::exp(log_scale);
+        let [low, high] = self.bounds(scale)?;
+        let first = &self.rows[0];
+        let peak = first.peak_m_per_s / (scale * first.stress);
+        let loading = first.load_m_per_s / first.peak_m_per_s;
+        let rough = self.law.remainder(&DeepCycle { peak, loading, stiffness_group: 1.0 });
+        let mut at = (rough - libm::log(self.effect_ratio - 1.0)).clamp(low, high);
+        for _ in 0..MOST_STEPS {
+            let peaks: Option<Vec<[f64; 2]>> =
+                self.rows.iter().map(|row| self.peak(row, scale, at)).collect();
+            let peaks = peaks?;
+            let rows = || self.rows.iter().zip(&peaks);
+            let residuals: Vec<f64> =
+                rows().map(|(row, [peak, _])| libm::log(row.peak_m_per_s / peak)).collect();
+            let [mut slope, mut square, mut cost] = [0.0; 3];
+            for (residual, (row, [_, peak])) in residuals.iter().zip(rows()) {
+                let weight = 1.0 / (row.relative_error * row.relative_error);
+                let derivative = self.law.slope(*peak) / peak;
+                slope += weight * derivative * residual;
+                square += weight * derivative * derivative;
+                cost += weight * residual * residual;
+            }
+            let next = (at - slope / square).clamp(low, high);
+            if (next - at).abs() < 1e-11 {
+                return Some(Held { log_softness: at, residuals, cost });
+            }
+            at = next;
+        }
+        None
+    }
+
+    fn cost(&self, log_scale: f64) -> f64 {
+        self.held(log_scale).map_or(f64::INFINITY, |held| held.cost)
+    }
+
+    /// Places of ln S, from peaks that are too large for any slider to those at which the law ends.
+    fn places(&self) -> Vec<f64> {
+        let scales = || self.rows.iter().map(|row| row.peak_m_per_s / row.stress);
+        let low = libm::log(scales().fold(0.0, f64::max) / LARGEST);
+        let high = libm::log(scales().fold(f64::INFINITY, f64::min) / (1.0 + self.law.healing()));
+        (0..=PLACES).map(|n| low + (high - low) * f64::from(n) / f64::from(PLACES)).collect()
+    }
+
+    fn fit(&self) -> Result<CaseFit, PeakFailure> {
+        let not_deep = PeakFailure::NotDeep(self.name);
+        let places = self.places();
+        let costs: Vec<f64> = places.iter().map(|place| self.cost(*place)).collect();
+        let best = (0..costs.len()).min_by(|one, other| costs[*one].total_cmp(&costs[*other])).unwrap_or(0);
+        if !costs[best].is_finite() {
+            return Err(not_deep);
+        }
+        if best == 0 {
+            return Err(PeakFailure::Flat);
+        }
+        let at = least(|place| self.cost(place), places[best - 1], places[(best + 1).min(costs.len() - 1)]);
+        let held = self.held(at).ok_or(PeakFailure::NotDeep(self.name))?;
+        // At the bound of deep stick-slip: stiffer sliders must not fit far better.
+        if self.deepest == DEEP && held.log_softness >= libm::log(DEEP) {
+            let stiffer = Case { deepest: NOT_DEEP, ..*self }.fit();
+            if stiffer.is_ok_and(|fit| held.cost > self.most(fit.cost)) {
+                return Err(not_deep);
+            }
+        }
+        let most = self.most(held.cost);
+        let end = |place: usize| libm::exp(crossing(|place| self.cost(place) - most, at, places[place]));
+        let below = (0..best).rev().find(|place| costs[*place] > most);
+        // Where the table sets no bound from above, the law does: beyond the last place it has no such peaks.
+        let above = (best + 1..costs.len()).find(|place| costs[*place] > most).unwrap_or(costs.len() - 1);
+        let [_, quantile] = noise(self.rows, self.given, held.cost, UNKNOWNS);
+        let ends = [below.map(end), Some(end(above))];
+        let scale = libm::exp(at);
+        let width = libm::log(ends[1].unwrap_or(scale) / ends[0].unwrap_or(scale));
+        let sides = if ends[0].is_some() { 2.0 } else { 1.0 };
+        Ok(CaseFit {
+            scale,
+            standard_error: scale * width / (sides * quantile),
+            ends,
+            softness: libm::exp(held.log_softness),
+            residuals: held.residuals,
+            cost: held.cost,
+        })
+    }
+
+    /// The largest sum of squares within the 95 % interval.
+    fn most(&self, cost: f64) -> f64 {
+        let [variance, quantile] = noise(self.rows, self.given, cost, UNKNOWNS);
+        cost + quantile * quantile * variance
+    }
+}
+
+/// The place of the least value between two places, by golden sections.
+fn least(of: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
+    const SECTION: f64 = 0.618_033_988_749_894_9;
+    while high - low > 1e-9 {
+        let [first, second] = [high - SECTION * (high - low), low + SECTION * (high - low)];
+        if of(first) < of(second) { high = second } else { low = first }
+    }
+    0.5 * (low + high)
+}
+
+/// Where a value becomes positive, from a place inside to one outside.
+fn crossing(of: impl Fn(f64) -> f64, mut inside: f64, mut outside: f64) -> f64 {
+    while (outside - inside).abs() > 1e-9 {
+        let middle = 0.5 * (inside + outside);
+        if of(middle) > 0.0 { outside = middle } else { inside = middle }
+    }
+    outside
+}
+
+/// The largest part of a peak that a machine hides whose −3 dB frequency is this many natural frequencies.
+///
+/// To first order in 1/A the slip is half of a sine at the natural frequency. A low-pass of first order gives a sine of 1/√(1 + (f_n/f)²)
+/// of its height and a positive transient, so that its peak is never lower; a steeper low-pass of the same −3 dB frequency takes less.
+#[must_use]
+pub fn hidden_part(bandwidth_over_natural: f64) -> f64 {
+    let ratio = 1.0 / bandwidth_over_natural;
+    1.0 - 1.0 / (1.0 + ratio * ratio).sqrt()
+}
