@@ -9,6 +9,7 @@
 //! ```
 
 mod dd_decimal;
+pub(crate) mod dispatch;
 mod double_double;
 #[doc(hidden)]
 pub mod format;

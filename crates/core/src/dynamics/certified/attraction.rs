@@ -5,8 +5,9 @@
 //! attracts. P solves J(0)ᵀP + PJ(0) = −I to rounding; what is proved depends on P only through the signs.
 
 use super::Constants;
+use super::cone::{Cone, Modes};
 use super::interval::Interval;
-use super::linear::{Square, multiply, points};
+use super::linear::{Square, determinant, inverse, multiply, points};
 use crate::friction::EvolutionLaw;
 
 /// The ellipsoid zᵀPz ≤ c.
@@ -16,6 +17,8 @@ pub(super) struct Ellipsoid {
     level: f64,
     /// The diagonal of P⁻¹: |z_i|² ≤ c (P⁻¹)_ii.
     inverse: [Interval; 3],
+    /// The modes, where all are real.
+    modes: Option<Modes>,
 }
 
 /// Levels that are tried, each a tenth of the one before.
@@ -35,7 +38,7 @@ impl Ellipsoid {
             let product = multiply(&form, &around);
             let falls: Square<3> =
                 std::array::from_fn(|i| std::array::from_fn(|j| -(product[i][j] + product[j][i])));
-            is_positive_definite(&falls).then_some(Self { form, level, inverse })
+            is_positive_definite(&falls).then(|| Self { form, level, inverse, modes: Modes::of(&at_rest) })
         })
     }
 
@@ -45,6 +48,11 @@ impl Ellipsoid {
             .fold(Interval::ZERO, |sum, i| (0..3).fold(sum, |sum, j| sum + z[i] * self.form[i][j] * z[j]));
         let value = value.upper();
         (value < self.level).then(|| self.inverse.map(|side| (Interval::point(value) * side).sqrt().upper()))
+    }
+
+    /// The cone that a state and all later states are proved to stay in.
+    pub fn cone(&self, constants: &Constants, z: &[Interval; 3]) -> Option<Cone<'_>> {
+        self.modes.as_ref()?.cone(z, |region| derivative(constants, region))
     }
 }
 
@@ -111,19 +119,8 @@ fn is_positive_definite(m: &Square<3>) -> bool {
     m[0][0].lower() > 0.0 && minor.lower() > 0.0 && determinant(m).lower() > 0.0
 }
 
-fn determinant(m: &Square<3>) -> Interval {
-    let cofactor = |a: usize, b: usize| m[1][a] * m[2][b] - m[1][b] * m[2][a];
-    m[0][0] * cofactor(1, 2) - m[0][1] * cofactor(0, 2) + m[0][2] * cofactor(0, 1)
-}
-
 /// Encloses the diagonal of the inverse, if the matrix is positive definite.
 fn diagonal_of_inverse(m: &Square<3>) -> Option<[Interval; 3]> {
-    if !is_positive_definite(m) {
-        return None;
-    }
-    let inverse = determinant(m).reciprocal();
-    Some(std::array::from_fn(|i| {
-        let (a, b) = ((i + 1) % 3, (i + 2) % 3);
-        (m[a][a] * m[b][b] - m[a][b] * m[b][a]) * inverse
-    }))
+    let inverse = inverse(m).filter(|_| is_positive_definite(m))?;
+    Some(std::array::from_fn(|i| inverse[i][i]))
 }

@@ -1,4 +1,4 @@
-//! A decay: the enclosed run from the start, until it is inside an ellipsoid that steady sliding attracts.
+//! A decay: the enclosed run from the start, until it is inside an ellipsoid or a cone that steady sliding attracts.
 
 use super::attraction::Ellipsoid;
 use super::interval::{Interval, generously_up};
@@ -38,7 +38,7 @@ pub(super) fn certify(constants: &Constants, start: Start, units: &Units) -> Res
         if let Some(bounds) = captured(&motion, &ellipsoid)
             && bounds.are_seen(&motion.observed)
         {
-            motion.observed.rest(bounds.x, bounds.stress);
+            motion.observed.rest(bounds.x, [bounds.highest, bounds.lowest]);
             break;
         }
         motion.advance(None)?;
@@ -51,10 +51,11 @@ pub(super) fn certify(constants: &Constants, start: Start, units: &Units) -> Res
     })
 }
 
-/// Bounds of all that follows.
+/// Bounds of all that follows: of x, ζ and −ζ.
 struct Bounds {
     x: f64,
-    stress: f64,
+    highest: f64,
+    lowest: f64,
 }
 
 impl Bounds {
@@ -63,12 +64,12 @@ impl Bounds {
         let [peak, _] = observed.peak();
         let [highest, lowest] = observed.least_extremes();
         self.x <= worse(peak, NEGLIGIBLE)
-            && self.stress <= worse(highest, NEGLIGIBLE)
-            && self.stress <= worse(lowest, NEGLIGIBLE)
+            && self.highest <= worse(highest, NEGLIGIBLE)
+            && self.lowest <= worse(lowest, NEGLIGIBLE)
     }
 }
 
-/// Bounds of x and ζ from here on, when every state lies inside the ellipsoid.
+/// Bounds of x and ζ from here on, when every state lies inside the ellipsoid or a cone.
 fn captured(motion: &Motion<'_>, ellipsoid: &Ellipsoid) -> Option<Bounds> {
     let Constants { inertia, effect_ratio, .. } = *motion.constants;
     let z = match &motion.states {
@@ -82,9 +83,16 @@ fn captured(motion: &Motion<'_>, ellipsoid: &Ellipsoid) -> Option<Bounds> {
             [x, y, x.exp() * rate]
         }
     };
+    // Nearly along the slowest mode x and ζ keep their signs.
+    if let Some(cone) = ellipsoid.cone(motion.constants, &z) {
+        let form = [Interval::ONE, effect_ratio, inertia];
+        let along = [[Interval::ONE, Interval::ZERO, Interval::ZERO], form, form.map(|c| -c)];
+        let [x, highest, lowest] = along.map(|form| cone.largest(&form));
+        return Some(Bounds { x, highest, lowest });
+    }
     let [x, y, w] = ellipsoid.reach_from(&z)?;
     let stress = generously_up(x + effect_ratio.magnitude() * y + inertia.magnitude() * w);
-    Some(Bounds { x, stress })
+    Some(Bounds { x, highest: stress, lowest: stress })
 }
 
 /// x, y and F at V = V_l/10.

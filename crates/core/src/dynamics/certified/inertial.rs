@@ -13,6 +13,7 @@ use super::interval::Interval;
 use super::lanes::{Lanes, product};
 use super::step::{ORDER, Series, System};
 use crate::friction::EvolutionLaw;
+use crate::number::dispatch::{Kernel, run_on_widest_unit};
 
 /// The equations of x, y and F in s.
 #[derive(Debug, Clone, Copy)]
@@ -20,12 +21,28 @@ pub(super) struct Inertial<'c>(pub &'c Constants);
 
 impl System<3, 4> for Inertial<'_> {
     fn series<const M: usize>(&self, start: &[Lanes<M>; 3]) -> Series<M, 4> {
-        let Constants { inertia, stiffness, effect_ratio, law } = *self.0;
         let mut out: Series<M, 4> = [[Lanes::ZERO; 4]; ORDER + 1];
+        out[0][..3].copy_from_slice(start);
+        run_on_widest_unit(Recursion { constants: self.0, out: &mut out });
+        out
+    }
+}
+
+/// The recursion of the coefficients, from those of order zero.
+struct Recursion<'a, const M: usize> {
+    constants: &'a Constants,
+    out: &'a mut Series<M, 4>,
+}
+
+impl<const M: usize> Kernel for Recursion<'_, M> {
+    #[inline(always)]
+    fn run(self) {
+        let Constants { inertia, stiffness, effect_ratio, law } = *self.constants;
+        let out = self.out;
+        let start = [out[0][0], out[0][1]];
         let blank = [Lanes::<M>::ZERO; ORDER + 1];
         let (mut velocity, mut square, mut sum, mut force, mut healing, mut relative) =
             (blank, blank, blank, blank, blank, blank);
-        out[0][..3].copy_from_slice(start);
         let exponential = start[0].lane(0).exp();
         velocity[0] = Lanes::following(exponential, exponential, &start[0]);
         let difference = start[0] - start[1];
@@ -51,7 +68,6 @@ impl System<3, 4> for Inertial<'_> {
                 healing[k + 1] = product(&relative, &healing, k).scaled(part);
             }
         }
-        out
     }
 }
 

@@ -23,6 +23,23 @@ pub(super) fn apply<const N: usize, const M: usize>(
     std::array::from_fn(|i| (0..M).fold(Interval::ZERO, |sum, m| sum + a[i][m] * v[m]))
 }
 
+/// The determinant.
+pub(super) fn determinant(m: &Square<3>) -> Interval {
+    m[0][0] * cofactor(m, 0, 0) + m[0][1] * cofactor(m, 0, 1) + m[0][2] * cofactor(m, 0, 2)
+}
+
+fn cofactor(m: &Square<3>, i: usize, j: usize) -> Interval {
+    let [[a, b], [c, d]] = [(i + 1) % 3, (i + 2) % 3].map(|i| [m[i][(j + 1) % 3], m[i][(j + 2) % 3]]);
+    a * d - b * c
+}
+
+/// Encloses the inverse; none where the determinant may be zero.
+pub(super) fn inverse(m: &Square<3>) -> Option<Square<3>> {
+    let factor = determinant(m).reciprocal();
+    let is_known = factor.is_bounded();
+    is_known.then(|| std::array::from_fn(|i| std::array::from_fn(|j| cofactor(m, j, i) * factor)))
+}
+
 /// A point matrix as intervals.
 pub(super) fn points<const N: usize>(a: &[[f64; N]; N]) -> Square<N> {
     a.map(|row| row.map(Interval::point))

@@ -2,13 +2,14 @@
 //!
 //! Every number is an interval that is rounded outward, from the decimals on. [`certify`] proves that the return map of a section maps a box
 //! into itself by Krawczyk's test: one limit cycle passes through the box, and no other. It proves a decay by a
-//! run that ends in an ellipsoid in which zᵀPz falls. [`certify_over`] proves the same of every slider in a box of parameters.
+//! run that ends in an ellipsoid in which zᵀPz falls, or in a cone around the slowest mode. [`certify_over`] proves the same of every slider in a box of parameters.
 
 // A bound that is not a number must refuse: `!(a < b)` does, `a >= b` would not.
 #![allow(clippy::neg_cmp_op_on_partial_ord)]
 
 mod attraction;
 mod coexistence;
+mod cone;
 mod constants;
 mod crossing;
 mod cycle;
@@ -104,7 +105,7 @@ pub enum Proved {
     },
     /// The run from the start ends in steady sliding.
     Decay {
-        /// zᵀPz ≤ c in (x, y, F/η): the run is inside after this time, s.
+        /// The run is inside an ellipsoid or a cone of (x, y, F/η) that steady sliding attracts after this time, s.
         captured_after_s: f64,
     },
 }

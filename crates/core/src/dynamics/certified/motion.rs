@@ -84,8 +84,8 @@ impl<'c> Motion<'c> {
     fn inertial_step(&mut self, set: &Set<3>, section: Option<f64>) -> Result<Option<Crossing>, Reason> {
         let system = Inertial(self.constants);
         let expansion = Expansion::new(&system, set);
-        let aimed = self.reach * expansion.length();
-        let (h, is_crossing) = landing(&expansion, aimed, section);
+        let length = expansion.length();
+        let (h, is_crossing) = landing(&expansion, [self.reach * length, length], section);
         let (h, step) = self.held(h, |h| expansion.step(&system, set, h, 0.0))?;
         let is_crossing = is_crossing.filter(|&length| length == h).is_some();
         let end = set.mapped(step.image, &step.slope, &[[Interval::ZERO; COORDINATES]; 3]);
@@ -167,13 +167,13 @@ impl<'c> Motion<'c> {
 }
 
 /// The length at which the centre reaches the section, V = V_l or an extreme of V; otherwise the length aimed at. Second, the same length
-/// if it is that of the section.
+/// if it is that of the section. `length` is that at which the terms of the series are small.
 pub(super) fn landing<const N: usize, const C: usize>(
     expansion: &Expansion<N, C>,
-    aimed: f64,
+    [aimed, length]: [f64; 2],
     section: Option<f64>,
 ) -> (f64, Option<f64>) {
-    let nearest = worse(JUST_LEFT * aimed, ROUNDING * expansion.length());
+    let nearest = worse(JUST_LEFT * aimed, ROUNDING * length);
     let is_new = |length: &f64| *length > nearest;
     let start = expansion.centre[0][0].mid[0];
     let level = |x: f64| expansion.crossing(aimed, |length| expansion.velocity_at(length) - x).filter(is_new);

@@ -87,11 +87,11 @@ impl Observed {
         self.lowest_stress.takes(-stress);
     }
 
-    /// Bounds of x and |ζ| for all that follows.
-    pub fn rest(&mut self, x: f64, stress: f64) {
+    /// Bounds of x, of ζ and of −ζ for all that follows.
+    pub fn rest(&mut self, x: f64, [highest, lowest]: [f64; 2]) {
         self.peak.at_most(x);
-        self.highest_stress.at_most(stress);
-        self.lowest_stress.at_most(stress);
+        self.highest_stress.at_most(highest);
+        self.lowest_stress.at_most(lowest);
     }
 
     /// Notes a step.

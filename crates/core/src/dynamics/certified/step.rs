@@ -69,20 +69,21 @@ impl<const N: usize, const C: usize> Expansion<N, C> {
 
     /// The length at which the terms of order n are as small as aimed at.
     pub fn length(&self) -> f64 {
-        let mut length = f64::INFINITY;
-        for order in [ORDER - 1, ORDER] {
+        let of_order = |order: usize| {
+            let mut least = f64::INFINITY;
             for component in 0..N {
                 let term = &self.hull[order][component];
                 let size = 1.0 + self.hull[0][component].mid[0].abs();
                 let slopes = (1..C).fold(0.0, |largest, l| worse(largest, term.mid[l].abs()));
                 for (term, aim) in [(term.mid[0].abs(), AIM * size), (slopes, AIM_OF_SLOPE)] {
                     if term > 0.0 {
-                        length = length.min(libm::pow(aim / term, 1.0 / order as f64));
+                        least = least.min(aim / term);
                     }
                 }
             }
-        }
-        length
+            libm::pow(least, 1.0 / order as f64)
+        };
+        of_order(ORDER - 1).min(of_order(ORDER))
     }
 
     /// The step of length h, if a box is found that holds it; `disturbance` bounds what moves the state beside the equations.

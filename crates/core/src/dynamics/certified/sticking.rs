@@ -124,11 +124,12 @@ impl Motion<'_> {
             self.states = States::Inertial(self.left(set, tube, &here));
             return Ok(None);
         }
-        let mut aimed = (self.reach * expansion.length()).min(LONGEST_SLOW / here.largest_slope);
+        let length = expansion.length();
+        let mut aimed = (self.reach * length).min(LONGEST_SLOW / here.largest_slope);
         if tube.distance > self.lateness * NEAR_SETTLED * here.settled() {
             aimed = aimed.min(FADING * here.inertia.mid);
         }
-        let (h, is_crossing) = landing(&expansion, aimed, section);
+        let (h, is_crossing) = landing(&expansion, [aimed, length], section);
         let sizes = column_sizes(&set.derivative());
         let mut allowed = LEAST_DISTURBANCE;
         let (h, (step, manifold, passage, growth)) = self.held(h, |h| {

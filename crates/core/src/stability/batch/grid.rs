@@ -4,10 +4,10 @@
 
 use rug::Rational;
 
-use super::dispatch::run_on_widest_unit;
 use super::mode_filter::{ModeFilter, ModeLoop};
 use super::{GridCell, PrecisionCounts, SignPair};
 use crate::friction::{Groups, Parameters, Slider};
+use crate::number::dispatch::run_on_widest_unit;
 use crate::number::{Ball, Field};
 use crate::roots::PrecisionLevel;
 use crate::stability::{InertialThreshold, boundary_sign, slip_mode, transition_sign};
@@ -140,8 +140,8 @@ pub(super) fn exact_signs(groups: &Groups<Rational>) -> SignPair {
 
 #[cfg(test)]
 mod tests {
-    use super::super::dispatch::Kernel;
     use super::*;
+    use crate::number::dispatch::Kernel;
     use crate::stability::classify;
     use crate::stability::fixtures::with_effects;
     use proptest::prelude::*;

@@ -20,7 +20,6 @@
 //! assert_eq!(cell.spectral_class(), SpectralClass::UnstableComplex);
 //! ```
 
-mod dispatch;
 mod grid;
 mod grid_cell;
 mod mode_filter;

@@ -9,8 +9,8 @@
 //! constants say.
 
 use super::GridCell;
-use super::dispatch::Kernel;
 use super::row_filter::{BoundedPolynomial, RowFilter, boundary_quartic};
+use crate::number::dispatch::Kernel;
 use crate::number::{Ball, Field};
 
 /// h by ascending power of σ.

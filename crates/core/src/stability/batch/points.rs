@@ -1,11 +1,11 @@
 //! Exact signs of many unrelated points, given as seven columns.
 
-use super::dispatch::{Kernel, run_on_widest_unit};
 use super::grid::{exact, exact_signs};
 use super::parallel;
 use super::{PrecisionCounts, SignPair};
 use crate::friction::Parameters;
 use crate::number::Dd;
+use crate::number::dispatch::{Kernel, run_on_widest_unit};
 use crate::roots::PrecisionLevel;
 use crate::stability::certain_signs::{self, BoundedGroups};
 

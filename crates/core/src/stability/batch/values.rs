@@ -1,8 +1,8 @@
 //! The loop over points in vector units: what double-double says of each.
 
-use super::dispatch::{Kernel, run_on_widest_unit};
 use crate::friction::Parameters;
 use crate::number::Dd;
+use crate::number::dispatch::{Kernel, run_on_widest_unit};
 use crate::stability::certain_signs::InputError;
 use crate::stability::point_values::{FIELDS, PointValues, Route};
 

@@ -3,6 +3,8 @@
 //! Outside of the enclosures no value is a solution. Interval arithmetic excludes parts of the axis, and near 0 and far out the
 //! polynomials of the inverse question with intervals as coefficients do so. The transition and the boundary are decided exactly over each part.
 
+use std::collections::VecDeque;
+
 use rug::Rational;
 
 use super::tails::{Tails, tails};
@@ -16,6 +18,8 @@ use crate::stability::over_box::{
 const COARSE: f64 = 1.0 + 1.0 / 16.0;
 /// The ends of an enclosure are halved until they are known to this ratio, or not decided.
 const FINE: f64 = 1.0 + 1e-12;
+/// The most parts of the axis for which it is not decided whether they have solutions.
+const MOST_UNDECIDED: usize = 64;
 /// The axis is searched over so many powers of two about its unit where the polynomials bound no solution.
 const OCTAVES: i32 = 60;
 
@@ -49,10 +53,8 @@ pub struct SolutionRange {
 pub fn solve_over_box(region: &ParameterBox, unknown: Unknown, target: &Target) -> Vec<SolutionRange> {
     let Tails { window, is_bounded } = tails(region, unknown, target, OCTAVES);
     let axis = Axis { region, unknown, target };
-    let mut parts = Vec::new();
-    axis.collect(window, &mut parts);
     let mut runs: Vec<[f64; 2]> = Vec::new();
-    for [low, high] in parts {
+    for [low, high] in axis.parts(window) {
         match runs.last_mut() {
             Some(run) if run[1] == low => run[1] = high,
             _ => runs.push([low, high]),
@@ -100,18 +102,25 @@ impl Axis<'_> {
         region.map_or(Sought::Unknown, |region| sought_over(&region, self.target))
     }
 
-    /// The parts that may have solutions, ascending.
-    fn collect(&self, part: [f64; 2], parts: &mut Vec<[f64; 2]>) {
-        if self.sought(part) == Sought::Nowhere {
-            return;
+    /// The parts that may have solutions, ascending. The longest are halved first; after [`MOST_UNDECIDED`] parts the rest may have solutions.
+    fn parts(&self, window: [f64; 2]) -> Vec<[f64; 2]> {
+        let (mut parts, mut open, mut undecided) = (Vec::new(), VecDeque::from([window]), 0);
+        while let Some(part) = open.pop_front() {
+            let may_halve = undecided < MOST_UNDECIDED;
+            let sought = if may_halve { self.sought(part) } else { Sought::Unknown };
+            if sought == Sought::Nowhere {
+                continue;
+            }
+            undecided += usize::from(sought == Sought::Unknown);
+            let middle = between(part);
+            if may_halve && part[1] / part[0] > COARSE && part[0] < middle && middle < part[1] {
+                open.extend([[part[0], middle], [middle, part[1]]]);
+            } else {
+                parts.push(part);
+            }
         }
-        let middle = between(part);
-        if part[1] / part[0] <= COARSE || middle <= part[0] || middle >= part[1] {
-            parts.push(part);
-            return;
-        }
-        self.collect([part[0], middle], parts);
-        self.collect([middle, part[1]], parts);
+        parts.sort_by(|one, other| one[0].total_cmp(&other[0]));
+        parts
     }
 
     /// The end of the solutions, between a number beyond them and one that may be among them.

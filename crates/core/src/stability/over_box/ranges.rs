@@ -313,6 +313,11 @@ impl Search {
         if is_above_all(highest) {
             return highest;
         }
+        if let Some(below) = self.goal.map(|goal| goal.low.next_down()).filter(|below| *below < bound)
+            && is_above_all(below)
+        {
+            return below;
+        }
         let distant = self.attained + LOWERINGS[0] * self.attained.abs();
         let of_attained = LOWERINGS.map(|share| self.attained + share * self.attained.abs());
         let of_bound = LOWERINGS.map(|share| self.attained + share * (bound - self.attained));
