@@ -61,6 +61,9 @@ pub struct Model<R> {
 /// than 1e-280 η x' with the bound in place of e^x, so that the bound changes no digit and keeps the rate from overflowing.
 const SLOWEST: f64 = 1e-286;
 
+/// The largest e^x and e^{−y} of a slider at rest, where y' is their plain difference; beside steady sliding, that of their excesses over 1.
+const AT_REST: f64 = 1e-6;
+
 /// The exponentials of one state, computed once for rate and Jacobian.
 struct Exponentials<R> {
     velocity: R,
@@ -169,6 +172,10 @@ impl<R: Scalar> Model<R> {
         let e = self.exponentials(state);
         let state_rate = match self.law {
             EvolutionLaw::Slip => -(e.velocity.clone() * (state[0].clone() + &state[1])),
+            // At rest the excesses are near −1 and would cancel: y' = e^{−y} is far below their rounding.
+            EvolutionLaw::Aging if e.healing < R::from_f64(AT_REST) && e.velocity < R::from_f64(AT_REST) => {
+                e.healing.clone() - &e.velocity
+            }
             EvolutionLaw::Aging => e.healing_excess.clone() - &e.velocity_excess,
         };
         let excess = self.loading_excess.clone() - &e.velocity_excess;
@@ -246,6 +253,13 @@ mod tests {
         assert!((friction - 0.25 - tail).abs() < 1e-15 && (slope - 1.0 + 2.0 * tail).abs() < 1e-15);
         let (at_rest, _) = regularised_friction(&-12.0, &10.0);
         assert!((at_rest + 10.0 - libm::asinh(libm::exp(-2.0) / 2.0)).abs() < 1e-14);
+    }
+
+    #[test]
+    fn a_slider_at_rest_ages_by_its_own_rate_and_not_by_rounding_errors() {
+        let [_, aging, _] = model(EvolutionLaw::Aging, Balance::Inertial).rate(&[-60.0, 40.0, 0.0]);
+        let exact = libm::exp(-40.0) - libm::exp(-60.0);
+        assert!((aging / exact - 1.0).abs() < 1e-15);
     }
 
     proptest! {
