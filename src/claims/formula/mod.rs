@@ -179,7 +179,7 @@ fn decide_formula(id: &str, words: &str, formula: &ClaimFormula, context: &Conte
 
 /// The most steps of algebra that the decision of one formula takes, and of a statement on motions.
 const STEPS: u64 = 6_000_000;
-const STEPS_OF_MOTION: u64 = 300_000_000;
+const STEPS_OF_MOTION: u64 = 200_000_000;
 
 /// The finding on a formula about the equations, if it takes no more steps than allowed.
 pub(super) fn decide_equations(

@@ -241,7 +241,9 @@ impl ClaimFormula {
         for (word, side) in motion.expressions().into_iter().chain(rates.map(|rate| ("rate", rate))) {
             let fault = |error| format!("the {word} {side} is too large: {error}");
             let resolved = names.resolved(side);
-            resolved.check_extent(LARGEST_OF_MOTION).map_err(fault)?;
+            // No lemma differentiates a sign.
+            let largest = if word == "sign" { LARGEST } else { LARGEST_OF_MOTION };
+            resolved.check_extent(largest).map_err(fault)?;
             if let Some(function) = resolved.functions().first() {
                 return Err(format!(
                     "the {word} {side} has the function {function}: no lemma on motions is for functions of which nothing is known"
