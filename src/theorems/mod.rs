@@ -60,6 +60,9 @@ pub const STEPS_FILE: &str = "steps.tsv";
 /// The first line of the list.
 const COLUMNS: &str = "report\tclaim\tproof\tstep\tkind\ttheorem\tdigest\tobstacle\n";
 
+/// The largest theorem that Coq is given: with 210 000 characters it takes more than five minutes.
+const LARGEST_THEOREM_BYTES: usize = 60_000;
+
 /// The bytes of theorems after which a claim's next theorem begins another file, so that files are checked side by side.
 const LARGE_FILE_BYTES: usize = 30_000;
 
@@ -209,10 +212,14 @@ impl Files {
             return known.clone();
         }
         let made = Theorem::of(certificate).map_err(|obstacle| obstacle.to_string());
-        let result = made.map(|theorem| {
+        let result = made.and_then(|theorem| {
+            let length = theorem.text.len();
+            if length > LARGEST_THEOREM_BYTES {
+                return Err(format!("Coq would take minutes: the theorem has {length} characters"));
+            }
             open.add(&theorem, words);
             let digest = statement_digest(&theorem);
-            [theorem.name, digest]
+            Ok([theorem.name, digest])
         });
         self.known.push((certificate.clone(), result.clone()));
         result
