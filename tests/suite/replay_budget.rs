@@ -82,11 +82,11 @@ fn a_parameter_of_five_thousand_digits_is_refused() {
 #[cfg(target_os = "linux")]
 #[test]
 fn memory_is_measured_and_the_message_says_what_was_asked_for() {
-    let place = asking(&format!("{SLIDER}[boundary]\npoints = 10000\ndigits = 30\n"));
-    // 30.72 MiB: three times what the program takes to read the inputs, less than the 48 MiB that it takes to compute.
-    let ended = place.run(["replay", "asking.zip", "--budget", "0.015"]);
+    let place = asking(&format!("{SLIDER}[boundary]\npoints = 10000\ndigits = 90\n"));
+    // 61.44 MiB: twice what the program takes to read the inputs, less than it takes to compute.
+    let ended = place.run(["replay", "asking.zip", "--budget", "0.03"]);
     ended.expect_refusal(&[
-        "asking.zip: stopped after 30.72 MiB of memory (budget); the largest request is scenes/a.toml: boundary: 20000 points of 30 digits",
+        "asking.zip: stopped after 61.44 MiB of memory (budget); the largest request is scenes/a.toml: boundary: 20000 points of 90 digits",
         "--budget FACTOR lifts it",
     ]);
     assert!(!place.path("out").exists());
