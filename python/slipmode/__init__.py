@@ -8,7 +8,7 @@ SI.
 from slipmode._classified import BoundaryTable, Classification, Classifications, Map, Possibilities
 from slipmode._curves import boundary, tolerance
 from slipmode._errors import CheckFailed, InputError, SlipmodeError, SlipmodeWarning
-from slipmode._fit import Fit, FittedValue, LawComparison, Residuals, fit, fit_peaks
+from slipmode._fit import Fit, FittedValue, LawComparison, PeakFit, Residuals, fit, fit_peaks
 from slipmode._frames import Categories
 from slipmode._questions import (
     Distance,
@@ -42,6 +42,7 @@ __all__ = [
     "Map",
     "Observable",
     "OperatingPoint",
+    "PeakFit",
     "Possibilities",
     "Report",
     "Residuals",

@@ -249,6 +249,65 @@ def fit(
         return Fit.of(found, Table(columns_of_csv(curve.read_text())), picture.read_text())
 
 
+@dataclass(frozen=True)
+class PeakFit:
+    """(b − a)σ/√(KM) = 2 V_18 from peak velocities of stick-slip."""
+
+    #: The evolution law that fits better, or the one that was requested: ``slip`` (eq 3) or ``aging`` (eq 2).
+    law: str
+    #: 2 V_18, m/s.
+    twice_v18_m_per_s: FittedValue
+    #: (b − a)σ, Pa; none without K and M.
+    effect_difference_stress_pa: FittedValue | None
+    #: b − a; none without K, M and the normal stress.
+    effect_difference: FittedValue | None
+    #: The ends of 2 V_18 that each unknown alone gives, m/s: ``noise``, ``law``, ``effect_ratio``, ``model``, ``bandwidth``.
+    error_parts_m_per_s: dict[str, tuple[float | None, float | None]] = field(repr=False)
+    #: 2 V_18 with each law, m/s.
+    laws: dict[str, FittedValue] = field(repr=False)
+    #: Whether the table distinguishes the laws (95 % confidence); none if one law was requested, or if the other does not fit.
+    distinguishes_laws: bool | None
+    #: What the table does not determine, in sentences.
+    remarks: tuple[str, ...]
+    _found: dict[str, Any] = field(repr=False)
+
+    @classmethod
+    def of(cls, found: dict[str, Any]) -> PeakFit:
+        """Return the fit of an object that the command line printed."""
+
+        def value(name: str, unit: str, of: dict[str, Any] = found) -> FittedValue | None:
+            one = of.get(name)
+            return None if one is None else FittedValue(one["value"], one["error"], unit, one["low"], one["high"])
+
+        scale = value("twice_v18_m_per_s", "m/s")
+        assert scale is not None
+        laws = {each["law"]: value("twice_v18_m_per_s", "m/s", each) for each in found["laws"]}
+        comparison = found.get("law_comparison")
+        return cls(
+            law=found["law"],
+            twice_v18_m_per_s=scale,
+            effect_difference_stress_pa=value("effect_difference_stress_pa", "Pa"),
+            effect_difference=value("effect_difference", ""),
+            error_parts_m_per_s={name: (ends[0], ends[1]) for name, ends in found["error_parts_m_per_s"].items()},
+            laws={law: one for law, one in laws.items() if one is not None},
+            distinguishes_laws=None if comparison is None else comparison["tells_apart"],
+            remarks=tuple(in_python(remark) for remark in found["remarks"]),
+            _found=found,
+        )
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the object that ``slipmode fit --peaks --json`` prints."""
+        return dict(self._found)
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """Return a row for each fitted value: value, error, and the ends of its 95 % interval."""
+        import pandas
+
+        names = ("twice_v18_m_per_s", "effect_difference_stress_pa", "effect_difference")
+        found = {name: value for name in names if (value := getattr(self, name)) is not None}
+        return pandas.DataFrame.from_dict({name: vars(value) for name, value in found.items()}, orient="index")
+
+
 def fit_peaks(
     table: Record,
     *,
@@ -259,8 +318,8 @@ def fit_peaks(
     mass_per_area_kg_per_m2: Number | None = None,
     critical_slip_distance_m: Number | None = None,
     bandwidth_hz: Number | None = None,
-) -> dict[str, Any]:
-    """Fit (b − a)σ/√(KM) to peak velocities of stick-slip, and return the object of ``slipmode fit --peaks --json``.
+) -> PeakFit:
+    """Fit (b − a)σ/√(KM) to peak velocities of stick-slip, without a velocity step.
 
     ``table`` is a data frame of pandas or polars, columns by name, or the path of a CSV file. Its columns are
     ``loading_velocity_m_per_s``; ``peak_velocity_m_per_s``; optionally ``peak_velocity_error_m_per_s``, the standard error; and
@@ -278,7 +337,7 @@ def fit_peaks(
     }
     options = [f"--law={law}"] + [f"{name}={exact(number)}" for name, number in numbers.items() if number is not None]
     with tempfile.TemporaryDirectory() as folder:
-        return printed(folder, table, ["--peaks", *options])
+        return PeakFit.of(printed(folder, table, ["--peaks", *options]))
 
 
 def printed(folder: str, record: Record, options: list[str]) -> dict[str, Any]:

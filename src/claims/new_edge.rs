@@ -6,11 +6,11 @@ use crate::claims::simulated::extent;
 use crate::claims::{Evidence, Finding};
 use crate::experiments::Context;
 use crate::experiments::near_transition::Edge;
-use crate::experiments::shared::search::minimum_between;
 use slipmode_core::dynamics::edge_orbit;
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::format::round_digits;
 use slipmode_core::number::nearest_f64;
+use slipmode_core::number::search::minimum_between;
 
 /// The largest η at which the law is required.
 const LARGEST: f64 = 0.01;

@@ -6,6 +6,7 @@ use clap::Args;
 use slipmode::scene::{Limits, library_proofs};
 use slipmode::theorems::{Published, file_list, files, ties};
 use slipmode_algebra::{Proof, Refutation};
+use slipmode_core::theory::Role;
 
 use crate::cli::diff::ledger;
 use crate::cli::failure::Failure;
@@ -54,7 +55,8 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let published = published.collect::<Result<Vec<_>, Failure>>()?;
     // What decides a slider with error bars is about the equations of the first report for which it goes through.
     let has_all = |report: &&Published| {
-        OF_A_BOX.iter().all(|id| library_proofs().missing(id, &report.equations).is_empty())
+        report.equations.missing(&[Role::Characteristic]).is_empty()
+            && OF_A_BOX.iter().all(|id| library_proofs().missing(id, &report.equations).is_empty())
     };
     let of_a_box = |report: &Published| -> Result<Vec<Proof>, Refutation> {
         OF_A_BOX.map(|id| library_proofs().prove(id, &report.equations)).into_iter().collect()

@@ -7,6 +7,7 @@
 use rayon::prelude::*;
 use slipmode_core::dynamics::{DEEP, DeepCycle, PeakLaw};
 use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::number::search::{border_between, golden_section};
 use thiserror::Error;
 
 use super::residuals::{NORMAL_QUANTILE, student_quantile};
@@ -149,6 +150,8 @@ const SOFTEST: f64 = -200.0;
 const NOT_DEEP: f64 = 10.0;
 /// S and K/K_c,qs.
 const UNKNOWNS: f64 = 2.0;
+/// How closely ln S is found.
+const WIDTH: f64 = 1e-9;
 
 /// Checks a table and fits the laws to it.
 ///
@@ -370,7 +373,8 @@ impl Case<'_> {
         if best == 0 {
             return Err(PeakFailure::Flat);
         }
-        let at = least(|place| self.cost(place), places[best - 1], places[(best + 1).min(costs.len() - 1)]);
+        let beside = (places[best - 1], places[(best + 1).min(costs.len() - 1)]);
+        let at = golden_section(|place| Some(self.cost(place)), beside, WIDTH).unwrap_or(places[best]);
         let held = self.held(at).ok_or(PeakFailure::NotDeep(self.name))?;
         // At the bound of deep stick-slip: stiffer sliders must not fit far better.
         if self.deepest == DEEP && held.log_softness >= libm::log(DEEP) {
@@ -380,7 +384,12 @@ impl Case<'_> {
             }
         }
         let most = self.most(held.cost);
-        let end = |place: usize| libm::exp(crossing(|place| self.cost(place) - most, at, places[place]));
+        let end = |place: usize| {
+            let outside = |place| Some(self.cost(place) > most);
+            libm::exp(
+                border_between(outside, (at, places[place]), WIDTH).map_or(places[place], |(_, end)| end),
+            )
+        };
         let below = (0..best).rev().find(|place| costs[*place] > most);
         // Where the table sets no bound from above, the law does: beyond the last place it has no such peaks.
         let above = (best + 1..costs.len()).find(|place| costs[*place] > most).unwrap_or(costs.len() - 1);
@@ -404,25 +413,6 @@ impl Case<'_> {
         let [variance, quantile] = noise(self.rows, self.given, cost, UNKNOWNS);
         cost + quantile * quantile * variance
     }
-}
-
-/// The place of the least value between two places, by golden sections.
-fn least(of: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
-    const SECTION: f64 = 0.618_033_988_749_894_9;
-    while high - low > 1e-9 {
-        let [first, second] = [high - SECTION * (high - low), low + SECTION * (high - low)];
-        if of(first) < of(second) { high = second } else { low = first }
-    }
-    0.5 * (low + high)
-}
-
-/// Where a value becomes positive, from a place inside to one outside.
-fn crossing(of: impl Fn(f64) -> f64, mut inside: f64, mut outside: f64) -> f64 {
-    while (outside - inside).abs() > 1e-9 {
-        let middle = 0.5 * (inside + outside);
-        if of(middle) > 0.0 { outside = middle } else { inside = middle }
-    }
-    outside
 }
 
 /// The largest part of a peak that a machine hides whose −3 dB frequency is this many natural frequencies.

@@ -2,8 +2,8 @@
 
 use slipmode_algebra::{Expression, Symbol};
 use slipmode_core::theory::Equations;
+use slipmode_core::theory::lyapunov_sign::LyapunovSign;
 use slipmode_core::theory::planar::MotionLemma;
-use slipmode_core::theory::weak_instability::Weakly;
 
 use crate::scene::Problem;
 use crate::scene::claim_formula::read_side;
@@ -51,7 +51,7 @@ pub enum MotionSaid {
     /// Of every motion of two equations.
     Planar(MotionLemma),
     /// Three equations have a pair of roots ±i times this on the axis, and this is said of their steady state.
-    Weak(Weakly, Expression),
+    Lyapunov(LyapunovSign, Expression),
 }
 
 impl ClaimMotion {
@@ -73,8 +73,8 @@ impl ClaimMotion {
     pub fn expressions(&self) -> Vec<(&'static str, &Expression)> {
         match &self.said {
             MotionSaid::Planar(lemma) => lemma.expressions(),
-            MotionSaid::Weak(Weakly::Unstable, frequency) => vec![("frequency", frequency)],
-            MotionSaid::Weak(Weakly::HasSignOf(sign), frequency) => {
+            MotionSaid::Lyapunov(LyapunovSign::Positive, frequency) => vec![("frequency", frequency)],
+            MotionSaid::Lyapunov(LyapunovSign::Of(sign), frequency) => {
                 vec![("frequency", frequency), ("sign", sign)]
             }
         }
@@ -86,10 +86,10 @@ impl ClaimMotion {
         let name = &self.name;
         let variable = |index: &usize| self.state.get(*index).map(Symbol::as_str).unwrap_or_default();
         let says = match &self.said {
-            MotionSaid::Weak(Weakly::Unstable, _) => {
+            MotionSaid::Lyapunov(LyapunovSign::Positive, _) => {
                 format!("the steady state of {name} is unstable although no root has a positive real part")
             }
-            MotionSaid::Weak(Weakly::HasSignOf(_), _) => {
+            MotionSaid::Lyapunov(LyapunovSign::Of(_), _) => {
                 format!(
                     "the transition of {name} is subcritical where the sign is positive and supercritical where it is negative"
                 )
@@ -137,18 +137,18 @@ fn read_said(
         return entry.refuse(Problem::Needs(format!("the name of a [[system]] of equations.toml{near}")));
     };
     let states = system.state.len();
-    let is_weak = matches!(word, Word::WeakInstability | Word::Transition);
+    let is_of_lyapunov = matches!(word, Word::WeakInstability | Word::Transition);
     let said = match word {
-        _ if is_weak && (states != 3 || system.steady.is_empty()) => {
+        _ if is_of_lyapunov && (states != 3 || system.steady.is_empty()) => {
             let needed = "a system with three state variables and a steady state";
             return entry.refuse(Problem::Needs(needed.into()));
         }
         Word::WeakInstability => {
-            MotionSaid::Weak(Weakly::Unstable, read_expression(section, "frequency", &names)?)
+            MotionSaid::Lyapunov(LyapunovSign::Positive, read_expression(section, "frequency", &names)?)
         }
         Word::Transition => {
             let [frequency, sign] = ["frequency", "sign"].map(|key| read_expression(section, key, &names));
-            MotionSaid::Weak(Weakly::HasSignOf(sign?), frequency?)
+            MotionSaid::Lyapunov(LyapunovSign::Of(sign?), frequency?)
         }
         word if states == 2 => MotionSaid::Planar(read_lemma(section, word, &system.state, &names)?),
         _ => return entry.refuse(Problem::Needs("a system with two state variables".into())),

@@ -132,28 +132,9 @@ fn without_noise_the_laws_are_told_apart_and_each_unknown_has_its_part_of_the_er
 #[test]
 fn a_first_order_filter_takes_no_more_of_a_simulated_peak_than_its_bandwidth_permits() {
     let place = Workplace::new();
-    let slider = [
-        "simulate",
-        "-a",
-        "0.01",
-        "-b",
-        "0.015",
-        "-d",
-        "1e-5",
-        "-k",
-        "1e7",
-        "-m",
-        "1000",
-        "-s",
-        "1e6",
-        "-v",
-        "1e-4",
-        "--law",
-        "slip",
-        "--trajectory",
-        "run.csv",
-    ];
-    place.run(slider).expect_success();
+    let slider =
+        "simulate -a 0.01 -b 0.015 -d 1e-5 -k 1e7 -m 1000 -s 1e6 -v 1e-4 --law slip --trajectory run.csv";
+    place.run(slider.split(' ')).expect_success();
     let text = place.read("run.csv");
     let mut reader = csv::Reader::from_reader(text.as_bytes());
     let header = reader.headers().unwrap().clone();

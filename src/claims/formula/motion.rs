@@ -1,8 +1,8 @@
 //! Statements on the motions of a system: the hypotheses of a general lemma are certified, its conclusion is argued.
 
 use slipmode_algebra::{Domain, Expression, Literal, Sign, Symbol};
+use slipmode_core::theory::lyapunov_sign::{LyapunovSign, ThreeStates};
 use slipmode_core::theory::planar::{MotionLemma, PlanarSystem};
-use slipmode_core::theory::weak_instability::{ThreeStates, Weakly};
 
 use super::Problem;
 use super::points::Points;
@@ -12,7 +12,7 @@ use crate::scene::{ClaimMotion, MotionSaid};
 /// A statement with the system as the equations say.
 enum Said {
     Planar(PlanarSystem, MotionLemma),
-    Weak(ThreeStates, Weakly, Expression),
+    Lyapunov(ThreeStates, LyapunovSign, Expression),
 }
 
 impl Problem<'_> {
@@ -31,12 +31,12 @@ impl Problem<'_> {
             MotionSaid::Planar(lemma) => {
                 PlanarSystem::of(system).map(|system| Said::Planar(system.map(resolved), lemma.map(resolved)))
             }
-            MotionSaid::Weak(weakly, frequency) => ThreeStates::of(system).map(|system| {
-                let weakly = match weakly {
-                    Weakly::Unstable => Weakly::Unstable,
-                    Weakly::HasSignOf(sign) => Weakly::HasSignOf(resolved(sign)),
+            MotionSaid::Lyapunov(lyapunov_sign, frequency) => ThreeStates::of(system).map(|system| {
+                let lyapunov_sign = match lyapunov_sign {
+                    LyapunovSign::Positive => LyapunovSign::Positive,
+                    LyapunovSign::Of(sign) => LyapunovSign::Of(resolved(sign)),
                 };
-                Said::Weak(system.map(resolved), weakly, resolved(frequency))
+                Said::Lyapunov(system.map(resolved), lyapunov_sign, resolved(frequency))
             }),
         };
         let Some(said) = said else {
@@ -44,7 +44,7 @@ impl Problem<'_> {
         };
         let region = match &said {
             Said::Planar(system, lemma) => lemma.region(system),
-            Said::Weak(..) => None,
+            Said::Lyapunov(..) => None,
         };
         let mut assumed = self.premises.clone();
         assumed.conditions.extend(region.map(|region| Literal::new(region, Sign::Positive)));
@@ -65,7 +65,9 @@ impl Problem<'_> {
         let domains = domain.forms(&[]);
         let proof = match said {
             Said::Planar(system, lemma) => lemma.prove(start, &system, &domains),
-            Said::Weak(system, weakly, frequency) => system.weakly(start, &weakly, &frequency, &domains),
+            Said::Lyapunov(system, lyapunov_sign, frequency) => {
+                system.lyapunov_sign(start, &lyapunov_sign, &frequency, &domains)
+            }
         };
         match proof {
             Ok(proof) => Finding::from_proof(Ok(proof)),

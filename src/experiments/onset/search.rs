@@ -6,11 +6,11 @@
 
 use crate::experiments::map::run::exactly;
 use crate::experiments::onset::first_swing::Swing;
-use crate::experiments::shared::search::{border_between, extrapolate_to_zero};
 use slipmode_core::dynamics::{
     Control, Failure, Integrator, Model, Radau, Start, oscillation_of_small_deviations,
 };
 use slipmode_core::friction::{EvolutionLaw, Slider};
+use slipmode_core::number::search::{border_between, extrapolate_to_zero};
 use slipmode_core::number::{Rational, nearest_f64};
 
 /// A loading velocity in m/s, or on a line of constant velocity a normal stress in Pa, with its error.

@@ -2,8 +2,8 @@
 
 use crate::experiments::map::run::exactly;
 use crate::experiments::onset::Located;
-use crate::experiments::shared::search::border_between;
 use slipmode_core::friction::Slider;
+use slipmode_core::number::search::border_between;
 use slipmode_core::number::{Ball, Rational};
 use slipmode_core::stability::{Arc, BoundaryCurve, InertialThreshold, Section, SlipMode, classify};
 

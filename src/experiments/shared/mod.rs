@@ -7,6 +7,5 @@ pub mod cells;
 pub(crate) mod fixtures;
 pub(crate) mod grid;
 pub(crate) mod map_readout;
-pub(crate) mod search;
 
 pub use grid::Grid;

@@ -3,10 +3,10 @@
 use rayon::prelude::*;
 
 use crate::experiments::map::run::exactly;
-use crate::experiments::shared::search::{border_between, minimum_between, zero_between};
 use crate::experiments::simulations::SimulationsSection;
 use slipmode_core::dynamics::{Behaviour, Options, Simulation, simulate};
 use slipmode_core::friction::{EvolutionLaw, Slider};
+use slipmode_core::number::search::{border_between, minimum_between, zero_between};
 use slipmode_core::number::{Rational, nearest_f64};
 use slipmode_core::stability::asymptote::inertial_upper_velocity_m_per_s;
 use slipmode_core::stability::{InertialThreshold, SlipMode, classify};

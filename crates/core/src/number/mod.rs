@@ -15,6 +15,8 @@ mod double_double;
 pub mod format;
 mod rectangle;
 #[doc(hidden)]
+pub mod search;
+#[doc(hidden)]
 pub mod split_mix;
 mod wide;
 

@@ -28,6 +28,7 @@ mod equations;
 pub mod frequency_turns;
 #[doc(hidden)]
 pub mod hopf;
+pub mod lyapunov_sign;
 mod names;
 mod notation;
 pub mod planar;
@@ -43,7 +44,6 @@ pub mod strip_frequency;
 #[doc(hidden)]
 pub mod sufficient_inertia;
 mod units;
-pub mod weak_instability;
 
 pub use derivation::{Form as Derivation, Operation, System};
 pub use equations::{Equation, EquationFault, Equations, EquationsError};

@@ -6,13 +6,13 @@ use super::hopf::projection::{Critical, Vector, coefficient};
 use super::notation::{formula, rational, simplified};
 use slipmode_algebra::{Domain, Expression, Proof, Refutation, Symbol};
 
-/// What is said of a steady state with a pair of roots on the imaginary axis.
+/// What is said of the first Lyapunov coefficient.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Weakly {
-    /// It is unstable.
-    Unstable,
-    /// The first Lyapunov coefficient has the sign of this.
-    HasSignOf(Expression),
+pub enum LyapunovSign {
+    /// It is positive.
+    Positive,
+    /// It has the sign of this.
+    Of(Expression),
 }
 
 /// Three equations of first order with a steady state.
@@ -54,10 +54,10 @@ impl ThreeStates {
     ///
     /// # Errors
     /// The hypothesis that is refused.
-    pub fn weakly(
+    pub fn lyapunov_sign(
         &self,
         start: Proof,
-        said: &Weakly,
+        said: &LyapunovSign,
         frequency: &Expression,
         domains: &[Domain],
     ) -> Result<Proof, Refutation> {
@@ -104,8 +104,8 @@ impl ThreeStates {
         let parts = real.clone() + formula("i") * imaginary;
         let proof = proof.identity("the real and the imaginary part of c_1", &[], &first, &parts, domain)?;
         let (proof, follows) = match said {
-            Weakly::Unstable => (positive(proof, "Re c_1", &real, domains)?, OUTWARDS),
-            Weakly::HasSignOf(sign) => (has_sign_of(proof, &real, sign, domains)?, EITHER_WAY),
+            LyapunovSign::Positive => (positive(proof, "Re c_1", &real, domains)?, OUTWARDS),
+            LyapunovSign::Of(sign) => (has_sign_of(proof, &real, sign, domains)?, EITHER_WAY),
         };
         Ok(proof.reason(format!(
             "The third root is negative, so that near the steady state every motion approaches the two-dimensional centre manifold \
@@ -239,10 +239,10 @@ mod tests {
         // The known coefficient (claim N4 of the report on Im and Avouac) is positive exactly where this is.
         let small = "1 - 6*eta - eta^2*(7 + 4*w^2)";
         let prove_that = |said, system: &ThreeStates, frequency: &str, domain: &[Domain]| {
-            system.weakly(Proof::new("weak", "Weak."), &said, &formula(frequency), domain)
+            system.lyapunov_sign(Proof::new("weak", "Weak."), &said, &formula(frequency), domain)
         };
         let prove = |system: &ThreeStates, frequency: &str, domain: &[Domain]| {
-            prove_that(Weakly::Unstable, system, frequency, domain)
+            prove_that(LyapunovSign::Positive, system, frequency, domain)
         };
         let proof = prove(&slider(AGING), "w", &domain(small, "1/100")).unwrap();
         assert_eq!(proof.recheck(), Ok(()));
@@ -250,7 +250,7 @@ mod tests {
         let refused = prove(&slider(AGING), "w", &large).unwrap_err();
         assert!(refused.statement.contains("Re c_1"), "{refused}");
         let everywhere = [Domain::positive("eta w v theta")];
-        let sign = |text: &str| Weakly::HasSignOf(formula(text));
+        let sign = |text: &str| LyapunovSign::Of(formula(text));
         let either = prove_that(sign(small), &slider(AGING), "w", &everywhere).unwrap();
         assert_eq!(either.recheck(), Ok(()));
         let refused = prove_that(sign(&format!("-({small})")), &slider(AGING), "w", &everywhere).unwrap_err();

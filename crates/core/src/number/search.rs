@@ -1,8 +1,8 @@
-//! Zeros and minima of what simulations give: few evaluations, each of them dear, any of which may have no result.
+//! Zeros, borders and minima of functions that are dear to evaluate and may have no value.
 
 /// A minimum of a smooth function.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Minimum {
+pub struct Minimum {
     /// Where.
     pub at: f64,
     /// Estimated error of the place.
@@ -15,7 +15,7 @@ pub(crate) struct Minimum {
 const GOLDEN: f64 = 0.618_033_988_749_894_8;
 
 /// The zero between two places of different sign, to `width` (Illinois variant of the false position).
-pub(crate) fn zero_between(
+pub fn zero_between(
     function: impl Fn(f64) -> Option<f64>,
     [(low, at_low), (high, at_high)]: [(f64, f64); 2],
     width: f64,
@@ -43,7 +43,7 @@ pub(crate) fn zero_between(
 }
 
 /// The border between two places with different answers, to `width`: the last places with either answer.
-pub(crate) fn border_between(
+pub fn border_between(
     holds: impl Fn(f64) -> Option<bool>,
     (mut without, mut with): (f64, f64),
     width: f64,
@@ -63,7 +63,7 @@ pub(crate) fn border_between(
 ///
 /// The error is what the three inner points alone would change, which bounds the truncation of the five, and what the
 /// `noise` of the values can move. Nothing where the function has no value or is not convex.
-pub(crate) fn minimum_between(
+pub fn minimum_between(
     function: impl Fn(f64) -> Option<f64>,
     (low, high): (f64, f64),
     step: f64,
@@ -94,7 +94,7 @@ pub(crate) fn minimum_between(
 }
 
 /// The minimiser of a function with one minimum between two ends, to `width`.
-fn golden_section(
+pub fn golden_section(
     function: impl Fn(f64) -> Option<f64>,
     (mut low, mut high): (f64, f64),
     width: f64,
@@ -117,7 +117,7 @@ fn golden_section(
 }
 
 /// The value at zero of the polynomial through points (x, y), none of them at equal x (Neville's scheme).
-pub(crate) fn extrapolate_to_zero(points: &[(f64, f64)]) -> f64 {
+pub fn extrapolate_to_zero(points: &[(f64, f64)]) -> f64 {
     let mut values: Vec<f64> = points.iter().map(|point| point.1).collect();
     for order in 1..points.len() {
         for i in 0..points.len() - order {
