@@ -7,6 +7,7 @@ mod estimate;
 mod least_squares;
 mod load_path;
 mod parameter;
+mod peak_profile;
 mod peaks;
 mod problem;
 mod profile;

@@ -5,11 +5,11 @@
 //! between its bounds, and the sum of squares is a function of S alone.
 
 use rayon::prelude::*;
-use slipmode_core::dynamics::{DEEP, DeepCycle, PeakLaw};
+use slipmode_core::dynamics::{DEEP, PeakLaw};
 use slipmode_core::friction::EvolutionLaw;
-use slipmode_core::number::search::{border_between, golden_section};
 use thiserror::Error;
 
+use super::peak_profile::{Case, CaseFit};
 use super::residuals::{NORMAL_QUANTILE, student_quantile};
 
 /// A mean peak velocity at one velocity of the load point.
@@ -142,16 +142,8 @@ const LEAST_RANGE: f64 = 3.0;
 /// b/a and parts of the spring's loss between their ends, at which the law is fitted.
 const COUNT: u32 = 5;
 const LOSSES: [f64; 3] = [0.5, 0.0, 1.0];
-/// A of the largest peak that is tried, and places between it and the smallest.
-const LARGEST: f64 = 150.0;
-const PLACES: u32 = 90;
-/// ln of a K/K_c,qs below that of the largest peak that is tried, and a K/K_c,qs far above deep stick-slip.
-const SOFTEST: f64 = -200.0;
-const NOT_DEEP: f64 = 10.0;
 /// S and K/K_c,qs.
-const UNKNOWNS: f64 = 2.0;
-/// How closely ln S is found.
-const WIDTH: f64 = 1e-9;
+pub(super) const UNKNOWNS: f64 = 2.0;
 
 /// Checks a table and fits the laws to it.
 ///
@@ -189,7 +181,7 @@ pub fn fit_peaks(rows: &[PeakRow], given: &PeakGiven) -> Result<PeakFits, PeakFa
 }
 
 /// The variance of the peaks over that of their errors, and the quantile for it. Peaks that scatter more than their errors have larger ones.
-fn noise(rows: &[PeakRow], given: &PeakGiven, cost: f64, unknowns: f64) -> [f64; 2] {
+pub(super) fn noise(rows: &[PeakRow], given: &PeakGiven, cost: f64, unknowns: f64) -> [f64; 2] {
     let degrees = rows.len() as f64 - unknowns;
     let scatter = (cost / (rows.len() as f64 - UNKNOWNS)).max(f64::MIN_POSITIVE);
     if given.has_errors { [scatter.max(1.0), NORMAL_QUANTILE] } else { [scatter, student_quantile(degrees)] }
@@ -259,160 +251,6 @@ fn fit_law(rows: &[PeakRow], given: &PeakGiven, law: EvolutionLaw) -> Result<Pea
         peaks_m_per_s: peaks(&central.residuals),
         band_m_per_s,
     })
-}
-
-/// The law at one b/a and one part of the spring's loss, on the table.
-#[derive(Clone, Copy)]
-struct Case<'t> {
-    rows: &'t [PeakRow],
-    given: &'t PeakGiven,
-    name: EvolutionLaw,
-    law: PeakLaw,
-    effect_ratio: f64,
-    loss: f64,
-    /// The largest K/K_c,qs.
-    deepest: f64,
-}
-
-/// Its fit.
-#[derive(Debug, Clone)]
-struct CaseFit {
-    scale: f64,
-    standard_error: f64,
-    ends: [Option<f64>; 2],
-    softness: f64,
-    residuals: Vec<f64>,
-    cost: f64,
-}
-
-/// The best K/K_c,qs at a held scale.
-struct Held {
-    log_softness: f64,
-    residuals: Vec<f64>,
-    cost: f64,
-}
-
-impl Case<'_> {
-    /// κ and V_l/S of a row.
-    fn groups(&self, row: &PeakRow, scale: f64, log_softness: f64) -> [f64; 2] {
-        let kappa = (self.effect_ratio - 1.0) * libm::exp(log_softness) / row.stress;
-        [kappa, row.load_m_per_s / (scale * row.stress)]
-    }
-
-    /// The peak of a row by the law, m/s, and A.
-    fn peak(&self, row: &PeakRow, scale: f64, log_softness: f64) -> Option<[f64; 2]> {
-        let [kappa, load] = self.groups(row, scale, log_softness);
-        let peak = self.law.peak(load, kappa, self.loss)?;
-        Some([peak * scale * row.stress, peak])
-    }
-
-    /// The logarithms of the least and the greatest K/K_c,qs.
-    fn bounds(&self, scale: f64) -> Option<[f64; 2]> {
-        let deepest = libm::log(self.deepest);
-        let [low, high] = match self.given.slip_velocity_m_per_s {
-            Some(ends) => ends.map(|velocity| libm::log(velocity / scale)),
-            None => [SOFTEST, deepest],
-        };
-        (low <= deepest && high >= SOFTEST).then_some([low.max(SOFTEST), high.min(deepest)])
-    }
-
-    /// The least sum of squares at this scale. Peaks are nearly linear in ln(K/K_c,qs), so that a few steps of Gauss and Newton find it.
-    fn held(&self, log_scale: f64) -> Option<Held> {
-        const MOST_STEPS: usize = 50;
-        let scale = libm::exp(log_scale);
-        let [low, high] = self.bounds(scale)?;
-        let first = &self.rows[0];
-        let peak = first.peak_m_per_s / (scale * first.stress);
-        let loading = first.load_m_per_s / first.peak_m_per_s;
-        let rough = self.law.remainder(&DeepCycle { peak, loading, stiffness_group: 1.0 });
-        let mut at = (rough - libm::log(self.effect_ratio - 1.0)).clamp(low, high);
-        for _ in 0..MOST_STEPS {
-            let peaks: Option<Vec<[f64; 2]>> =
-                self.rows.iter().map(|row| self.peak(row, scale, at)).collect();
-            let peaks = peaks?;
-            let rows = || self.rows.iter().zip(&peaks);
-            let residuals: Vec<f64> =
-                rows().map(|(row, [peak, _])| libm::log(row.peak_m_per_s / peak)).collect();
-            let [mut slope, mut square, mut cost] = [0.0; 3];
-            for (residual, (row, [_, peak])) in residuals.iter().zip(rows()) {
-                let weight = 1.0 / (row.relative_error * row.relative_error);
-                let derivative = self.law.slope(*peak) / peak;
-                slope += weight * derivative * residual;
-                square += weight * derivative * derivative;
-                cost += weight * residual * residual;
-            }
-            let next = (at - slope / square).clamp(low, high);
-            if (next - at).abs() < 1e-11 {
-                return Some(Held { log_softness: at, residuals, cost });
-            }
-            at = next;
-        }
-        None
-    }
-
-    fn cost(&self, log_scale: f64) -> f64 {
-        self.held(log_scale).map_or(f64::INFINITY, |held| held.cost)
-    }
-
-    /// Places of ln S, from peaks that are too large for any slider to those at which the law ends.
-    fn places(&self) -> Vec<f64> {
-        let scales = || self.rows.iter().map(|row| row.peak_m_per_s / row.stress);
-        let low = libm::log(scales().fold(0.0, f64::max) / LARGEST);
-        let high = libm::log(scales().fold(f64::INFINITY, f64::min) / (1.0 + self.law.healing()));
-        (0..=PLACES).map(|n| low + (high - low) * f64::from(n) / f64::from(PLACES)).collect()
-    }
-
-    fn fit(&self) -> Result<CaseFit, PeakFailure> {
-        let not_deep = PeakFailure::NotDeep(self.name);
-        let places = self.places();
-        let costs: Vec<f64> = places.iter().map(|place| self.cost(*place)).collect();
-        let best = (0..costs.len()).min_by(|one, other| costs[*one].total_cmp(&costs[*other])).unwrap_or(0);
-        if !costs[best].is_finite() {
-            return Err(not_deep);
-        }
-        if best == 0 {
-            return Err(PeakFailure::Flat);
-        }
-        let beside = (places[best - 1], places[(best + 1).min(costs.len() - 1)]);
-        let at = golden_section(|place| Some(self.cost(place)), beside, WIDTH).unwrap_or(places[best]);
-        let held = self.held(at).ok_or(PeakFailure::NotDeep(self.name))?;
-        // At the bound of deep stick-slip: stiffer sliders must not fit far better.
-        if self.deepest == DEEP && held.log_softness >= libm::log(DEEP) {
-            let stiffer = Case { deepest: NOT_DEEP, ..*self }.fit();
-            if stiffer.is_ok_and(|fit| held.cost > self.most(fit.cost)) {
-                return Err(not_deep);
-            }
-        }
-        let most = self.most(held.cost);
-        let end = |place: usize| {
-            let outside = |place| Some(self.cost(place) > most);
-            libm::exp(
-                border_between(outside, (at, places[place]), WIDTH).map_or(places[place], |(_, end)| end),
-            )
-        };
-        let below = (0..best).rev().find(|place| costs[*place] > most);
-        // Where the table sets no bound from above, the law does: beyond the last place it has no such peaks.
-        let above = (best + 1..costs.len()).find(|place| costs[*place] > most).unwrap_or(costs.len() - 1);
-        let [_, quantile] = noise(self.rows, self.given, held.cost, UNKNOWNS);
-        let ends = [below.map(end), Some(end(above))];
-        let scale = libm::exp(at);
-        let width = libm::log(ends[1].unwrap_or(scale) / ends[0].unwrap_or(scale));
-        let sides = if ends[0].is_some() { 2.0 } else { 1.0 };
-        Ok(CaseFit {
-            scale,
-            standard_error: scale * width / (sides * quantile),
-            ends,
-            softness: libm::exp(held.log_softness),
-            residuals: held.residuals,
-            cost: held.cost,
-        })
-    }
-
-    /// The largest sum of squares within the 95 % interval.
-    fn most(&self, cost: f64) -> f64 {
-        let [variance, quantile] = noise(self.rows, self.given, cost, UNKNOWNS);
-        cost + quantile * quantile * variance
-    }
 }
 
 /// The largest part of a peak that a machine hides whose −3 dB frequency is this many natural frequencies.

@@ -28,6 +28,8 @@ pub fn render_markdown(view: &ReportView) -> Result<String, ReportError> {
 
 /// The heading of the sentences to change.
 const CHANGES: &str = "sentences-to-change";
+/// What begins a claim among the text.
+const QUOTE: &str = "> ";
 
 /// Renders the reader's edition: answer, sentences to change, verdicts with what decides them, and the paper's figures.
 ///
@@ -194,7 +196,10 @@ impl<'a> Report<'a> {
             Piece::Block(kind, id) => self.block(kind, &id),
             Piece::Unknown(_) => String::new(),
         };
-        pieces(markdown).into_iter().map(piece).collect::<Vec<_>>().join("\n\n")
+        let texts: Vec<String> =
+            pieces(markdown).into_iter().map(piece).filter(|text| !text.is_empty()).collect();
+        let runs = texts.chunk_by(|one, next| one.starts_with(QUOTE) && next.starts_with(QUOTE));
+        runs.map(|run| run.join("\n>\n")).collect::<Vec<_>>().join("\n\n")
     }
 
     fn block(&self, kind: BlockKind, id: &str) -> String {
@@ -205,7 +210,7 @@ impl<'a> Report<'a> {
             BlockKind::Claim => self.catalogue.claims.get(id).map(|claim| {
                 let statement = line(&self.prose(&claim.statement_markdown, 2));
                 let (link, verdict) = (self.claim_links(std::slice::from_ref(&claim.id)), claim.verdict);
-                format!("> {link} {} {}: {statement}", verdict.symbol(), verdict.word())
+                format!("{QUOTE}{link} {} {}: {statement}", verdict.symbol(), verdict.word())
             }),
         };
         text.unwrap_or_default()

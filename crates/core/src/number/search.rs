@@ -93,7 +93,7 @@ pub fn minimum_between(
     None
 }
 
-/// The minimiser of a function with one minimum between two ends, to `width`.
+/// The minimiser of a function with one minimum between two ends, to `width`: a place at which the function was evaluated.
 pub fn golden_section(
     function: impl Fn(f64) -> Option<f64>,
     (mut low, mut high): (f64, f64),
@@ -113,7 +113,7 @@ pub fn golden_section(
             at_right = function(right)?;
         }
     }
-    Some(0.5 * (low + high))
+    Some(if at_left < at_right { left } else { right })
 }
 
 /// The value at zero of the polynomial through points (x, y), none of them at equal x (Neville's scheme).
