@@ -21,6 +21,8 @@ mod fixtures;
 mod growth;
 mod lower_area;
 mod pair;
+mod pair_conditions;
+mod pair_search;
 mod polynomials;
 mod ranges;
 mod root_discs;

@@ -10,14 +10,23 @@ use std::collections::BinaryHeap;
 use super::corners::{A, B, D, K, M, Point, S, V};
 use super::growth;
 use super::pair::Pair;
+use super::pair_search::PairSearch;
 use super::root_discs::{Quantity, RootDiscs, Values};
 use super::{OverBox, ParameterBox};
+use crate::number::search::golden_section;
 use crate::number::{Interval, Rational};
 
 /// A search ends when the enclosure's end is as near to a value that is attained, relative to it.
 const TOLERANCE: f64 = 1e-9;
-/// The most parts that a search for a real and for an imaginary part halves: those of the latter take a third of the time.
-const MOST_PARTS: [usize; 2] = [1 << 7, 1 << 9];
+/// The most parts that a search for a real and for an imaginary part halves.
+const MOST_PARTS: [usize; 2] = [1 << 7, 1 << 6];
+/// Where a search over seven parameters does not end, one over the roots goes on to this share of the attained values' distance.
+const NEAR: f64 = 2e-3;
+/// The most levels that are compared with a least value.
+const MOST_LEVELS: u32 = 12;
+/// How often the point of the greatest value is moved along every parameter, and how near to the best place.
+const CLIMBS: u32 = 8;
+const NEAR_SUMMIT: f64 = 1e-3;
 /// The most parts that a comparison halves.
 const MOST_COMPARED: usize = 1 << 8;
 
@@ -71,9 +80,9 @@ pub fn ranges_over_box(region: &ParameterBox, found: &OverBox) -> Ranges {
             attained: [least.attained.min(greatest.attained), least.attained.max(greatest.attained)],
         })
     };
-    let real = range(Quantity::Real).map(|range| of_signs(range, found.transition_signs));
+    let mut real = range(Quantity::Real).map(|range| of_signs(range, found.transition_signs));
     let [least_sign, greatest_sign] = found.boundary_signs;
-    let imaginary = if least_sign >= 0 {
+    let mut imaginary = if least_sign >= 0 {
         Some(ValueRange { enclosure: [0.0; 2], attained: [0.0; 2] })
     } else if greatest_sign >= 0 {
         let greatest = scaled.extreme(Quantity::Imaginary, Side::Greatest);
@@ -84,6 +93,15 @@ pub fn ranges_over_box(region: &ParameterBox, found: &OverBox) -> Ranges {
     } else {
         range(Quantity::Imaginary)
     };
+    for side in [Side::Least, Side::Greatest] {
+        for (quantity, range) in [(Quantity::Real, &mut real), (Quantity::Imaginary, &mut imaginary)] {
+            // Where some points do not oscillate, the least frequency is zero.
+            let is_zero = quantity == Quantity::Imaginary && side == Side::Least && greatest_sign >= 0;
+            if let Some(range) = range.as_mut().filter(|_| !is_zero) {
+                scaled.by_roots(quantity, side, range);
+            }
+        }
+    }
     let [max_real_per_s, max_imaginary_per_s] =
         [real, imaginary].map(|range| range.map(ValueRange::consistent));
     Ranges { max_real_per_s, max_imaginary_per_s }
@@ -131,8 +149,7 @@ pub(in crate::stability) fn sought_in(region: &ParameterBox, quantity: Quantity,
     let goal = values / scaled.rate;
     let compared = |side| {
         let goal = if side == Side::Least { -goal } else { goal };
-        let found =
-            Search { quantity, side, attained: f64::NEG_INFINITY, goal: Some(goal) }.run(scaled.part)?;
+        let found = Search::new(quantity, side, Some(goal)).run(scaled.part)?;
         Some([found.bound < goal.low, found.attained >= goal.high])
     };
     match [Side::Greatest, Side::Least].map(compared) {
@@ -197,9 +214,41 @@ impl Scaled {
         }
     }
 
+    /// Both estimates of an end, brought together by a search over the roots where they are farther apart than a share of the range.
+    fn by_roots(&self, quantity: Quantity, side: Side, range: &mut ValueRange) {
+        let values = self.values();
+        let is_greatest = side == Side::Greatest;
+        let search = |ceiling| PairSearch { values: &values, quantity, is_greatest, ceiling };
+        let (in_si, scaled) = (
+            |value: f64| Interval::point(value) * self.rate,
+            |value: f64| Interval::point(value) / self.rate,
+        );
+        let gap = NEAR * (range.attained[1] - range.attained[0]);
+        let end = usize::from(is_greatest);
+        for _ in 0..MOST_LEVELS {
+            let (outer, attained) = (&mut range.enclosure[end], &mut range.attained[end]);
+            if (*outer - *attained).abs() <= gap {
+                break;
+            }
+            if quantity == Quantity::Imaginary || is_greatest {
+                let bound = in_si(search(f64::INFINITY).bound(scaled(*attained).middle(), scaled(gap).low));
+                *outer = if is_greatest { outer.min(bound.high) } else { outer.max(bound.low) };
+                break;
+            }
+            // For the least value of the largest of three, no point is below a level, or some point is.
+            let level = 0.5 * (*outer + *attained);
+            let ceiling = scaled(level).high;
+            match search(ceiling).has_points() {
+                Sought::Nowhere => *outer = level,
+                Sought::Somewhere => *attained = in_si(ceiling).high,
+                Sought::Unknown => break,
+            }
+        }
+    }
+
     /// An end of the range of a quantity, in 1/s; none beyond the range of 64-bit numbers.
     fn extreme(&self, quantity: Quantity, side: Side) -> Option<Extreme> {
-        let found = Search { quantity, side, attained: f64::NEG_INFINITY, goal: None }.run(self.part)?;
+        let found = Search::new(quantity, side, None).run(self.part)?;
         let in_si =
             |value: f64| Interval::point(if side == Side::Least { -value } else { value }) * self.rate;
         let ends = |interval: Interval| if side == Side::Least { interval.low } else { interval.high };
@@ -218,8 +267,9 @@ impl Scaled {
 struct Search {
     quantity: Quantity,
     side: Side,
-    /// The greatest value known to be attained.
+    /// The greatest value known to be attained, and where.
     attained: f64,
+    best: Values,
     /// The search ends when it is known that no value is as great as these, or that one is greater.
     goal: Option<Interval>,
 }
@@ -234,6 +284,46 @@ struct Examined {
 }
 
 impl Search {
+    const fn new(quantity: Quantity, side: Side, goal: Option<Interval>) -> Self {
+        Self { quantity, side, attained: f64::NEG_INFINITY, best: [Interval::LINE; 7], goal }
+    }
+
+    /// Notes the value at a point.
+    fn visit(&mut self, point: &Values) {
+        if let Some(value) = self.value_at(point).filter(|value| *value > self.attained) {
+            (self.attained, self.best) = (value, *point);
+        }
+    }
+
+    fn value_at(&self, point: &Values) -> Option<f64> {
+        Some(self.value(RootDiscs::of(point)?.largest(self.quantity, &[None; 3])).low)
+    }
+
+    /// Moves the point of the greatest value along one parameter after another.
+    fn climb(&mut self, whole: &Part) {
+        for _ in 0..CLIMBS {
+            let before = self.attained;
+            for i in (0..7).filter(|i| whole.is_wide(*i)) {
+                let best = self.best;
+                let moved = |place: f64| {
+                    let mut moved = best;
+                    moved[i] = Interval::point(place);
+                    moved
+                };
+                let ends = (whole.lower[i].high, whole.upper[i].low);
+                let depth = |place: f64| self.value_at(&moved(place)).map(|value| -value);
+                let summit = golden_section(depth, ends, NEAR_SUMMIT * (ends.1 - ends.0));
+                [Some(ends.0), Some(ends.1), summit]
+                    .into_iter()
+                    .flatten()
+                    .for_each(|place| self.visit(&moved(place)));
+            }
+            if self.attained <= before + TOLERANCE * before.abs() {
+                break;
+            }
+        }
+    }
+
     /// A value, negated in a search for the least.
     fn value(&self, value: Interval) -> Interval {
         if self.side == Side::Least { -value } else { value }
@@ -266,7 +356,11 @@ impl Search {
                 }
             }
         }
-        let bound = open.peek().map_or(bound, |most| bound.max(most.bound)).max(self.attained);
+        let bound = open.peek().map_or(bound, |most| bound.max(most.bound));
+        if self.goal.is_none() && bound > self.attained + TOLERANCE * self.attained.abs() {
+            self.climb(&whole);
+        }
+        let bound = bound.max(self.attained);
         Some(Extreme { bound, attained: self.attained })
     }
 
@@ -278,10 +372,7 @@ impl Search {
             for (_, i) in wide.iter().enumerate().filter(|(place, _)| bits >> place & 1 == 1) {
                 corner[*i] = part.upper[*i];
             }
-            if let Some(discs) = RootDiscs::of(&corner) {
-                let value = self.value(discs.largest(self.quantity, &[None; 3]));
-                self.attained = self.attained.max(value.low);
-            }
+            self.visit(&corner);
         }
     }
 
@@ -337,7 +428,7 @@ impl Search {
             }
             let middle = part.middle();
             let at_middle = RootDiscs::of(&middle)?;
-            self.attained = self.attained.max(self.value(at_middle.largest(self.quantity, &[None; 3])).low);
+            self.visit(&middle);
             let tracked = discs.tracked(&hull, &at_middle, &middle);
             let pair = (self.quantity == Quantity::Imaginary).then(|| {
                 let at_point = at_middle.others(&middle, &[None; 3])?[1];

@@ -1,0 +1,154 @@
+//! What is zero where two numbers X ± √(−w) are roots of eq 8, with its derivatives.
+
+use std::ops::{Add, Mul, Sub};
+
+use crate::number::Interval;
+
+/// X, w, r = V0/D_c, δ = D_c/σ, a, b, k, m and m N/k.
+pub(super) const VARIABLES: usize = 9;
+
+/// How many conditions there are.
+pub(super) const CONDITIONS: usize = 5;
+
+/// What the conditions have in common.
+pub(super) struct Terms<'v, T> {
+    variables: &'v [T; VARIABLES],
+    /// r² and 2rX.
+    rate_square: T,
+    twice: T,
+    /// N = X² + w and Q = N + r² + 2rX.
+    product: T,
+    from_pole: T,
+}
+
+impl<'v, T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>> Terms<'v, T> {
+    pub(super) fn of(variables: &'v [T; VARIABLES]) -> Self {
+        let [middle, square, rate, ..] = *variables;
+        let (rate_square, twice) = (rate * rate, rate * (middle + middle));
+        let product = middle * middle + square;
+        Self { variables, rate_square, twice, product, from_pole: product + rate_square + twice }
+    }
+
+    /// The equation for a; that for b; both without k, without m, and without δ.
+    pub(super) fn condition(&self, which: usize) -> T {
+        let [_, _, _, delta, a, b, k, m, share] = *self.variables;
+        let Self { rate_square, twice, product, from_pole, .. } = *self;
+        let steep = rate_square + twice;
+        match which {
+            0 => delta * (rate_square * k - m * steep * product) - a * product,
+            1 => delta * from_pole * (k - m * product) - b * product,
+            2 => rate_square * b - from_pole * (a + delta * m * twice),
+            3 => product * (steep * b - a * from_pole) - delta * k * twice * from_pole,
+            _ => b * (rate_square - share * steep) - a * (from_pole - share * from_pole),
+        }
+    }
+}
+
+/// An enclosure of a function with those of its derivatives.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Changing {
+    value: Interval,
+    pub slopes: [Interval; VARIABLES],
+}
+
+impl Changing {
+    /// A variable, by its place.
+    pub(super) fn variable(value: Interval, i: usize) -> Self {
+        let slope = |j: usize| Interval::point(f64::from(u8::from(i == j)));
+        Self { value, slopes: std::array::from_fn(slope) }
+    }
+
+    fn with(self, other: Self, value: Interval, slope: impl Fn(Interval, Interval) -> Interval) -> Self {
+        Self { value, slopes: std::array::from_fn(|i| slope(self.slopes[i], other.slopes[i])) }
+    }
+}
+
+impl Add for Changing {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        self.with(other, self.value + other.value, |one, two| one + two)
+    }
+}
+
+impl Sub for Changing {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        self.with(other, self.value - other.value, |one, two| one - two)
+    }
+}
+
+impl Mul for Changing {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        self.with(other, self.value * other.value, |one, two| one * other.value + two * self.value)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::root_discs::cubic;
+    use super::*;
+    use crate::number::split_mix::SplitMix64;
+    use crate::roots::bounded_roots;
+
+    fn all<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>>(
+        at: &[T; VARIABLES],
+    ) -> [T; CONDITIONS] {
+        let terms = Terms::of(at);
+        std::array::from_fn(|which| terms.condition(which))
+    }
+
+    /// The variables of the two roots beside a real one, by the cubic.
+    fn of_roots(values: [f64; 7]) -> Option<[f64; VARIABLES]> {
+        let [a, b, d, k, m, s, v] = values;
+        let [c0, c1, c2, c3] = cubic(&values.map(Interval::point)).map(Interval::middle);
+        let real = bounded_roots([c0, c1, c2, c3]).real.value;
+        let half_sum = -0.5 * (c2 / c3 + real);
+        let square = -c0 / (c3 * real) - half_sum * half_sum;
+        (square.abs() > 1e-3 * half_sum * half_sum)
+            .then(|| [half_sum, square, v / d, d / s, a, b, k, m, m * (half_sum * half_sum + square) / k])
+    }
+
+    #[test]
+    fn roots_of_the_cubic_meet_all_conditions_and_numbers_beside_them_do_not() {
+        let mut random = SplitMix64(4);
+        let mut found = 0;
+        while found < 200 {
+            let values =
+                [0.01, 0.014, 1.0, 0.005, 1e-4, 1.0, 1.0].map(|x| x * libm::exp10(random.unit() - 0.5));
+            let Some(root) = of_roots(values) else { continue };
+            found += 1;
+            let sizes = |at: [f64; VARIABLES]| all(&at.map(|x| Interval::about(x, 1e-9 * x.abs())));
+            assert!(sizes(root).iter().all(|value| value.low <= 0.0 && value.high >= 0.0), "{values:?}");
+            for i in 0..3 {
+                let mut beside = root;
+                beside[i] *= 1.01;
+                assert!(sizes(beside).iter().any(|value| value.sign().is_some()), "{i} {values:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn derivatives_agree_with_differences() {
+        let at = [-0.3, 0.7, 1.1, 0.9, 0.01, 0.014, 0.005, 0.02, 2.0];
+        let of = |at: [f64; VARIABLES]| all(&at);
+        let found = all(&std::array::from_fn(|i| Changing::variable(Interval::point(at[i]), i)));
+        for i in 0..VARIABLES {
+            let step = 1e-6 * at[i].abs();
+            let moved = |sign: f64| {
+                let mut moved = at;
+                moved[i] += sign * step;
+                of(moved)
+            };
+            let (above, below) = (moved(1.0), moved(-1.0));
+            for which in 0..CONDITIONS {
+                let difference = (above[which] - below[which]) / (2.0 * step);
+                // The difference errs by rounding over the step, and by its square.
+                assert!((found[which].slopes[i].middle() - difference).abs() < 1e-8, "{which} {i}");
+            }
+        }
+    }
+}
