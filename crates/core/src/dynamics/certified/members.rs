@@ -211,5 +211,5 @@ fn sticking(slider: Slider, width: f64, section: f64) -> Case {
     let force = slider.inertia * velocity * slider.stiffness * (1.0 - velocity);
     let radius = [width, width * force];
     let errors = [0.0, 0.1 * width, 0.1 * width * force];
-    Case { slider, start: [-2.0, 2.0, force], radius, errors, section, ds: 0.4, is_stuck: true }
+    Case { slider, start: [-2.0, 2.0, force], radius, errors, section, ds: 0.25, is_stuck: true }
 }
