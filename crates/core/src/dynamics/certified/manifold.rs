@@ -420,6 +420,8 @@ mod tests {
             (weak(-20.0), 0.1, 0.1),
             (manifold, 10.0, 0.1),
             (manifold, 0.1, 5.0),
+            // |ψ|' = 3 − |ψ|(2 − |ψ|) has no zero.
+            (Manifold { rate: Interval::point(-18.0), ..weak(20.0) }, 0.0, 0.1),
         ];
         for (manifold, distance, h) in refused {
             assert!(passage(manifold, distance, h).is_none(), "{manifold:?} {distance} {h}");

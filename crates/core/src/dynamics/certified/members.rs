@@ -1,6 +1,7 @@
 //! Enclosed motions of wide sets against single motions of the sets, by Runge and Kutta's method on the whole equations.
 
 use super::crossing::Crossing;
+use super::inertial::Inertial;
 use super::interval::Interval;
 use super::manifold::Manifold;
 use super::motion::{Motion, States};
@@ -212,4 +213,99 @@ fn sticking(slider: Slider, width: f64, section: f64) -> Case {
     let radius = [width, width * force];
     let errors = [0.0, 0.1 * width, 0.1 * width * force];
     Case { slider, start: [-2.0, 2.0, force], radius, errors, section, ds: 0.25, is_stuck: true }
+}
+
+/// A rising set: its shift across the flow and its crossing hold each member, with the derivative by p and the time.
+#[test]
+fn a_shift_and_a_crossing_hold_the_members() {
+    const ERROR: f64 = 1e-11;
+    let (zero, one, none) = (Interval::ZERO, Interval::ONE, [0.0; 3]);
+    for law in EvolutionLaw::ALL {
+        let slider = Slider { inertia: 0.5, stiffness: 0.3, effect_ratio: 1.5, law };
+        let constants = slider.constants();
+        for section in [5e-4, 2e-2] {
+            let (start, errors, radius) = ([0.0, 0.2, 0.4], [4e-5, 1e-5, 2e-5], [1e-4, 2e-4]);
+            let state = std::array::from_fn(|i| Interval { mid: start[i], rad: errors[i] });
+            let derivative = [[one, zero], [zero, one], [one, one]];
+            let set = Set::new(radius.map(Interval::symmetric), state, derivative);
+            let motion = || Motion::new(&constants, States::Inertial(set.clone()), 1);
+            let (mut shifts, mut crosses) = (motion(), motion());
+            let shifted = shifts.without_flow(&set, None).unwrap();
+            assert!(motion().without_flow(&set, Some(1e-5)).is_none(), "the shift may cross the section");
+            let crossing = crosses.inertial_crossing(&set, section).unwrap();
+            let normal = slider.rates([start[0], start[1], start[2], 0.0]);
+            let along = |v: [f64; 4]| (0..3).map(|i| normal[i] * v[i]).sum::<f64>();
+            let member = |p: [f64; 2], off: [f64; 3]| {
+                let [x, y, force] = std::array::from_fn(|i| start[i] + off[i]);
+                slider.member([x + p[0], y + p[1], force + p[0] + p[1]])
+            };
+            let holds = |c: Interval, value: f64| c.widened(ERROR).may_contain(value);
+            // Where it crosses the plane, where it crosses the section, and the times of both.
+            let images = |p: [f64; 2], off: [f64; 3]| {
+                let mut moved = member(p, off);
+                for _ in 0..6 {
+                    let away = std::array::from_fn(|i| if i < 3 { moved.state[i] - start[i] } else { 0.0 });
+                    moved = slider.step(moved, -along(away) / along(slider.rates(moved.state)));
+                }
+                let crossed = slider.until(member(p, off), section, 1e-3);
+                assert!((0..3).all(|i| holds(shifted.hull()[i], moved.state[i])), "{moved:?}");
+                assert!(holds(shifts.observed.duration, moved.state[3]), "{:?}", shifts.observed.duration);
+                assert!(
+                    holds(crosses.observed.duration, crossed.state[3]),
+                    "{:?}",
+                    crosses.observed.duration
+                );
+                for i in 0..2 {
+                    let by_p = (0..2).fold(crossing.centre[i], |sum, j| {
+                        sum + crossing.derivative[i][j] * Interval::point(p[j])
+                    });
+                    assert!(holds(by_p, crossed.state[i + 1]), "{crossed:?} {crossing:?}");
+                }
+                (moved.state, crossed.state)
+            };
+            for sign in [1.0, -1.0] {
+                for signs in [[1.0, 1.0, 1.0], [1.0, -1.0, 1.0], [1.0, 1.0, -1.0], [1.0, -1.0, -1.0]] {
+                    images([0.0; 2], std::array::from_fn(|i| sign * signs[i] * errors[i]));
+                }
+                for (j, p) in [[sign * radius[0], 0.0], [0.0, sign * radius[1]]].into_iter().enumerate() {
+                    let (to, from) = (images(p, none), images([0.0; 2], none));
+                    let slope = |to: f64, from: f64| {
+                        Interval { mid: to - from, rad: 2.0 * ERROR } * Interval::point(p[j]).reciprocal()
+                    };
+                    for i in 0..3 {
+                        let excess = shifted.derivative()[i][j] - slope(to.0[i], from.0[i]);
+                        assert!(excess.may_contain(0.0), "{i} {j} {excess:?}");
+                    }
+                    for i in 0..2 {
+                        let excess = crossing.derivative[i][j] - slope(to.1[i + 1], from.1[i + 1]);
+                        assert!(excess.may_contain(0.0), "{i} {j} {excess:?}");
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// The derivative of the rates holds their difference quotients.
+#[test]
+fn the_jacobian_holds_difference_quotients() {
+    for law in EvolutionLaw::ALL {
+        let slider = Slider { inertia: 0.5, stiffness: 0.3, effect_ratio: 1.5, law };
+        let constants = slider.constants();
+        for at in [[0.3, -0.2, 0.4], [-1.0, 0.7, -0.2], [0.0, 0.0, 0.0]] {
+            let jacobian = Inertial(&constants).jacobian(&at.map(Interval::point));
+            for j in 0..3 {
+                let rates = |by: f64| {
+                    slider.rates(std::array::from_fn(|i| {
+                        if i == 3 { 0.0 } else { at[i] + if i == j { by } else { 0.0 } }
+                    }))
+                };
+                let (before, after) = (rates(-1e-5), rates(1e-5));
+                for i in 0..3 {
+                    let slope = (after[i] - before[i]) / 2e-5;
+                    assert!(jacobian[i][j].widened(1e-8).may_contain(slope), "{law:?} {i} {j} {slope}");
+                }
+            }
+        }
+    }
 }
