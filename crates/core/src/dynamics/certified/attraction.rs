@@ -124,3 +124,110 @@ fn diagonal_of_inverse(m: &Square<3>) -> Option<[Interval; 3]> {
     let inverse = inverse(m).filter(|_| is_positive_definite(m))?;
     Some(std::array::from_fn(|i| inverse[i][i]))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::members::Slider;
+    use super::*;
+    use crate::number::split_mix::SplitMix64;
+
+    /// The rates of x, y and F/η.
+    fn rates(slider: Slider, [x, y, w]: [f64; 3]) -> [f64; 3] {
+        let [speed, state_rate] = [w * libm::exp(-x), slider.state_rate(x, y)];
+        let force_rate = -slider.stiffness * libm::expm1(x) - speed - slider.effect_ratio * state_rate;
+        [speed, state_rate, force_rate / slider.inertia]
+    }
+
+    fn sliders() -> impl Iterator<Item = Slider> {
+        EvolutionLaw::ALL.into_iter().flat_map(|law| {
+            [(0.01, 0.6), (0.5, 1.5), (20.0, 20.0)].map(|(inertia, stiffness)| Slider {
+                inertia,
+                stiffness,
+                effect_ratio: 1.5,
+                law,
+            })
+        })
+    }
+
+    /// Near and far from zero the derivative over a box holds the difference quotients in it.
+    #[test]
+    fn the_derivative_holds_difference_quotients() {
+        for slider in sliders() {
+            for centre in [[0.0; 3], [0.5, -0.3, 0.2], [-1.0, 0.4, -0.3]] {
+                let over = derivative(&slider.constants(), &centre.map(Interval::point));
+                for j in 0..3 {
+                    let moved = |by: f64| {
+                        rates(
+                            slider,
+                            std::array::from_fn(|i| if i == j { centre[i] + by } else { centre[i] }),
+                        )
+                    };
+                    let (before, after) = (moved(-1e-5), moved(1e-5));
+                    for i in 0..3 {
+                        let slope = (after[i] - before[i]) / 2e-5;
+                        let error = 1e-7 * (1.0 + slope.abs());
+                        assert!(over[i][j].widened(error).may_contain(slope), "{slider:?} {i} {j} {slope}");
+                    }
+                }
+            }
+        }
+    }
+
+    /// On the surface of the ellipsoid V falls, and it reaches no further than stated; the next ellipsoid would be refused or is too large.
+    #[test]
+    fn the_form_falls_on_the_whole_ellipsoid() {
+        let mut random = SplitMix64(1);
+        for slider in sliders() {
+            let constants = slider.constants();
+            let ellipsoid = Ellipsoid::around_steady_sliding(&constants).unwrap();
+            let form = ellipsoid.form.map(|row| row.map(|c| c.mid));
+            let product = |z: [f64; 3], by: [f64; 3]| -> f64 {
+                (0..3).map(|i| (0..3).map(|j| z[i] * form[i][j] * by[j]).sum::<f64>()).sum()
+            };
+            for _ in 0..2000 {
+                let direction: [f64; 3] = std::array::from_fn(|_| 2.0 * random.unit() - 1.0);
+                // A fifth of the surface and of all smaller ones.
+                for part in [1.0, 0.3, 1e-2] {
+                    let scale = part * (ellipsoid.level / product(direction, direction)).sqrt();
+                    let z = direction.map(|c| scale * c);
+                    assert!(product(z, rates(slider, z)) < 0.0, "{slider:?} {z:?} grows");
+                    let reach = ellipsoid.reach_from(&z.map(|c| Interval::point(0.999 * c))).unwrap();
+                    assert!((0..3).all(|i| 0.999 * z[i].abs() <= reach[i]), "{slider:?} {z:?} {reach:?}");
+                    if part == 1.0 {
+                        assert!(ellipsoid.reach_from(&z.map(|c| Interval::point(1.001 * c))).is_none());
+                        assert!(
+                            ellipsoid
+                                .reach_from(&z.map(|c| Interval { mid: 0.99 * c, rad: 0.1 * c.abs() }))
+                                .is_none()
+                        );
+                    }
+                }
+            }
+            // The farthest point in each coordinate.
+            let inverse = inverse(&ellipsoid.form).unwrap();
+            for i in 0..3 {
+                let scale = 0.999 * (ellipsoid.level / inverse[i][i].mid).sqrt();
+                let z: [f64; 3] = std::array::from_fn(|j| scale * inverse[j][i].mid);
+                assert!(
+                    ellipsoid.reach_from(&z.map(Interval::point)).unwrap()[i] >= z[i].abs() * (1.0 - 1e-12)
+                );
+            }
+        }
+    }
+
+    /// Each leading minor can be the only one that is not positive.
+    #[test]
+    fn sylvesters_criterion_needs_every_minor() {
+        let is_positive = |[a, b, c, d]: [f64; 4], rad: f64| {
+            let matrix = [[a, 0.0, d], [0.0, b, 0.0], [d, 0.0, c]];
+            is_positive_definite(&matrix.map(|row| row.map(|mid| Interval { mid, rad })))
+        };
+        assert!(is_positive([1.0, 1.0, 1.0, 0.5], 0.0) && is_positive([1.0, 1.0, 1.0, 0.5], 0.01));
+        for negative in
+            [[-1.0, -1.0, 1.0, 0.0], [1.0, -1.0, -1.0, 0.0], [1.0, 1.0, 1.0, 1.5], [-1.0, -1.0, -1.0, 0.0]]
+        {
+            assert!(!is_positive(negative, 0.0), "{negative:?}");
+        }
+        assert!(!is_positive([1.0, 1.0, 1.0, 0.5], 0.6) && !is_positive([1.0, 0.0, 1.0, 0.0], 0.0));
+    }
+}

@@ -136,7 +136,10 @@ fn unit(v: [f64; 3]) -> [f64; 3] {
 
 #[cfg(test)]
 mod tests {
+    use std::cell::RefCell;
+
     use super::*;
+    use crate::number::split_mix::SplitMix64;
 
     /// Modes of the rates −1/3, −2 and −8 along (1, 1, 1), (1, −1, 0) and (1, 1, −2).
     const MATRIX: [[f64; 3]; 3] = [
@@ -189,5 +192,65 @@ mod tests {
                 assert!(value <= bound, "{value:e} {bound:e}");
             }
         }
+    }
+
+    /// Diagonal modes with random couplings: each cone that is found holds the state, lies in the box of its derivative, and no rate within
+    /// the enclosure leads out of it or away from zero.
+    #[test]
+    fn no_rate_leads_out_of_a_cone() {
+        let unit: [[f64; 3]; 3] =
+            std::array::from_fn(|i| std::array::from_fn(|j| f64::from(u8::from(i == j))));
+        let modes = Modes { vectors: points(&unit), inverse: points(&unit) };
+        let mut random = SplitMix64(1);
+        let mut found = 0;
+        for _ in 0..20_000 {
+            let mut up_to = |most: f64| most * random.unit();
+            let size = up_to(1.0) * up_to(1.0);
+            let coupling: Square<3> = std::array::from_fn(|i| {
+                std::array::from_fn(|j| {
+                    let mid = if i == j { [-1.0, -2.0, -4.0][i] } else { size * (up_to(4.0) - 2.0) };
+                    Interval { mid, rad: size * up_to(1.0) }
+                })
+            });
+            let u: [Interval; 3] = std::array::from_fn(|i| {
+                let mid = if i == 0 { 1.0 } else { up_to(2.0) - 1.0 };
+                Interval { mid, rad: up_to(0.5) }
+            });
+            let regions = RefCell::new(Vec::new());
+            let Some(cone) = modes.cone(&u, |region| {
+                regions.borrow_mut().push(*region);
+                coupling
+            }) else {
+                continue;
+            };
+            found += 1;
+            let side = [1.0, cone.sides[0], cone.sides[1]];
+            for i in 1..3 {
+                assert!(u[i].magnitude() <= side[i] * (u[0].mid - u[0].rad), "{u:?} {side:?}");
+            }
+            assert!(cone.size >= u[0].mid + u[0].rad);
+            let region = regions.borrow().last().copied().unwrap();
+            assert!((0..3).all(|i| region[i].upper() >= cone.size * side[i] * (1.0 - 1e-15)), "{region:?}");
+            for corner in 0..4_u32 {
+                let sign = |bit: u32| if corner >> bit & 1 == 0 { 1.0 } else { -1.0 };
+                let at = [1.0, sign(0) * side[1], sign(1) * side[2]];
+                // The largest value of each rate along a direction, over the enclosure.
+                let largest = |i: usize, along: f64| -> f64 {
+                    let term =
+                        |j: usize| along * coupling[i][j].mid * at[j] + coupling[i][j].rad * at[j].abs();
+                    (0..3).map(term).sum()
+                };
+                assert!(largest(0, 1.0) < 0.0, "{coupling:?} {side:?}");
+                for i in 1..3 {
+                    let outward = largest(i, at[i].signum()) + side[i] * largest(0, -1.0);
+                    assert!(outward < 0.0, "{coupling:?} {side:?} {outward}");
+                }
+                let form: [f64; 3] = std::array::from_fn(|_| 2.0 * random.unit() - 1.0);
+                let bound = cone.largest(&form.map(Interval::point));
+                let value: f64 = (0..3).map(|i| form[i] * cone.size * at[i]).sum();
+                assert!(value <= bound, "{form:?} {at:?} {value} {bound}");
+            }
+        }
+        assert!(found > 100, "{found}");
     }
 }

@@ -319,3 +319,82 @@ pub(super) fn repels(derivative: &Square<COORDINATES>) -> bool {
     let one = Interval::ONE;
     ((one - a) * (one - d) - b * c).upper() < 0.0
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn around(matrix: Square2, rad: f64) -> Square<COORDINATES> {
+        matrix.map(|row| row.map(|mid| Interval { mid, rad }))
+    }
+
+    /// Matrices with known eigenvalues: no bound is below the largest size, and a repelling cycle has one real eigenvalue above 1.
+    #[test]
+    fn multipliers_are_bounded() {
+        for (matrix, largest, is_repelling) in [
+            ([[0.5, 0.0], [0.0, 0.25]], 0.5, false),
+            ([[-0.5, 0.0], [0.0, 0.25]], 0.5, false),
+            // Triangular: large row sums, a double eigenvalue, and a small difference.
+            ([[0.9, 5.0], [0.0, 0.1]], 0.9, false),
+            ([[0.7, 5.0], [0.0, 0.7]], 0.7, false),
+            ([[0.0, 4.0], [0.25, 0.0]], 1.0, false),
+            // Rotations.
+            ([[0.0, -0.81], [1.0, 0.0]], 0.9, false),
+            ([[0.6, -0.8], [0.8, 0.6]], 1.0, false),
+            ([[1.2, -1.6], [1.6, 1.2]], 2.0, false),
+            ([[1.1, 3.0], [0.0, 0.2]], 1.1, true),
+            ([[0.5, 1.0], [1.0, 0.5]], 1.5, true),
+            ([[-1.5, 0.0], [0.0, 0.5]], 1.5, false),
+            ([[2.0, 0.0], [0.0, 3.0]], 3.0, false),
+        ] {
+            for rad in [0.0, 1e-9] {
+                // A corner of the box has a larger eigenvalue.
+                let corner = matrix.map(|row| row.map(|mid: f64| mid + rad));
+                for derivative in [around(matrix, rad), around(corner, 2.0 * rad)] {
+                    let bound = largest_multiplier(&derivative);
+                    assert!(bound >= largest * (1.0 - 1e-15) && bound < largest + 1e-3, "{matrix:?} {bound}");
+                }
+                assert_eq!(repels(&around(matrix, rad)), is_repelling, "{matrix:?}");
+            }
+        }
+        // Both signs are possible.
+        for (rad, bound) in [(0.2, 1.0), (0.6, 1.4)] {
+            assert!(largest_multiplier(&around([[0.8, 0.0], [0.0, 0.8]], rad)) >= bound);
+            assert!(!repels(&around([[0.9 + rad, 0.0], [0.0, 0.5]], rad)));
+        }
+    }
+
+    /// Maps p → Mp + b on a box: the operator holds the fixed point of each M, and no box without its fixed points is mapped into itself.
+    #[test]
+    fn krawczyks_operator_holds_the_fixed_points() {
+        let found = Guess { section: 0.0, point: [0.0; 2], is_on_slow_manifold: false };
+        let mut held = 0;
+        for matrix in [[[0.5, 0.2], [-0.3, 0.4]], [[3.0, 0.0], [1.0, -2.0]]] {
+            for (at, rad) in [([0.5, -0.5], 0.01), ([0.0, 1.5], 0.1), ([1.5, 0.0], 0.1), ([0.4, 0.2], 0.4)] {
+                let constant: [f64; 2] =
+                    std::array::from_fn(|i| at[i] - matrix[i][0] * at[0] - matrix[i][1] * at[1]);
+                let crossing =
+                    Crossing { centre: constant.map(Interval::point), derivative: around(matrix, rad) };
+                let value = Krawczyk::of(&crossing, &[0.0; 2], [1.0; 2]).value;
+                let is_held = Test { found, radius: [1.0; 2], longest: LONGEST }.contains(&value);
+                held += usize::from(is_held);
+                for corner in 0..16_u32 {
+                    let entry = |i: usize, j: usize| {
+                        let sign = if corner >> (2 * i + j) & 1 == 0 { 1.0 } else { -1.0 };
+                        f64::from(u8::from(i == j)) - matrix[i][j] - sign * rad
+                    };
+                    let inverse = inverse(&[[entry(0, 0), entry(0, 1)], [entry(1, 0), entry(1, 1)]]);
+                    let fixed: [f64; 2] =
+                        std::array::from_fn(|i| inverse[i][0] * constant[0] + inverse[i][1] * constant[1]);
+                    let is_inside = fixed.iter().all(|c| c.abs() < 1.0);
+                    assert!(is_inside || !is_held, "{matrix:?} {at:?} {fixed:?}");
+                    if is_inside {
+                        let holds = |i: usize| value[i].widened(1e-14).may_contain(fixed[i]);
+                        assert!(holds(0) && holds(1), "{matrix:?} {at:?} {fixed:?} {value:?}");
+                    }
+                }
+            }
+        }
+        assert!(held >= 2, "{held}");
+    }
+}

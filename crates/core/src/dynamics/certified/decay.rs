@@ -107,3 +107,91 @@ fn start_state(constants: &Constants, start: Start) -> [Interval; 3] {
         Start::VelocityKick => [x, zero, -x],
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::manifold::Tube;
+    use super::super::members::Slider;
+    use super::*;
+    use crate::dynamics::Model;
+    use crate::friction::{EvolutionLaw, Groups};
+    use rug::Float;
+
+    /// What is bounded when a run is captured, by a cone or by an ellipsoid, holds what single motions reach afterwards.
+    #[test]
+    fn the_bounds_of_a_captured_run_hold_what_follows() {
+        let mut captures = 0;
+        for law in EvolutionLaw::ALL {
+            for (inertia, stiffness, is_stuck) in [
+                (0.5, 1.5, false),
+                (20.0, 20.0, false),
+                (0.01, 20.0, false),
+                (0.01, 20.0, true),
+                (0.01, 0.7, true),
+            ] {
+                let slider = Slider { inertia, stiffness, effect_ratio: 1.5, law };
+                let constants = slider.constants();
+                let ellipsoid = Ellipsoid::around_steady_sliding(&constants).unwrap();
+                for direction in
+                    [[1.0, 0.3, 0.5], [-1.0, 0.5, 0.4], [0.1, -1.0, -0.3], [0.0, 0.1, 1.0], [0.0, 0.1, -1.0]]
+                {
+                    let captured_at = |size: f64| {
+                        let [x, y, force] = direction.map(|c| Interval::point(size * c));
+                        let (none, force) = ([Interval::ZERO; COORDINATES], force * constants.inertia);
+                        let states = if is_stuck {
+                            let tube =
+                                Tube { distance: size * direction[2].abs(), slopes: [0.0; COORDINATES] };
+                            States::Stuck(Set::new(none, [x, y], [none; 2]), tube)
+                        } else {
+                            States::Inertial(Set::new(none, [x, y, force], [none; 3]))
+                        };
+                        let motion = Motion::new(&constants, states, 1);
+                        let force = if is_stuck {
+                            let manifold = Manifold::over(&constants, &[x, y]);
+                            (manifold.inertia * (manifold.rate + Interval::point(size * direction[2]))).mid
+                        } else {
+                            force.mid
+                        };
+                        Some((captured(&motion, &ellipsoid)?, [x.mid, y.mid, force]))
+                    };
+                    let sizes = [1.0, 0.3, 0.1, 0.03, 0.01, 1e-3, 1e-4, 1e-5];
+                    let Some((bounds, state)) = sizes.into_iter().find_map(captured_at) else { continue };
+                    captures += 1;
+                    let mut member = slider.member(state);
+                    for _ in 0..2000 {
+                        member = slider.step(member, 0.05);
+                    }
+                    let [x, highest, lowest] = member.largest;
+                    let holds = |bound: f64, value: f64| value <= bound * (1.0 + 1e-9) + 1e-15;
+                    assert!(holds(bounds.x, x), "{slider:?} {state:?} {x} {}", bounds.x);
+                    assert!(
+                        holds(bounds.highest, highest),
+                        "{slider:?} {state:?} {highest} {}",
+                        bounds.highest
+                    );
+                    assert!(holds(bounds.lowest, lowest), "{slider:?} {state:?} {lowest} {}", bounds.lowest);
+                }
+            }
+        }
+        assert!(captures > 30, "{captures}");
+    }
+
+    /// The start is that of the simulation, and ln 10 lies inside its x.
+    #[test]
+    fn each_start_is_enclosed() {
+        let slider = Slider { inertia: 0.5, stiffness: 1.5, effect_ratio: 1.5, law: EvolutionLaw::Slip };
+        let groups = Groups { inertial_parameter: 0.5, stiffness_group: 1.5, effect_ratio: 1.5 };
+        let model = Model::new(groups, slider.law);
+        for start in Start::ALL {
+            let enclosed = start_state(&slider.constants(), start);
+            let [x, y, zeta] = start.at_a_tenth(&model);
+            let expected = [x, y, zeta - x - 1.5 * y];
+            assert!(
+                (0..3).all(|i| enclosed[i].widened(1e-15).may_contain(expected[i])),
+                "{start:?} {enclosed:?}"
+            );
+            let exact = -Float::with_val(400, 10).ln();
+            assert!((exact - enclosed[0].mid).abs() <= enclosed[0].rad);
+        }
+    }
+}

@@ -211,6 +211,7 @@ impl Passage {
 
 #[cfg(test)]
 mod tests {
+    use super::super::members::Slider;
     use super::super::motion::{Motion, States};
     use super::super::set::{COORDINATES, Set};
     use super::*;
@@ -266,6 +267,164 @@ mod tests {
             assert!(psi.magnitude() < bound(&path), "{psi:?} {:e}", bound(&path));
             let faulty = Manifold { residual: 1e-3 * path.residual, ..path };
             assert!(psi.mignitude() > bound(&faulty), "{psi:?} {:e}", bound(&faulty));
+        }
+    }
+
+    /// ψ' from the equation of the whole slider, x'' = (κ(1 − e^x) − x' − βg)/ε − x'², against what the tube takes for it.
+    #[test]
+    fn the_manifold_obeys_the_equation_of_the_whole_slider() {
+        const STEP: f64 = 1e-4;
+        for law in EvolutionLaw::ALL {
+            let slider = Slider { inertia: 0.05, stiffness: 0.3, effect_ratio: 1.5, law };
+            let constants = slider.constants();
+            let at = |x: f64, y: f64| Manifold::over(&constants, &[x, y].map(Interval::point));
+            let acceleration = |x: f64, y: f64, speed: f64| {
+                let plain = -0.3 * libm::expm1(x) - 1.5 * slider.state_rate(x, y);
+                (plain - speed) / (0.05 * libm::exp(x)) - speed * speed
+            };
+            let psi_rate = |x: f64, y: f64, psi: f64| {
+                let here = at(x, y);
+                let ([by_x, by_y], speed) = (here.rate_gradient.map(|c| c.mid), here.rate.mid + psi);
+                acceleration(x, y, speed) - by_x * speed - by_y * slider.state_rate(x, y)
+            };
+            for [x, y] in [[-1.0, 1.3], [-0.5, 0.2], [-2.0, 1.5]] {
+                let here = at(x, y);
+                let is_near = |a: f64, b: f64| (a - b).abs() < 1e-6 * (1.0 + a.abs());
+                let residual = psi_rate(x, y, 0.0);
+                assert!(is_near(residual.abs(), here.residual), "{residual:e} {:e}", here.residual);
+                assert!(is_near(here.state_rate.mid, slider.state_rate(x, y)));
+                let central = |of: &dyn Fn(f64, f64) -> f64| {
+                    let by = |dx: f64, dy: f64| (of(x + dx, y + dy) - of(x - dx, y - dy)) / (2.0 * STEP);
+                    [by(STEP, 0.0), by(0.0, STEP)]
+                };
+                let gradient = central(&|x, y| at(x, y).rate.mid);
+                assert!((0..2).all(|i| is_near(gradient[i], here.rate_gradient[i].mid)), "{gradient:?}");
+                for psi in [1e-3, -1e-3, 0.1, -0.1] {
+                    let rate = psi_rate(x, y, psi);
+                    assert!(rate.abs() <= here.tube_rate(psi.abs()) * (1.0 + 1e-9));
+                    let speed = here.rate.mid + psi;
+                    let held = here.acceleration(psi.abs()).widened(1e-9);
+                    assert!(held.may_contain(acceleration(x, y, speed)), "{x} {y} {psi}");
+                    // −ψ q/ε − ψ(ξ + ψ).
+                    let fading = -psi * (here.damping.mid + here.rate.mid + psi);
+                    assert!(is_near(rate, residual + fading), "{rate} {residual} {fading}");
+                    let [by_x, by_y] = central(&|x, y| psi_rate(x, y, psi));
+                    let source = here.source(psi.abs());
+                    assert!(
+                        by_x.abs() + by_y.abs() <= source * (1.0 + 1e-5) + 1e-6,
+                        "{by_x} {by_y} {source}"
+                    );
+                }
+                // The derivatives of the slow rates, and how they change to a neighbour.
+                let rows = |x: f64, y: f64| [at(x, y).rate_gradient, [0, 1].map(|_| Interval::ZERO)];
+                let own = central(&|x, y| slider.state_rate(x, y));
+                assert!(own[0].abs() + own[1].abs() <= here.largest_slope * (1.0 + 1e-6) + 1e-7);
+                assert!(gradient[0].abs() + gradient[1].abs() <= here.largest_slope * (1.0 + 1e-6) + 1e-7);
+                for [dx, dy] in [[STEP, STEP], [STEP, -STEP], [-STEP, STEP]] {
+                    let [before, after] = [rows(x, y)[0], rows(x + dx, y + dy)[0]];
+                    let change: f64 = (0..2).map(|i| (after[i].mid - before[i].mid).abs()).sum();
+                    assert!(change <= 1.01 * STEP * here.largest_bend, "{change} {}", here.largest_bend);
+                    let of_state = |x: f64, y: f64| {
+                        let by = |dx: f64, dy: f64| {
+                            (slider.state_rate(x + dx, y + dy) - slider.state_rate(x - dx, y - dy))
+                                / (2.0 * STEP)
+                        };
+                        [by(STEP, 0.0), by(0.0, STEP)]
+                    };
+                    let [before, after] = [of_state(x, y), of_state(x + dx, y + dy)];
+                    let change: f64 = (0..2).map(|i| (after[i] - before[i]).abs()).sum();
+                    assert!(
+                        change <= 1.01 * STEP * here.largest_bend + 1e-8,
+                        "{change} {}",
+                        here.largest_bend
+                    );
+                }
+            }
+        }
+    }
+
+    /// ψ' = R − ψ(d + ξ + ψ) and the derivative of ψ by p, whose source is S δ with δ' = μδ + δψ, at the worst signs.
+    #[test]
+    fn a_passage_bounds_the_motion_in_the_tube() {
+        let (damping, rate, growth_rate, parts) = (20.0, -2.0, 1.0, 20_000);
+        let one = Interval::ONE;
+        let manifold = Manifold {
+            inertia: one,
+            rate: Interval::point(rate),
+            rate_gradient: [Interval::ZERO, one],
+            state_rate: one,
+            largest_slope: growth_rate,
+            largest_bend: 1.0,
+            residual: 3.0,
+            residual_gradient: [Interval::point(1.5), Interval::point(-0.5)],
+            damping: Interval { mid: damping + 1.0, rad: 1.0 },
+            damping_gradient: [Interval::ZERO, one],
+        };
+        for (start, slope, derivative, h) in [
+            (0.0, 0.0, 1.0, 0.3),
+            (1.5, 0.0, 1.0, 0.05),
+            (0.5, 4.0, 0.0, 0.02),
+            (1.0, 1.0, 1.0, 0.2),
+            (0.3, 5.0, 0.1, 0.5),
+        ] {
+            let tube = Tube { distance: start, slopes: [slope, 0.5 * slope] };
+            let growth = libm::exp(growth_rate * h);
+            let derivatives = [derivative, 0.5 * derivative];
+            let passage = manifold.passage(tube, h, growth, derivatives).unwrap();
+            let dt = h / f64::from(parts);
+            // At ψ < 0: |ψ|' = R − |ψ|(d + ξ) + ψ².
+            let (mut psi, mut by_p, mut off) = (start, slope, derivative);
+            let (mut impulse, mut slope_impulse) = (0.0, 0.0);
+            for _ in 0..parts {
+                let rates = |[psi, by_p, off]: [f64; 3]| {
+                    let fading = damping + rate;
+                    let source = 2.0 + 2.0 * psi;
+                    [
+                        3.0 - psi * (fading - psi),
+                        source * off - by_p * (fading - 2.0 * psi),
+                        growth_rate * off + by_p,
+                    ]
+                };
+                let first = rates([psi, by_p, off]);
+                let middle =
+                    rates([psi + 0.5 * dt * first[0], by_p + 0.5 * dt * first[1], off + 0.5 * dt * first[2]]);
+                impulse += dt * (psi + 0.5 * dt * first[0]);
+                slope_impulse += dt * (by_p + 0.5 * dt * first[1]);
+                (psi, by_p, off) = (psi + dt * middle[0], by_p + dt * middle[1], off + dt * middle[2]);
+            }
+            let end = passage.after(h);
+            let holds = |bound: f64, value: f64| bound >= value * (1.0 - 1e-6);
+            assert!(
+                holds(end.distance, psi) && holds(passage.impulse, impulse),
+                "{passage:?} {psi} {impulse}"
+            );
+            assert!(
+                holds(end.slopes[0], by_p) && holds(passage.slope_impulses[0], slope_impulse),
+                "{passage:?} {by_p}"
+            );
+            assert!(
+                holds(end.slopes[1], 0.5 * by_p) && holds(passage.slope_impulses[1], 0.5 * slope_impulse)
+            );
+            let first = passage.after(0.0);
+            assert!(holds(first.distance, start) && holds(first.slopes[0], slope));
+        }
+        // No tube holds where nothing damps, where ψ² wins, or where the derivative feeds itself.
+        let weak = |damping: f64| Manifold { damping: Interval::point(damping), ..manifold };
+        let passage = |manifold: Manifold, distance: f64, h: f64| {
+            manifold.passage(Tube { distance, slopes: [1.0; 2] }, h, libm::exp(h), [1.0; 2])
+        };
+        assert!(passage(manifold, 0.1, 0.1).is_some());
+        let refused = [
+            (weak(-1.0), 0.0, 0.1),
+            (weak(1.0), 0.0, 0.1),
+            (weak(-20.0), 0.1, 0.1),
+            (manifold, 10.0, 0.1),
+            (manifold, 0.1, 5.0),
+            // |ψ|' = 3 − |ψ|(2 − |ψ|) has no zero.
+            (Manifold { rate: Interval::point(-18.0), ..weak(20.0) }, 0.0, 0.1),
+        ];
+        for (manifold, distance, h) in refused {
+            assert!(passage(manifold, distance, h).is_none(), "{manifold:?} {distance} {h}");
         }
     }
 }

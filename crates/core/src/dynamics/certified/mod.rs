@@ -21,6 +21,8 @@ mod jet;
 mod lanes;
 mod linear;
 mod manifold;
+#[cfg(test)]
+mod members;
 mod motion;
 mod observed;
 #[cfg(test)]

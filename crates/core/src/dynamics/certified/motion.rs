@@ -190,3 +190,37 @@ pub(super) fn landing<const N: usize, const C: usize>(
 pub(super) fn column_sizes<const N: usize>(derivative: &Derivative<N>) -> [f64; COORDINATES] {
     std::array::from_fn(|j| derivative.iter().fold(0.0, |largest, row| worse(largest, row[j].magnitude())))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::friction::EvolutionLaw;
+
+    /// Steps by x and x', in parts of the section and of a speed; what may be a second upward crossing is refused.
+    #[test]
+    fn an_upward_crossing_before_the_return_is_refused() {
+        let point = Interval::point(1.0);
+        let constants =
+            Constants { inertia: point, stiffness: point, effect_ratio: point, law: EvolutionLaw::Slip };
+        let none = [Interval::ZERO; COORDINATES];
+        let set = Set::new(none, [Interval::ZERO; 3], [none; 3]);
+        let [rises, falls, turns] = [[1.0, 0.9], [-1.0, 0.9], [0.1, 1.0]];
+        let falls_mostly = [-0.1, 1.0];
+        let [at, above, below] = [[0.0, 0.1], [1.0, 0.5], [-1.0, 0.5]];
+        for (steps, is_refused) in [
+            (vec![(at, rises), (above, turns), (at, falls), (below, turns)], false),
+            (vec![(at, rises), (above, turns), (at, falls), (below, turns), (at, rises)], true),
+            (vec![(at, rises), (above, turns), (at, turns)], true),
+            (vec![(at, rises), (above, falls_mostly), (at, falls_mostly)], true),
+            (vec![(at, turns)], true),
+            (vec![(at, falls), (at, rises)], true),
+        ] {
+            let mut motion = Motion::new(&constants, States::Inertial(set.clone()), 1);
+            let found = steps.iter().try_for_each(|&([x, of_x], [speed, of_speed])| {
+                let [x, speed] = [(x, of_x), (speed, of_speed)].map(|(mid, rad)| Interval { mid, rad });
+                motion.refuse_other_crossings(x, speed, 0.0)
+            });
+            assert_eq!(found.is_err(), is_refused, "{steps:?}");
+        }
+    }
+}

@@ -184,3 +184,148 @@ fn stress_beyond_ends(step: &Passed) -> Option<(&Moment, f64)> {
     let (start, end) = (of(&step.start), of(&step.end));
     Some(if start < end { (&step.start, start) } else { (&step.end, end) })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const LOADING: f64 = 0.7;
+
+    /// The hull of the numbers.
+    fn hull(values: impl Iterator<Item = f64>) -> Interval {
+        values.map(Interval::point).reduce(Interval::hull).unwrap()
+    }
+
+    /// Motions x = c − m(t − t₀)²/2 + v t of a step from 0 to 1, given as (c, m, t₀, v): what is observed holds each of them.
+    fn holds_all(motions: &[[f64; 4]], margin: f64) {
+        const PARTS: usize = 1000;
+        let x = |[c, m, t0, v]: [f64; 4], t: f64| c - 0.5 * m * (t - t0) * (t - t0) + v * t;
+        let speed = |[_, m, t0, v]: [f64; 4], t: f64| v - m * (t - t0);
+        let time = |part: usize| part as f64 / PARTS as f64;
+        // ζ' = L(1 − e^x) by Simpson's rule.
+        let stresses: Vec<Vec<f64>> = motions
+            .iter()
+            .map(|&motion| {
+                let rate = |t: f64| -LOADING * libm::expm1(x(motion, t));
+                let mut stress = vec![0.0];
+                for part in 0..PARTS {
+                    let [from, to] = [time(part), time(part + 1)];
+                    let mean = (rate(from) + 4.0 * rate(0.5 * (from + to)) + rate(to)) / 6.0;
+                    stress.push(stress[part] + mean * (to - from));
+                }
+                stress
+            })
+            .collect();
+        let over = |of: &dyn Fn([f64; 4], f64) -> f64, parts: std::ops::RangeInclusive<usize>| {
+            hull(motions.iter().flat_map(|&motion| parts.clone().map(move |part| of(motion, time(part)))))
+        };
+        let moment = |part: usize| Moment {
+            x: over(&x, part..=part),
+            speed: over(&speed, part..=part),
+            stress: hull(stresses.iter().map(|stress| stress[part])),
+        };
+        let tops = motions.iter().map(|&motion| {
+            let [_, m, t0, v] = motion;
+            x(motion, if m == 0.0 { 0.0 } else { (t0 + v / m).clamp(0.0, 1.0) })
+        });
+        let mut observed = Observed::new();
+        observed.step(&Passed {
+            start: moment(0),
+            end: moment(PARTS),
+            x: over(&x, 0..=PARTS).hull(hull(tops)),
+            speed: over(&speed, 0..=PARTS),
+            acceleration: hull(motions.iter().map(|[_, m, ..]| -m)),
+            loading: Interval::between(0.1 * LOADING, LOADING),
+            length: 1.0,
+            duration: Interval { mid: 1.0, rad: 0.1 },
+        });
+        let [low, high] = observed.peak();
+        let largest = |values: &[f64]| values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let mut highest = f64::NEG_INFINITY;
+        for (&motion, stress) in motions.iter().zip(&stresses) {
+            let [_, m, t0, v] = motion;
+            let top = if m == 0.0 { 0.0 } else { (t0 + v / m).clamp(0.0, 1.0) };
+            let peak = x(motion, top).max(x(motion, 0.0)).max(x(motion, 1.0));
+            assert!(low <= peak && peak <= high, "{motion:?} {peak} {low} {high}");
+            highest = highest.max(peak);
+            let extremes = [largest(stress), largest(&stress.iter().map(|s| -s).collect::<Vec<_>>())];
+            for (maximum, value) in [observed.highest_stress, observed.lowest_stress].iter().zip(extremes) {
+                assert!(maximum.low <= value && value <= maximum.high, "{motion:?} {value} {maximum:?}");
+            }
+            let [least, most] = observed.stress_drop();
+            let drop = extremes[0] + extremes[1];
+            assert!(least <= drop && drop <= most, "{motion:?} {drop} {least} {most}");
+        }
+        assert!(high - highest <= margin, "{high} {highest}");
+        assert!(observed.duration.may_contain(0.901) && observed.duration.may_contain(1.099));
+    }
+
+    #[test]
+    fn a_step_shows_all_that_its_motions_reach() {
+        for (motions, margin) in [
+            // A maximum in the middle, where both ends give the same bound, and of unequal motions.
+            (vec![[1.0, 1.0, 0.5, 0.0]], 1e-9),
+            (vec![[1.0, 1.0, 0.45, 0.0], [1.1, 1.1, 0.55, 0.0], [0.9, 1.05, 0.5, 0.0]], 0.1),
+            // Rising, falling, and convex motions.
+            (vec![[0.3, 0.0, 0.0, 1.0], [0.4, 0.0, 0.0, 0.5]], 1e-9),
+            (vec![[0.3, 0.0, 0.0, -1.0], [0.4, 0.0, 0.0, -0.5]], 1e-9),
+            (vec![[0.0, -1.0, 0.3, 0.0], [0.0, -1.0, 0.7, 0.0]], 1e-9),
+            // The speed has one sign for one motion only; the acceleration has no sign.
+            (vec![[0.3, 1.0, 0.5, 0.0], [0.3, 0.5, 2.5, 0.0]], 1.0),
+            (vec![[0.3, 2.0, 0.5, 0.0], [0.0, -0.1, 0.5, 0.0]], 1.0),
+            // Across V = V_l: upward and downward at several speeds, and a maximum of x there.
+            (vec![[-0.5, 0.0, 0.0, 1.0]], 1e-9),
+            (vec![[0.5, 0.0, 0.0, -1.0]], 1e-9),
+            (vec![[-0.4, 0.0, 0.0, 1.0], [-0.5, 0.0, 0.0, 0.9], [-0.6, 0.0, 0.0, 1.1]], 1e-9),
+            (vec![[0.4, 0.0, 0.0, -1.0], [0.5, 0.0, 0.0, -0.9], [0.6, 0.0, 0.0, -1.1]], 1e-9),
+            (vec![[-0.5, -1.0, 0.0, 0.6], [-0.45, -1.0, 0.0, 0.7]], 1e-9),
+            (vec![[-0.2, 0.0, 0.0, 0.4], [-0.2, 0.0, 0.0, 2.0]], 1e-9),
+            (vec![[-0.4, 0.0, 0.0, 1.0], [-0.1, 0.0, 0.0, 1.0]], 1e-9),
+            (vec![[0.3, 4.0, 0.5, 0.0]], 1e-9),
+            (vec![[-0.3, -4.0, 0.5, 0.0]], 1e-9),
+            (vec![[0.5, 4.0, 0.5, 0.0]], 1e-9),
+            (vec![[-0.5, -4.0, 0.5, 0.0]], 1e-9),
+        ] {
+            holds_all(&motions, margin);
+        }
+    }
+
+    /// x = 1 − (t − ½)²/4 where x'' is only known to lie between −2 and −½: the weaker bend decides.
+    #[test]
+    fn the_weakest_bend_bounds_a_maximum() {
+        let moment = |speed: f64| Moment {
+            x: Interval::point(0.9375),
+            speed: Interval::point(speed),
+            stress: Interval::ZERO,
+        };
+        let found = highest(&Passed {
+            start: moment(0.25),
+            end: moment(-0.25),
+            x: Interval::between(0.9375, 2.0),
+            speed: Interval::symmetric(0.25),
+            acceleration: Interval::between(-2.0, -0.5),
+            loading: Interval::ZERO,
+            length: 1.0,
+            duration: Interval::ONE,
+        });
+        assert!((1.0..1.001).contains(&found), "{found}");
+    }
+
+    /// A wait shows what its states reach and adds its time; what follows a run counts.
+    #[test]
+    fn waits_and_the_rest_of_a_run_are_observed() {
+        let mut observed = Observed::new();
+        observed.state(Interval::point(-1.0), Interval::point(0.0));
+        observed.wait(Wait {
+            x: Interval { mid: 0.0, rad: 0.1 },
+            stress: Interval { mid: 0.0, rad: 0.5 },
+            stress_change: Interval::symmetric(0.25),
+            duration: Interval::symmetric(0.125),
+        });
+        let holds = |[low, high]: [f64; 2], ends: [f64; 2]| low <= ends[0] && ends[1] <= high;
+        assert!(holds(observed.peak(), [-1.0, 0.1]) && holds(observed.stress_drop(), [0.0, 1.5]));
+        assert!(observed.duration.lower() <= -0.125 && observed.duration.upper() >= 0.125);
+        observed.rest(1.0, [2.0, 3.0]);
+        assert!(holds(observed.peak(), [-1.0, 1.0]) && holds(observed.stress_drop(), [0.0, 5.0]));
+    }
+}

@@ -299,4 +299,57 @@ mod tests {
         }
         assert_eq!(found, 12);
     }
+
+    /// x' = λx, with the clock t' = x.
+    struct Growth(f64);
+
+    impl System<1, 2> for Growth {
+        fn series<const M: usize>(&self, start: &[Lanes<M>; 1]) -> Series<M, 2> {
+            let mut out: Series<M, 2> = [[Lanes::ZERO; 2]; ORDER + 1];
+            out[0][0] = start[0];
+            for k in 0..ORDER {
+                let part = Interval::point((k + 1) as f64).reciprocal();
+                let x = out[k][0].scaled(part);
+                out[k + 1] = [x.scaled(Interval::point(self.0)), x];
+            }
+            out
+        }
+    }
+
+    /// Steps of all lengths from points and boxes: each that is taken holds x₀e^{λt}, its derivative and the time x₀(e^{λh} − 1)/λ.
+    #[test]
+    fn each_step_of_a_linear_system_holds_the_solution() {
+        let mut taken = 0;
+        for (rate, [from, to], by_p) in
+            [(1.0, [1.0, 1.0], 0.0), (1.0, [0.5, 1.5], 0.0), (-1.0, [1.0, 1.2], 0.3), (2.0, [0.0, 0.0], 0.0)]
+        {
+            let state = Interval::between(from + by_p, to - by_p);
+            let section = [Interval::symmetric(by_p), Interval::ZERO];
+            let set = Set::new(section, [state], [[Interval::ONE, Interval::ZERO]]);
+            let expansion = Expansion::new(&Growth(rate), &set);
+            for (h, disturbance) in (0..60).map(|i| (0.5 * f64::from(i + 1), 0.01 * f64::from(i % 3))) {
+                let limits = [f64::INFINITY; 2];
+                let Some(step) = expansion.step_within(&Growth(rate), &set, h, disturbance, limits) else {
+                    continue;
+                };
+                taken += 1;
+                let holds = |c: Interval, value: f64| {
+                    let error = 1e-14 * value.abs();
+                    c.lower() <= value + error && value - error <= c.upper()
+                };
+                let growth = libm::exp(rate * h);
+                for start in [from, to, 0.5 * (from + to)] {
+                    for part in 0..=8 {
+                        let x = start * libm::exp(rate * h * f64::from(part) / 8.0);
+                        assert!([x - disturbance, x + disturbance].iter().all(|&x| holds(step.during[0], x)));
+                    }
+                    assert!(holds(step.duration, start * libm::expm1(rate * h) / rate), "{rate} {h} {start}");
+                }
+                let centre = set.centre[0];
+                assert!(holds(step.image[0], centre * growth) && holds(step.slope[0][0], growth));
+                assert!(step.largest_slope >= growth.max(1.0) * (1.0 - 1e-14), "{rate} {h}");
+            }
+        }
+        assert!(taken > 20, "{taken}");
+    }
 }
