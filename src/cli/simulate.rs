@@ -67,7 +67,7 @@ pub struct Options {
     /// (100000±1), the proof and its bounds hold for all values within them. Rows of --points then have the run of the middle values.
     #[arg(long)]
     certify: bool,
-    /// Also find the smallest sudden change of velocity and of stress by which the slider leaves steady sliding (seconds)
+    /// Also find the smallest sudden change of velocity and of stress by which the slider leaves steady sliding (up to a minute near K_c)
     ///
     /// Below K_c every disturbance does (exact). Above K_c, kicks of rising size are tried, and the smallest that ends on a limit cycle is
     /// bisected (sampled). A velocity kick changes V alone, by up to a factor of 1e6; a stress kick changes the stress of the spring alone, by up

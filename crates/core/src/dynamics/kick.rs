@@ -52,17 +52,21 @@ const RETURNS: u64 = 8;
 /// Amplitude of ln(V/V_l) below which the rate of growth is r_0 + cA².
 const SMALL: f64 = 0.05;
 
-/// Relative distance at which a cycle counts as reached.
-const ON_CYCLE: f64 = 1e-6;
+/// A change of stress over aσ whose square is below rounding.
+const LINEAR: f64 = 1e-9;
 
 /// Most returns of one run; a part of 1e-4 above K_c takes a tenth of them.
 const MOST_RETURNS: u64 = 100_000;
 
-/// Of the returns: a local tolerance of 1e-8 has errors of about 1e-12.
+/// Of the returns: their relative errors are below [`NOISE`].
 const CONTROL: Control = Control { local_tolerance: 1e-10, most_steps: 20_000_000 };
 
 /// Relative changes of a return that its errors may hide.
 const NOISE: f64 = 1e-12;
+
+/// The least decay of small deviations in one return. The square of the smallest kick is in proportion to it, so that errors of returns change
+/// the kick by a part of NOISE/LEAST_DECAY at most.
+const LEAST_DECAY: f64 = 1e-9;
 
 impl Kick {
     /// Whether V changes, and not the stress.
@@ -110,8 +114,12 @@ impl Kick {
     /// ```
     ///
     /// # Errors
-    /// Those of the integrator, and [`Failure::Undecided`] when a run neither decays nor leaves.
+    /// Those of the integrator, and [`Failure::Undecided`] when a run neither decays nor leaves, or K is too close to K_c.
     pub fn smallest(self, model: &Model<f64>) -> Result<Option<[f64; 2]>, Failure> {
+        let decay = decay_of_small_deviations(model)?;
+        if decay < LEAST_DECAY {
+            return Err(Failure::Undecided { cycles: RETURNS, change: decay });
+        }
         let decayed = Cell::new(0.0);
         let leaves = |size: f64| leaves(model, self.state(model, size), &decayed);
         let decades = libm::log10(self.largest() / SMALLEST);
@@ -120,7 +128,9 @@ impl Kick {
         for step in 0..=steps {
             let size = SMALLEST * libm::pow(10.0, decades * f64::from(step) / f64::from(steps));
             if leaves(size)? {
-                return border(leaves, (decays, size)).map(Some);
+                let [low, high] = border(leaves, (decays, size))?;
+                let error = NOISE / decay;
+                return Ok(Some([low * (1.0 - error), high * (1.0 + error)]));
             }
             decays = size;
         }
@@ -128,14 +138,29 @@ impl Kick {
     }
 }
 
-/// Bisects.
+/// The part by which a small deviation shrinks in one return; infinity when it does not oscillate.
+fn decay_of_small_deviations(model: &Model<f64>) -> Result<f64, Failure> {
+    let mut run = Integrator::new(model, Radau::<f64, 5>::new(), [0.0, 0.0, LINEAR], CONTROL)?;
+    let mut stresses = [LINEAR; 2];
+    for _ in 0..RETURNS {
+        let (orbit, end) = return_above(&mut run, FAINT)?;
+        if end == ReturnEnd::AtRest {
+            return Ok(f64::INFINITY);
+        }
+        stresses = [stresses[1], orbit.end[2]];
+    }
+    Ok(1.0 - stresses[1] / stresses[0])
+}
+
+/// Bisects between a size that decays, or no kick at all, and one that leaves.
 fn border(
     leaves: impl Fn(f64) -> Result<bool, Failure>,
     (low, high): (f64, f64),
 ) -> Result<[f64; 2], Failure> {
     let failed = Cell::new(None);
     let holds = |size| leaves(size).map_err(|failure| failed.set(Some(failure))).ok();
-    match border_between(holds, (low, high), WIDTH * high) {
+    let width = WIDTH * low.max(WIDTH * high);
+    match border_between(holds, (low, high), width) {
         Some((decays, leaves)) => Ok([decays, leaves]),
         None => Err(failed.take().unwrap_or(Failure::InvalidStart)),
     }
@@ -154,18 +179,11 @@ fn leaves(model: &Model<f64>, start: State<f64>, decayed: &Cell<f64>) -> Result<
         }
         let peak = orbit.peak;
         history.push(orbit);
-        // A cycle, or motion so small that its growth does not show.
+        // On a cycle; small deviations fall by more.
         if history.within(NOISE) {
-            let change = history.change(1).unwrap_or_default();
-            return if peak < SMALL { Err(Failure::Undecided { cycles: done, change }) } else { Ok(true) };
-        }
-        let (Some(here), Some((multiplier, change))) = (history.back(0), history.slow_direction()) else {
-            continue;
-        };
-        let distance = size(change) / (1.0 - multiplier) / size(here);
-        if (0.0..ON_CYCLE).contains(&distance) {
             return Ok(true);
         }
+        let (Some(here), Some((_, change))) = (history.back(0), history.slow_direction()) else { continue };
         if done < RETURNS || size(change) < NOISE * size(here) {
             continue;
         }
@@ -237,6 +255,22 @@ mod tests {
             // The kicks differ by a part of 1e-6 of a number of order 1.
             assert!(outside - inside < 1e-5, "{kick:?} {inside} {outside}");
         }
+    }
+
+    #[test]
+    fn close_to_the_critical_stiffness_the_smallest_kick_is_as_the_root_of_the_excess() {
+        // What is even in the kick cancels in the mean of both signs, and the next term is a part of order K/K_c - 1.
+        let mean = |excess: f64| {
+            let model = model(EvolutionLaw::Aging, excess);
+            let [up, down] =
+                [Kick::StressUp, Kick::StressDown].map(|kick| kick.smallest(&model).unwrap().unwrap());
+            let (low, high) = (up[0] + down[0], up[1] + down[1]);
+            (0.5 * (low + high), (high - low) / (high + low))
+        };
+        let ((near, near_error), (far, far_error)) = (mean(1e-8), mean(1e-7));
+        let deviation = far / near / 10.0_f64.sqrt() - 1.0;
+        assert!(deviation.abs() <= near_error + far_error, "{deviation:e} {near_error:e} {far_error:e}");
+        assert!(near_error < 1e-4);
     }
 
     #[test]
