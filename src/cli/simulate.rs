@@ -2,6 +2,7 @@
 
 mod certified;
 mod history;
+mod kicks;
 pub mod over_box;
 pub mod range;
 pub mod rows;
@@ -11,6 +12,7 @@ pub mod view;
 use std::path::PathBuf;
 
 use clap::Args;
+use serde_json::Value;
 use slipmode::scene::{AllowedRange, Problem};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::nearest_f64;
@@ -25,6 +27,7 @@ use crate::cli::terminal;
 use crate::cli::words::{LAWS, law_of_word, start_of_word};
 use certified::Certified;
 use history::{Extent, History};
+use kicks::Kicks;
 use over_box::{BoxOptions, BoxRuns, is_point};
 use rows::{SimulateRows, Simulated};
 use run::{Settings, simulate_point};
@@ -64,6 +67,13 @@ pub struct Options {
     /// (100000±1), the proof and its bounds hold for all values within them. Rows of --points then have the run of the middle values.
     #[arg(long)]
     certify: bool,
+    /// Also find the smallest sudden change of velocity and of stress by which the slider leaves steady sliding (up to a minute near K_c)
+    ///
+    /// Below K_c every disturbance does (exact). Above K_c, kicks of rising size are tried, and the smallest that ends on a limit cycle is
+    /// bisected (sampled). A velocity kick changes V alone, by up to a factor of 1e6; a stress kick changes the stress of the spring alone, by up
+    /// to 10 a sigma. Kicks that follow each other before the first has decayed add up.
+    #[arg(long, conflicts_with = "points")]
+    smallest_kick: bool,
     /// Also write the run from its start as CSV: time, velocity, state variable, shear stress relative to steady sliding, and slip
     ///
     /// `-` writes it to standard output, and the result to standard error. Time starts at 0 and strictly increases: of samples with
@@ -141,6 +151,12 @@ impl Options {
         let region = self.slider.region(None, &mut arguments);
         if region.as_ref().is_some_and(is_point) {
             self.within_error_bars.refuse("values with error bars, such as 0.009±0.001", &mut arguments);
+        } else {
+            arguments.refuse(
+                "--smallest-kick",
+                self.smallest_kick && region.is_some(),
+                "values without error bars",
+            );
         }
         let box_runs = self.within_error_bars.read(&mut arguments);
         if self.law.is_none() {
@@ -177,7 +193,18 @@ impl Options {
             let certified = progress.spinner("certifying", || Certified::new(&region, law, settings.start));
             answer = answer.and(certified.answer());
         }
-        self.print_remarks(&answer, simulated.found.err())?;
+        let mut failure = simulated.found.err();
+        if self.smallest_kick {
+            let kicks = progress.spinner("kicking", || Kicks::new(&parameters, law));
+            answer = match kicks {
+                Ok(kicks) => answer.and(kicks.answer()),
+                Err(reason) => {
+                    failure.get_or_insert_with(|| format!("smallest kick: {reason}"));
+                    answer.with("smallest_kicks", Value::Null)
+                }
+            };
+        }
+        self.print_remarks(&answer, failure)?;
         written
     }
 

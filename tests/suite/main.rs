@@ -82,6 +82,7 @@ mod schemas;
 mod shell;
 mod simulate;
 mod simulate_points;
+mod smallest_kick;
 mod solve;
 mod stored_certificates;
 mod sweep;

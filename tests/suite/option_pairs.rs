@@ -237,6 +237,7 @@ const COMMANDS: &[Command] = &[
             ("--law", &["--law", "aging"]),
             ("--tolerance", &["--tolerance", "1e-5"]),
             ("--start", &["--start", "velocity-kick"]),
+            ("--smallest-kick", &["--smallest-kick"]),
             ("--certify", &["--certify"]),
             ("--json", &["--json"]),
             ("--trajectory", &["--trajectory", "t.csv"]),

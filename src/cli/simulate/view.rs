@@ -80,7 +80,7 @@ fn relative(value: f64, relative_error: f64, unit: &str) -> String {
 }
 
 /// The digits that an absolute error leaves certain.
-fn certain(value: f64, error: f64) -> String {
+pub fn certain(value: f64, error: f64) -> String {
     let radius = Float::with_val_round(32, error, Round::Up).0;
     certain_digits(&Ball::new(Float::with_val(64, value), radius), MOST_DIGITS)
 }

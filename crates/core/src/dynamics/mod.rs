@@ -71,6 +71,7 @@ mod failure;
 mod floquet;
 mod history;
 mod integrator;
+mod kick;
 mod long_term;
 mod loose_cycle;
 mod model;
@@ -109,6 +110,7 @@ pub use edge_law::{EdgeOrbit, edge_orbit};
 pub use failure::Failure;
 #[doc(hidden)]
 pub use integrator::{Control, Integrator};
+pub use kick::Kick;
 pub use long_term::{Cycle, Decay, LongTerm, Oscillation, long_term_behaviour};
 pub use model::{Balance, Model, State};
 pub use outcome::{Behaviour, Outcome, Simulation};
