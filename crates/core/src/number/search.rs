@@ -102,7 +102,8 @@ pub fn golden_section(
     let mut left = high - GOLDEN * (high - low);
     let mut right = low + GOLDEN * (high - low);
     let (mut at_left, mut at_right) = (function(left)?, function(right)?);
-    while high - low > width {
+    // Ends that are next to each other have nothing between them.
+    while high - low > width && low < left && left < right && right < high {
         if at_left < at_right {
             (high, right, at_right) = (right, left, at_left);
             left = high - GOLDEN * (high - low);
@@ -145,6 +146,13 @@ mod tests {
     fn a_hole_or_a_ridge_has_no_minimum() {
         assert_eq!(minimum_between(|x| (x < 0.2).then_some(x * x), (-0.5, 0.5), 0.05, 0.0), None);
         assert_eq!(minimum_between(|x| Some(-x * x), (-0.5, 0.6), 0.05, 0.0), None);
+    }
+
+    #[test]
+    fn a_search_narrower_than_rounding_ends() {
+        let ends = (1.0, 1.0 + 8.0 * f64::EPSILON);
+        let found = golden_section(|x| Some(-x), ends, 1e-20).unwrap();
+        assert!(ends.0 < found && found <= ends.1, "{found:e}");
     }
 
     #[test]

@@ -155,7 +155,7 @@ mod tests {
         for slider in sliders() {
             for centre in [[0.0; 3], [0.5, -0.3, 0.2], [-1.0, 0.4, -0.3]] {
                 let over = derivative(&slider.constants(), &centre.map(Interval::point));
-                for j in 0..3 {
+                for j in [0, 1, 2] {
                     let moved = |by: f64| {
                         rates(
                             slider,
@@ -163,10 +163,10 @@ mod tests {
                         )
                     };
                     let (before, after) = (moved(-1e-5), moved(1e-5));
-                    for i in 0..3 {
+                    for (i, row) in over.iter().enumerate() {
                         let slope = (after[i] - before[i]) / 2e-5;
                         let error = 1e-7 * (1.0 + slope.abs());
-                        assert!(over[i][j].widened(error).may_contain(slope), "{slider:?} {i} {j} {slope}");
+                        assert!(row[j].widened(error).may_contain(slope), "{slider:?} {i} {j} {slope}");
                     }
                 }
             }

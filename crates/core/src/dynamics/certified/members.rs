@@ -294,16 +294,16 @@ fn the_jacobian_holds_difference_quotients() {
         let constants = slider.constants();
         for at in [[0.3, -0.2, 0.4], [-1.0, 0.7, -0.2], [0.0, 0.0, 0.0]] {
             let jacobian = Inertial(&constants).jacobian(&at.map(Interval::point));
-            for j in 0..3 {
+            for j in [0, 1, 2] {
                 let rates = |by: f64| {
                     slider.rates(std::array::from_fn(|i| {
                         if i == 3 { 0.0 } else { at[i] + if i == j { by } else { 0.0 } }
                     }))
                 };
                 let (before, after) = (rates(-1e-5), rates(1e-5));
-                for i in 0..3 {
+                for (i, row) in jacobian.iter().enumerate() {
                     let slope = (after[i] - before[i]) / 2e-5;
-                    assert!(jacobian[i][j].widened(1e-8).may_contain(slope), "{law:?} {i} {j} {slope}");
+                    assert!(row[j].widened(1e-8).may_contain(slope), "{law:?} {i} {j} {slope}");
                 }
             }
         }

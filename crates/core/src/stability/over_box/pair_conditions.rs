@@ -61,6 +61,10 @@ impl Changing {
     fn with(self, other: Self, value: Interval, slope: impl Fn(Interval, Interval) -> Interval) -> Self {
         Self { value, slopes: std::array::from_fn(|i| slope(self.slopes[i], other.slopes[i])) }
     }
+
+    fn times(self, other: Self) -> Self {
+        self.with(other, self.value * other.value, |one, two| one * other.value + two * self.value)
+    }
 }
 
 impl Add for Changing {
@@ -83,7 +87,7 @@ impl Mul for Changing {
     type Output = Self;
 
     fn mul(self, other: Self) -> Self {
-        self.with(other, self.value * other.value, |one, two| one * other.value + two * self.value)
+        self.times(other)
     }
 }
 

@@ -13,8 +13,9 @@ use super::ranges::Sought;
 use super::root_discs::{Quantity, Values, cubic};
 use crate::number::Interval;
 
-/// The most places that a search halves.
+/// The most places that a search for a bound halves, and one for a point.
 const MOST_PLACES: usize = 1 << 12;
+const MOST_PLACES_FOR_A_POINT: usize = 1 << 11;
 /// How often the equations narrow a place, and how often its end is cut.
 const NARROWINGS: u32 = 3;
 const CUTS: u32 = 3;
@@ -62,7 +63,7 @@ impl PairSearch<'_> {
     pub(super) fn has_points(&self) -> Sought {
         let ranked = |place: Place| Ranked { rank: -self.bound_over(&place), place };
         let mut open: BinaryHeap<Ranked> = self.narrowed(self.whole()).map(ranked).into_iter().collect();
-        for _ in 0..MOST_PLACES {
+        for _ in 0..MOST_PLACES_FOR_A_POINT {
             let Some(Ranked { place, .. }) = open.pop() else { return Sought::Nowhere };
             for half in halves(&place).into_iter().filter_map(|half| self.cut(self.narrowed(half)?)) {
                 let middle = half.map(|variable| Interval::point(variable.middle()));
@@ -109,7 +110,7 @@ impl PairSearch<'_> {
                 let [.., k, m, _, _] = *self.values;
                 let third = -(*rate * k / (m * (middle.square() + *square)));
                 let of_two = *middle + (-*square).square_root();
-                Interval { low: of_two.low.max(third.low), high: of_two.high.max(third.high) }
+                Interval { low: of_two.low.max(third.low), high: of_two.high.max(third.high.min(0.0)) }
             }
         };
         if self.is_greatest { value.high } else { value.low }
