@@ -127,7 +127,7 @@ def test_peaks_are_those_of_the_command_line():
         found = slipmode.fit_peaks(source, effect_ratio="[1.4, 1.6]", **given)
         assert found.to_dict() == printed
     assert found.law == printed["law"] and found.laws[found.law].value == found.twice_v18_m_per_s.value
-    assert str(found.effect_difference).endswith("(95 %: 0.00369 to 0.00638)") and found.distinguishes_laws is False
+    assert str(found.effect_difference).endswith("(95 %: 0.00388 to 0.00668)") and found.distinguishes_laws is False
     assert found.error_parts_m_per_s["noise"] == tuple(printed["error_parts_m_per_s"]["noise"])
     with pytest.raises(slipmode.InputError, match="argument effect_ratio"):
         slipmode.fit_peaks(frame, effect_ratio=1.1)
