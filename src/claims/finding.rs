@@ -149,11 +149,12 @@ impl Finding {
         self
     }
 
-    /// Names the theorem that states what this finding's one proof proves, where an independent kernel has accepted it.
+    /// Names the theorem that states what this finding's one proof proves or disproves, where an independent kernel has accepted it.
     #[must_use]
-    pub fn with_theorem(mut self, theorem: impl FnOnce() -> Option<String>) -> Self {
-        if let (Verdict::Holds, [Evidence::Proof { proof }]) = (self.verdict, &mut self.evidence[..]) {
-            proof.theorem = theorem();
+    pub fn with_theorem(mut self, theorem: impl FnOnce(Verdict) -> Option<String>) -> Self {
+        let is_decided = self.verdict != Verdict::NotChecked;
+        if let (true, [Evidence::Proof { proof }]) = (is_decided, &mut self.evidence[..]) {
+            proof.theorem = theorem(self.verdict);
             self.strength = self.evidence[0].strength();
         }
         self

@@ -167,8 +167,9 @@ impl Files {
         if found.is_empty() {
             found.push((String::new(), Err("a point decides it, without a proof".to_owned())));
         }
-        let mut open = OpenFile::default();
-        for (id, result) in found {
+        // One theorem a file: one that Coq refuses takes no other with it.
+        for ((id, result), number) in found.into_iter().zip(1..) {
+            let mut open = OpenFile::default();
             let line = [report, &claim.id, &id].map(one_line).join("\t");
             let [name, digest, obstacle] = match result {
                 Ok(whole) => {
@@ -180,8 +181,8 @@ impl Files {
                 Err(obstacle) => [String::new(), String::new(), one_line(&obstacle)],
             };
             self.steps += &format!("{line}\twhole\twhole\t{name}\t{digest}\t{obstacle}\n");
+            self.close(&format!("{}_whole", place(report, &claim.id, number)), &mut open);
         }
-        self.close(&format!("{}_whole", place(report, &claim.id, 1)), &mut open);
     }
 
     /// The step in words from the formulas to what the claim says.
@@ -232,13 +233,16 @@ impl Files {
         }
         let all = names.join(", ");
         let assumptions = format!("Definition all_theorems := ({all}).\nPrint Assumptions all_theorems.\n");
-        self.texts.insert(format!("{place}.v"), format!("{HEAD}{text}{assumptions}"));
-        self.texts.insert(format!("{place}_faults.v"), format!("{HEAD}{faults}"));
+        // The lemmas on signs are no part of the files that do without them, whose record stays.
+        let module = if text.contains("by_signs") { "Signs" } else { "Claims" };
+        let head = format!("From Slipmode Require Import {module}.\n{LIMIT}");
+        self.texts.insert(format!("{place}.v"), format!("{head}{text}{assumptions}"));
+        self.texts.insert(format!("{place}_faults.v"), format!("{head}{faults}"));
     }
 }
 
-/// What every file begins with: the library, and a time limit in seconds for each lemma.
-const HEAD: &str = "From Slipmode Require Import Claims.\nSet Default Timeout 300.\n\n";
+/// A time limit in seconds for each lemma.
+const LIMIT: &str = "Set Default Timeout 300.\n\n";
 
 /// A file that grows.
 #[derive(Debug, Default)]

@@ -4,6 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use slipmode_algebra::{Certificate, Expression, Literal, Proof, Sign, SignFormula, Symbol, unknowns};
 
+use slipmode_core::number::Rational;
+
 use super::Problem;
 use super::lowering::Lowered;
 use super::points::{self, Point, Points};
@@ -86,14 +88,33 @@ impl Problem<'_> {
         })
     }
 
-    /// The values of all expressions at a point.
+    /// The finding that the formula is true at a point.
     fn at_point(&self, wanted: &SignFormula, lowered: &Lowered, point: &Point) -> Finding {
-        let met: Vec<&Literal> =
-            wanted.literals().into_iter().filter(|literal| literal.holds_at(point) == Some(true)).collect();
-        // A certificate states a rational value. Of another one the sign is known by an enclosure.
-        if met.iter().any(|literal| literal.expression.rational_value(point).is_none()) {
-            return self.true_at(lowered, point);
+        match self.values_at(point, wanted, lowered) {
+            Some(Ok(proof)) => Finding::from_proof(Ok(proof)).seen_at([points::named(&self.full(point))]),
+            Some(Err(reason)) => Finding::not_checked(format!("Not decided: {reason}.")),
+            // A certificate states a rational value. Of another one the sign is known by an enclosure.
+            None => self.true_at(lowered, point),
         }
+    }
+
+    /// The proof that signs are true at a point: the values of their expressions there. None where one is not rational.
+    pub(super) fn values_at(
+        &self,
+        point: &Point,
+        signs: &SignFormula,
+        lowered: &Lowered,
+    ) -> Option<Result<Proof, String>> {
+        let met = signs.literals().into_iter().filter(|literal| literal.holds_at(point) == Some(true));
+        let value = |literal: &Literal| literal.expression.rational_value(point);
+        let mut met: Vec<(&Literal, Rational)> =
+            met.map(|literal| Some((literal, value(literal)?))).collect::<Option<_>>()?;
+        let mut known: Vec<&Expression> = Vec::new();
+        met.retain(|(literal, _)| {
+            let is_new = !known.contains(&&literal.expression);
+            known.push(&literal.expression);
+            is_new
+        });
         let listed: Vec<(Symbol, Expression)> =
             point.iter().map(|(name, value)| (name.clone(), Expression::Number(value.clone()))).collect();
         let prover_points = self.points(&lowered.expressions());
@@ -102,20 +123,13 @@ impl Problem<'_> {
             let domain = prover.domain(&self.premises, &[]).unwrap_or_default();
             self.with_lemmas(start, lowered, &domain)
         });
-        let start = match start {
-            Ok(start) => start,
-            Err(reason) => return Finding::not_checked(format!("Not decided: {reason}.")),
+        let says = format!("true at {}", points::text(point));
+        let step = |proof: Proof, (literal, value): (&Literal, Rational)| {
+            let (expression, point) = (literal.expression.clone(), listed.clone());
+            let certificate = Certificate::Value { expression, point, value: Expression::Number(value) };
+            proof.certify(&says, &self.numbers(), certificate).map_err(|error| error.to_string())
         };
-        let proof = met.into_iter().try_fold(start, |proof, literal| {
-            let value = literal.expression.rational_value(point).unwrap_or_default();
-            let certificate = Certificate::Value {
-                expression: literal.expression.clone(),
-                point: listed.clone(),
-                value: Expression::Number(value),
-            };
-            proof.certify(&format!("true at {}", points::text(point)), &self.numbers(), certificate)
-        });
-        Finding::from_proof(proof).seen_at([points::named(&self.full(point))])
+        Some(start.and_then(|start| met.into_iter().try_fold(start, step)))
     }
 
     /// A certificate that no values of the listed variables do, at some values of the other ones.

@@ -87,12 +87,7 @@ impl Lowered {
         variable: &Symbol,
         premises: &Premises,
     ) -> Result<Vec<Expression>, String> {
-        let side = premises.put_in(&names.resolved_but(written, variable));
-        let function = premises.domain().rational_function(&side);
-        let function = function.map_err(|error| format!("{written}: {error}"))?;
-        let found = coefficients(&function, variable, MOST_DEGREE).ok_or_else(|| {
-            format!("{written} is no polynomial of degree 1 to {MOST_DEGREE} in {variable}")
-        })?;
+        let (side, found) = located(written, names, variable, premises)?;
         let right = root_location::polynomial(&found, variable);
         let step = (format!("the coefficients of {written} as a polynomial in {variable}"), side, right);
         if !self.polynomials.contains(&step) {
@@ -100,6 +95,24 @@ impl Lowered {
         }
         Ok(found)
     }
+}
+
+/// A polynomial with definitions and solutions in place, and its coefficients by ascending power.
+///
+/// # Errors
+/// Why it has none.
+pub(super) fn located(
+    written: &Expression,
+    names: &Names,
+    variable: &Symbol,
+    premises: &Premises,
+) -> Result<(Expression, Vec<Expression>), String> {
+    let side = premises.put_in(&names.resolved_but(written, variable));
+    let function = premises.domain().rational_function(&side);
+    let function = function.map_err(|error| format!("{written}: {error}"))?;
+    let found = coefficients(&function, variable, MOST_DEGREE)
+        .ok_or_else(|| format!("{written} is no polynomial of degree 1 to {MOST_DEGREE} in {variable}"))?;
+    Ok((side, found))
 }
 
 /// A comparison or predicate as it is written.

@@ -231,7 +231,7 @@ fn decide_within(
         Statement::Computed(_) => Finding::not_checked("No formula decides it."),
         other => problem.behaviour(other),
     }
-    .with_theorem(|| theorem::accepted_theorem(formula, equations))
+    .with_theorem(|verdict| theorem::accepted_theorem(formula, equations, verdict == Verdict::Fails))
 }
 
 /// All expressions of a formula, its conditions and its witness in one.

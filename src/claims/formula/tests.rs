@@ -306,8 +306,64 @@ fn a_whole_theorem_states_the_formula_with_its_conditions_and_rests_on_steps_of_
         let obstacle = whole(same, &given, &equations).unwrap_err();
         assert!(obstacle.contains("a definition, and no theorem"), "{same}: {obstacle}");
     }
-    let obstacle = whole("stable(left_8, s) iff K > K_c", &[], &equations).unwrap_err();
-    assert!(obstacle.contains("'iff'"), "{obstacle}");
+    let crossing = "pair_crosses(left_8, s, K, K_c, sqrt((b - a)/a)*V_0/D_c)";
+    let obstacle = whole(crossing, &["a < b"], &equations).unwrap_err();
+    assert!(obstacle.contains("crosses the axis"), "{obstacle}");
+}
+
+/// The parts of a whole statement: its variables and hypotheses, and what follows.
+fn split(made: &WholeTheorem) -> (&str, &str) {
+    made.statement.split_once(" :\n  ").unwrap()
+}
+
+#[test]
+fn a_whole_theorem_on_roots_names_their_polynomial_and_keeps_how_the_formula_is_joined() {
+    let small: Equations = read_equations("equations.toml", SMALL.as_bytes()).unwrap();
+    let made = whole("stable(s^2 + 2*s + x, s) iff x > 0", &[], &small).unwrap();
+    let says =
+        "(forall s : R, ((s ^ 2) + (2 * s) + x) = horner [x; 2; 1] s) /\\ ((all_left [x; 2; 1]) <-> (0 < x))";
+    assert_eq!(split(&made), (" (x : R)", says));
+    assert_eq!(made.altered, made.statement.replace("((all_left", "~ ((all_left"));
+    assert!(made.proof.contains("by_signs") && made.proof.contains("by_cases"), "{}", made.proof);
+    for (text, joined) in [
+        ("not unstable(s + A, s)", "(~ (one_right [A; 1]))"),
+        ("all_real(s^2 - A, s) or x > y", "((all_real [(- A); 0; 1]) \\/ (y < x))"),
+        ("x > 1 implies [x > 0 and x != 0]", "((1 < x) -> ((0 < x) /\\ (x <> 0)))"),
+    ] {
+        let made = whole(text, &[], &small).unwrap();
+        assert!(made.statement.ends_with(joined), "{text}: {}", made.statement);
+    }
+    let far = whole("not unstable(s^5 + A*s^4, s)", &[], &small).unwrap_err();
+    assert!(far.contains("of degree 5"), "{far}");
+    let bound = whole("not unstable(s + A, s)", &["s > 0"], &small).unwrap_err();
+    assert!(bound.contains("a condition contains s"), "{bound}");
+}
+
+#[test]
+fn the_theorem_of_a_formula_that_fails_is_its_negation_and_that_of_one_with_a_witness_says_that_there_is_one()
+{
+    let small: Equations = read_equations("equations.toml", SMALL.as_bytes()).unwrap();
+    let names = Names::of(&small);
+    let false_one = whole("stable(s^2 + x*s + A, s)", &["x > -2"], &small).unwrap();
+    let (variables, says) = split(&false_one);
+    assert_eq!(variables, "");
+    assert!(says.starts_with("exists A x : R, 0 < A /\\ (-2) < x /\\ (forall s : R, "), "{says}");
+    assert!(says.ends_with(" /\\ ~ (all_left [A; x; 1])"), "{says}");
+    assert!(false_one.altered.ends_with(" /\\ (all_left [A; x; 1])"), "{}", false_one.altered);
+    assert!(false_one.proof.starts_with("exists ") && false_one.steps.len() < 3, "{}", false_one.proof);
+
+    let scope = Scope {
+        there_is: vec!["x".into()],
+        witness: vec![("x".into(), "2*A".parse().unwrap())],
+        given: vec![FormulaCondition::read("x < 3*A", &names).unwrap()],
+        ..Scope::default()
+    };
+    let read = ClaimFormula::read("x > A", scope, &small).unwrap();
+    let found = decide_equations("formula", "", &read, &small);
+    let made = theorem::whole_theorem(&read, &small, found.evidence[0].proof().unwrap()).unwrap();
+    let says = "exists x : R, ((x < (3 * A)) /\\ (A < x))";
+    assert_eq!(split(&made), (" (A : R) (A'pos : 0 < A)", says));
+    assert!(made.proof.starts_with("exists (2 * A); "), "{}", made.proof);
 }
 
 #[test]
@@ -332,7 +388,8 @@ fn a_verdict_is_kernel_checked_when_the_list_of_accepted_theorems_has_its_whole_
     let found = || Finding { strength: Strength::Exact, ..decide_equations("f", "", &read, &equations) };
     let listed = |line: &str| {
         let list = theorem::accepted(line);
-        found().with_theorem(|| theorem::accepted_in(&list, &read, &equations).map(|(name, _)| name))
+        let accepted = theorem::accepted_in(&list, &read, &equations, false);
+        found().with_theorem(|_| accepted.map(|(name, _)| name))
     };
     let accepted = listed(&format!("identity_1 00ff\n{} {}\n", made.name, made.digest));
     assert_eq!(accepted.strength, Strength::KernelChecked);
@@ -342,7 +399,7 @@ fn a_verdict_is_kernel_checked_when_the_list_of_accepted_theorems_has_its_whole_
     for line in [format!("identity_1 {}\n", made.digest), format!("{} 00ff\n", made.name)] {
         assert_eq!(listed(&line).strength, Strength::Exact, "{line}");
     }
-    let failing = Finding::failing("no").with_theorem(|| Some(made.name.clone()));
+    let failing = Finding::failing("no").with_theorem(|_| Some(made.name.clone()));
     assert_eq!(failing.strength, Strength::Exact);
 }
 

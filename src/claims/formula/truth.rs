@@ -137,7 +137,14 @@ impl Problem<'_> {
             }
             _ => format!("{place}: {}", truths(lowered, point)),
         };
-        self.is_allowed(&full).then(|| Finding::failing(words).seen_at([points::named(&full)]))
+        let values = || self.values_at(point, &lowered.signs.negated(), lowered)?.ok();
+        self.is_allowed(&full).then(|| {
+            let found = match values() {
+                Some(proof) => Finding::from_disproof(Ok(proof), &words),
+                None => Finding::failing(words),
+            };
+            found.seen_at([points::named(&full)])
+        })
     }
 }
 

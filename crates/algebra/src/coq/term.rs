@@ -5,40 +5,13 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::{Condition, Expression, Function, Relation, Symbol};
 
 /// Names of Coq's language and libraries that generated text uses, and that no variable may hide.
-const TAKEN: [&str; 26] = [
-    "C",
-    "Ci",
-    "IZR",
-    "R",
-    "Rabs",
-    "RtoC",
-    "arcsinh",
-    "as",
-    "at",
-    "at_right",
-    "cos",
-    "else",
-    "end",
-    "exists",
-    "exp",
-    "filterlim",
-    "forall",
-    "fun",
-    "horner",
-    "if",
-    "in",
-    "let",
-    "ln",
-    "locally",
-    "sqrt",
-    "with",
-];
+const TAKEN: &str = "C Ci IZR R Rabs RtoC all_left all_real arcsinh as at at_right cos else end exists exp filterlim forall fun horner if in let ln locally one_right sqrt with";
 
 /// The name of a variable; no variable of a certificate has a prime inside its name.
 pub(super) fn name(variable: &Symbol) -> String {
     match variable.number() {
         Some(number) => format!("p'{number}"),
-        None if TAKEN.contains(&variable.as_str()) => format!("{variable}'v"),
+        None if TAKEN.split(' ').any(|taken| taken == variable.as_str()) => format!("{variable}'v"),
         None => variable.to_string(),
     }
 }

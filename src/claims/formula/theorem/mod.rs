@@ -1,14 +1,17 @@
 //! A claim's formula as one theorem of Coq: the statement is written from the parsed formula, the proof from the steps of the
 //! proof in the ledger.
 
+mod signs;
+
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::LazyLock;
 
 use slipmode_algebra::coq::{self, Theorem};
-use slipmode_algebra::{Certificate, Comparison, End, Expression, Literal, Proof, Sign, Symbol, Toward};
+use slipmode_algebra::{Certificate, Comparison, End, Expression, Proof, Symbol, Toward};
 use slipmode_core::theory::Equations;
 
 use super::behaviour::other_value;
+use super::points::Point;
 use crate::claims::sha256_hex;
 use crate::scene::{ClaimFormula, Formula, Names, Premises, Statement};
 
@@ -67,18 +70,23 @@ pub struct WholeStatement<'c> {
     pub statement: String,
 }
 
-/// The name of the theorem that states the whole formula, if Coq has accepted it.
-pub(super) fn accepted_theorem(formula: &ClaimFormula, equations: &Equations) -> Option<String> {
-    accepted_statement("", formula, equations).map(|accepted| accepted.name)
+/// The name of the theorem that states the whole formula, or its negation, if Coq has accepted it.
+pub(super) fn accepted_theorem(
+    formula: &ClaimFormula,
+    equations: &Equations,
+    is_refuted: bool,
+) -> Option<String> {
+    Some(accepted_in(&ACCEPTED, formula, equations, is_refuted)?.0)
 }
 
-/// The theorem that states the whole formula, if Coq has accepted it.
+/// The theorem that states the whole formula, or its negation, if Coq has accepted it.
 pub(super) fn accepted_statement<'c>(
     words: &'c str,
     formula: &'c ClaimFormula,
     equations: &Equations,
 ) -> Option<WholeStatement<'c>> {
-    let (name, statement) = accepted_in(&ACCEPTED, formula, equations)?;
+    let find = |is_refuted| accepted_in(&ACCEPTED, formula, equations, is_refuted);
+    let (name, statement) = find(false).or_else(|| find(true))?;
     Some(WholeStatement { words, formula, name, statement })
 }
 
@@ -87,8 +95,9 @@ pub(super) fn accepted_in(
     list: &BTreeSet<&str>,
     formula: &ClaimFormula,
     equations: &Equations,
+    is_refuted: bool,
 ) -> Option<(String, String)> {
-    let statement = Stated::new(formula, equations).ok()?.text(false);
+    let statement = Stated::new(formula, equations, is_refuted).ok()?.text(false);
     let (name, digest) = named(&statement);
     let names = Names::of(equations);
     let steps = names.proofs_of(&super::all_expressions(formula)).into_iter().flat_map(|proof| &proof.steps);
@@ -101,7 +110,7 @@ pub(super) fn accepted_in(
     (is_known && list.contains(digest.as_str())).then_some((name, statement))
 }
 
-/// The formula as a theorem, proved from the steps of this proof.
+/// The formula as a theorem, proved from the steps of this proof, or its negation where they are its values at a point.
 ///
 /// # Errors
 /// What stands in the way.
@@ -110,11 +119,15 @@ pub(super) fn whole_theorem(
     equations: &Equations,
     proof: &Proof,
 ) -> Result<WholeTheorem, String> {
-    let stated = Stated::new(formula, equations)?;
+    let point = signs::point_of(proof);
+    let is_refuted = formula.scope.there_is.is_empty()
+        && matches!(formula.statement, Statement::True(_))
+        && point.is_some();
+    let stated = Stated::new(formula, equations, is_refuted)?;
     let statement = stated.text(false);
     let (name, digest) = named(&statement);
     let mut steps = Steps { stated: &stated, proof, used: Vec::new() };
-    let tactics = steps.tactics(&formula.statement)?;
+    let tactics = steps.tactics(formula, point)?;
     let altered = stated.text(true);
     Ok(WholeTheorem { name, digest, statement, proof: tactics, altered, steps: steps.used })
 }
@@ -141,16 +154,20 @@ struct Stated {
     altered: String,
     /// Whether it says that values exist, and not what holds for all.
     exists: bool,
+    /// Whether it is the negation of the formula.
+    is_refuted: bool,
+    /// The variables of which there is a value, for all values of the others.
+    there_is: Vec<Symbol>,
 }
 
 impl Stated {
-    fn new(formula: &ClaimFormula, equations: &Equations) -> Result<Self, String> {
+    fn new(formula: &ClaimFormula, equations: &Equations, is_refuted: bool) -> Result<Self, String> {
         let scope = &formula.scope;
         if formula.rows.is_some() {
             return Err("a statement on the rows of a table".into());
         }
-        if !scope.there_is.is_empty() {
-            return Err("a statement that a value exists".into());
+        if is_refuted && !(matches!(formula.statement, Statement::True(_)) && scope.there_is.is_empty()) {
+            return Err("the negation of a statement that values exist, or on how an expression moves".into());
         }
         let premises = formula.premises(equations)?;
         let mut stated = Self {
@@ -161,15 +178,20 @@ impl Stated {
             equations: Vec::new(),
             goal: String::new(),
             altered: String::new(),
-            exists: matches!(formula.statement, Statement::Depends(_, true, _)),
+            exists: is_refuted || matches!(formula.statement, Statement::Depends(_, true, _)),
+            is_refuted,
+            there_is: scope.there_is.clone(),
         };
-        for (name, [low, high]) in &scope.within {
+        for (name, [low, high]) in scope.within.iter().filter(|(name, _)| !scope.there_is.contains(name)) {
             let [low, high] = [low, high].map(|end| coq::text(&Expression::Number(end.clone())));
             let name = stated.shown(&Expression::variable(name))?;
             stated.hypotheses.push((format!("least'{name}"), format!("{low} <= {name}")));
             stated.hypotheses.push((format!("most'{name}"), format!("{name} <= {high}")));
         }
         for (condition, number) in scope.given.iter().zip(1..) {
+            if stated.is_wanted(&condition.sides) {
+                continue;
+            }
             let label = format!("given'{number}");
             let [left, right] = &condition.sides;
             let text = stated.compared(left, condition.comparison, right)?;
@@ -178,8 +200,8 @@ impl Stated {
             }
             stated.hypotheses.push((label, text));
         }
-        stated.goal = stated.goal_of(&formula.statement, false)?;
-        stated.altered = stated.goal_of(&formula.statement, true)?;
+        stated.goal = stated.goal_of(formula, false)?;
+        stated.altered = stated.goal_of(formula, true)?;
         let positive: Vec<(String, String)> = stated
             .variables
             .iter()
@@ -189,6 +211,11 @@ impl Stated {
             .collect();
         stated.hypotheses.splice(0..0, positive);
         Ok(stated)
+    }
+
+    /// Whether sides speak of a variable of which there is a value.
+    fn is_wanted(&self, sides: &[Expression; 2]) -> bool {
+        sides.iter().any(|side| self.side(side).variables().iter().any(|name| self.there_is.contains(name)))
     }
 
     /// Whether the equations assume that a variable is positive.
@@ -218,7 +245,11 @@ impl Stated {
 
     /// A side as Coq reads it; its variables are noted.
     fn shown(&mut self, side: &Expression) -> Result<String, String> {
-        let side = self.side(side);
+        self.noted(&self.side(side))
+    }
+
+    /// An expression in variables as Coq reads it; they are noted.
+    fn noted(&mut self, side: &Expression) -> Result<String, String> {
         let variables = side.variables();
         if let Some(name) = variables.iter().find(|name| matches!(name.as_str(), "i" | "pm")) {
             return Err(format!("the formula contains {name}"));
@@ -227,7 +258,7 @@ impl Stated {
             return Err(format!("the formula has the function {function}, of which nothing is known"));
         }
         self.variables.extend(variables);
-        Ok(coq::text(&side))
+        Ok(coq::text(side))
     }
 
     fn compared(
@@ -248,9 +279,21 @@ impl Stated {
     }
 
     /// What a statement says; altered, it is false.
-    fn goal_of(&mut self, statement: &Statement, altered: bool) -> Result<String, String> {
-        match statement {
-            Statement::True(formula) => self.formula(formula, altered),
+    fn goal_of(&mut self, formula: &ClaimFormula, altered: bool) -> Result<String, String> {
+        match &formula.statement {
+            Statement::True(said) if !self.there_is.is_empty() => {
+                let goal = self.by_signs(&signs::wanted(said, &formula.scope, self), false)?;
+                let names: Vec<String> = self.there_is.iter().map(signs::shown).collect();
+                self.there_is.iter().for_each(|name| _ = self.variables.remove(name));
+                let goal = format!("exists {} : R, {goal}", names.join(" "));
+                Ok(if altered { format!("~ ({goal})") } else { goal })
+            }
+            Statement::True(said) if self.is_refuted => self.by_signs(said, !altered),
+            Statement::True(said) if signs::is_plain(said) => self.formula(said, altered),
+            Statement::True(said) => self.by_signs(said, altered),
+            _ if !self.there_is.is_empty() => {
+                Err("a statement that a value exists with which an expression moves".into())
+            }
             Statement::Limit(_, End::Infinite(_), ..) => Err("a limit beyond all bounds".into()),
             Statement::Limit(side, End::Finite(value), variable, toward) => {
                 let point = coq::text(&Expression::variable(variable));
@@ -337,10 +380,7 @@ impl Stated {
                     parts.iter().map(|part| self.formula(part, altered)).collect::<Result<_, _>>()?;
                 Ok(parts.join(" /\\ "))
             }
-            Formula::Roots(..) | Formula::Crossing(_) => {
-                Err("a statement on the roots of a polynomial".into())
-            }
-            _ => Err("a formula with 'iff', 'implies', 'or' or 'not'".into()),
+            _ => Err("no comparison".into()),
         }
     }
 }
@@ -358,9 +398,12 @@ impl Steps<'_> {
     }
 
     /// The tactics that prove a statement.
-    fn tactics(&mut self, statement: &Statement) -> Result<String, String> {
+    fn tactics(&mut self, formula: &ClaimFormula, point: Option<Point>) -> Result<String, String> {
         let mut tactics = String::new();
         let stated = self.stated;
+        if let (Statement::True(said), true) = (&formula.statement, stated.is_refuted) {
+            return self.refuted(said, point.unwrap_or_default());
+        }
         for (solved, label) in stated.premises.solved.iter().zip(&stated.equations) {
             let variable = Expression::Variable(solved.variable.clone());
             let [name, value, slope] = [&variable, &solved.value, &solved.slope].map(coq::text);
@@ -375,8 +418,11 @@ impl Steps<'_> {
                 tactics += "repeat rewrite ?Rmult_0_l, ?Rmult_0_r, ?Rplus_0_l, ?Rplus_0_r, ?Rminus_0_r; ";
             }
         }
-        let rest = match statement {
-            Statement::True(formula) => self.formula(formula)?,
+        let rest = match &formula.statement {
+            Statement::True(said) if !stated.there_is.is_empty() => {
+                self.at_witness(said, &formula.scope, point)?
+            }
+            Statement::True(said) => self.by_signs(said, &BTreeMap::new(), false)?,
             Statement::Limit(_, End::Infinite(_), ..) => return Err("a limit beyond all bounds".into()),
             Statement::Limit(side, End::Finite(value), variable, _) => {
                 let [side, value] = [side, value].map(|side| self.put_in(side));
@@ -433,43 +479,6 @@ impl Steps<'_> {
         Ok(format!("exists {}; repeat split; first [lra | intros h'; lra]", values.join(", ")))
     }
 
-    fn formula(&mut self, formula: &Formula) -> Result<String, String> {
-        match formula {
-            Formula::Compare(left, comparison, right) => {
-                let [left, right] = [left, right].map(|side| self.put_in(side));
-                let Literal { expression: difference, sign } =
-                    comparison.literal(left.clone(), right.clone());
-                match sign {
-                    Sign::Zero => self.equality(&left, &right),
-                    Sign::NonZero => {
-                        let opposite = -difference.clone();
-                        let signed = |one: &Expression| *one == difference || *one == opposite;
-                        let fact = self.fact(
-                            &[],
-                            |one| matches!(one, Certificate::Sign { expression, .. } if signed(expression)),
-                        )?;
-                        Ok(fact + "stated h'")
-                    }
-                    Sign::Positive | Sign::NonNegative => {
-                        let fact = self.fact(&[], |one| {
-                            matches!(one, Certificate::Sign { expression, sign: 1, .. } if *expression == difference)
-                        })?;
-                        Ok(fact + "stated h'")
-                    }
-                }
-            }
-            Formula::All(parts) => {
-                let mut text = String::new();
-                for (part, left) in parts.iter().zip((0..parts.len()).rev()) {
-                    let own = self.formula(part)?;
-                    text += &if left == 0 { own } else { format!("split; [ {own} | ") };
-                }
-                Ok(text + &" ]".repeat(parts.len().saturating_sub(1)))
-            }
-            _ => Err("a formula with 'iff', 'implies', 'or' or 'not'".into()),
-        }
-    }
-
     fn equality(&mut self, left: &Expression, right: &Expression) -> Result<String, String> {
         let difference = left.clone() - right.clone();
         let zero = Expression::integer(0);
@@ -487,9 +496,15 @@ impl Steps<'_> {
         is_it: impl Fn(&Certificate) -> bool,
     ) -> Result<String, String> {
         let mut certificates = self.proof.steps.iter().rev().filter_map(|step| step.certificate.as_ref());
-        let found =
-            certificates.find(|one| is_it(one)).ok_or("no single step states the formula or a part of it")?;
-        let theorem = Theorem::of(found).map_err(|obstacle| obstacle.to_string())?;
+        let found = certificates.find(|one| is_it(one));
+        let found = found.ok_or("no single step states the formula or a part of it")?;
+        let applied = self.applied(found, renamed)?;
+        Ok(format!("pose proof {applied} as h'; "))
+    }
+
+    /// The theorem of a step for the variables of the statement, of which some have other names.
+    fn applied(&mut self, step: &Certificate, renamed: &[(Symbol, String)]) -> Result<String, String> {
+        let theorem = Theorem::of(step).map_err(|obstacle| obstacle.to_string())?;
         let renamed: BTreeMap<String, &String> = renamed
             .iter()
             .map(|(name, other)| (coq::text(&Expression::Variable(name.clone())), other))
@@ -506,10 +521,10 @@ impl Steps<'_> {
                 None => "1",
             })
             .collect();
-        let fact = format!("pose proof ({} {}) as h'; ", theorem.name, arguments.join(" "));
+        let applied = format!("({} {})", theorem.name, arguments.join(" "));
         if self.used.iter().all(|known| known.name != theorem.name) {
             self.used.push(theorem);
         }
-        Ok(fact)
+        Ok(applied)
     }
 }
