@@ -2,6 +2,13 @@
     expressions, and steps as facts on these signs. *)
 
 From Slipmode Require Export Claims HalfPlane.
+From Interval Require Import Tactic.
+From Interval.Float Require Import Specific_ops Specific_stdz.
+
+(** Numbers of Coq's integers: with the machine's numbers, which the library takes by default, their axioms would be assumed. *)
+Module Numbers := SpecificFloat StdZRadix2.
+Module OnIntegers := IntervalTactic Numbers.
+Import OnIntegers.
 
 (** ** A formula is one over signs *)
 
@@ -180,3 +187,8 @@ Ltac split_facts :=
       end ].
 
 Ltac by_cases := first [timeout 10 lra | timeout 60 (names; split_facts)].
+
+(** ** At a point *)
+
+(** A condition at a point, which may have roots there. *)
+Ltac met := first [possible | interval with (i_prec 60)].

@@ -288,9 +288,7 @@ impl Stated {
                 let goal = format!("exists {} : R, {goal}", names.join(" "));
                 Ok(if altered { format!("~ ({goal})") } else { goal })
             }
-            Statement::True(said) if self.is_refuted => self.by_signs(said, !altered),
-            Statement::True(said) if signs::is_plain(said) => self.formula(said, altered),
-            Statement::True(said) => self.by_signs(said, altered),
+            Statement::True(said) => self.by_signs(said, altered != self.is_refuted),
             _ if !self.there_is.is_empty() => {
                 Err("a statement that a value exists with which an expression moves".into())
             }
@@ -355,34 +353,6 @@ impl Stated {
             Statement::Computed(_) => Err("no formula".into()),
         }
     }
-
-    fn formula(&mut self, formula: &Formula, altered: bool) -> Result<String, String> {
-        match formula {
-            Formula::Compare(left, comparison, right) => {
-                let opposite = match comparison {
-                    _ if !altered => *comparison,
-                    Comparison::Equal => Comparison::Unequal,
-                    Comparison::Unequal => Comparison::Equal,
-                    Comparison::Less => Comparison::AtLeast,
-                    Comparison::AtMost => Comparison::Greater,
-                    Comparison::Greater => Comparison::AtMost,
-                    Comparison::AtLeast => Comparison::Less,
-                };
-                if matches!(comparison, Comparison::Equal | Comparison::AtMost | Comparison::AtLeast)
-                    && self.shown(left)? == self.shown(right)?
-                {
-                    return Err(same_sides());
-                }
-                self.compared(left, opposite, right)
-            }
-            Formula::All(parts) => {
-                let parts: Vec<String> =
-                    parts.iter().map(|part| self.formula(part, altered)).collect::<Result<_, _>>()?;
-                Ok(parts.join(" /\\ "))
-            }
-            _ => Err("no comparison".into()),
-        }
-    }
 }
 
 /// The proof in the making: the ledger's steps that it uses.
@@ -402,7 +372,7 @@ impl Steps<'_> {
         let mut tactics = String::new();
         let stated = self.stated;
         if let (Statement::True(said), true) = (&formula.statement, stated.is_refuted) {
-            return self.refuted(said, point.unwrap_or_default());
+            return self.at_point(said, point.unwrap_or_default(), true);
         }
         for (solved, label) in stated.premises.solved.iter().zip(&stated.equations) {
             let variable = Expression::Variable(solved.variable.clone());
@@ -451,7 +421,11 @@ impl Steps<'_> {
                     coq::text(&slope),
                 )
             }
-            Statement::Depends(_, true, _) => self.two_points()?,
+            Statement::Depends(side, true, variable) => {
+                let other = self.put_in(side).with(variable, &Expression::Variable(other_value()));
+                let differ = Formula::Compare(self.put_in(side), Comparison::Unequal, other);
+                return self.at_point(&differ, point.ok_or("no step compares two values")?, false);
+            }
             Statement::Depends(side, false, variable) => {
                 let side = self.put_in(side);
                 let other = side.with(variable, &Expression::Variable(other_value()));
@@ -461,22 +435,6 @@ impl Steps<'_> {
             Statement::Computed(_) => return Err("no formula".into()),
         };
         Ok(tactics + &rest)
-    }
-
-    /// The values at the two points at which the ledger's proof evaluates an expression.
-    fn two_points(&self) -> Result<String, String> {
-        let mut certificates = self.proof.steps.iter().rev().filter_map(|step| step.certificate.as_ref());
-        let point = certificates.find_map(|one| match one {
-            Certificate::Difference { point, .. } => Some(point),
-            _ => None,
-        });
-        let point = point.ok_or("no step of the proof compares two values")?;
-        let value = |name: &Symbol| {
-            let known = point.iter().find(|(known, _)| known == name);
-            known.map_or_else(|| "1".to_owned(), |(_, value)| coq::text(value))
-        };
-        let values: Vec<String> = self.stated.variables.iter().map(value).collect();
-        Ok(format!("exists {}; repeat split; first [lra | intros h'; lra]", values.join(", ")))
     }
 
     fn equality(&mut self, left: &Expression, right: &Expression) -> Result<String, String> {

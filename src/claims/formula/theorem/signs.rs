@@ -8,28 +8,22 @@ use slipmode_algebra::{Certificate, Comparison, Expression, Proof, Sign, SignFor
 use slipmode_core::number::Rational;
 use slipmode_core::theory::root_location::{self, RootStatement};
 
-use super::{Stated, Steps};
+use super::{Stated, Steps, same_sides};
 use crate::claims::formula::lowering::{Lowered, located};
 use crate::claims::formula::points::Point;
 use crate::scene::{Formula, Scope};
-
-/// Whether a formula says nothing but comparisons.
-pub(super) fn is_plain(formula: &Formula) -> bool {
-    match formula {
-        Formula::Compare(..) => true,
-        Formula::All(parts) => parts.iter().all(is_plain),
-        _ => false,
-    }
-}
 
 /// A formula as Coq reads it, each of its comparisons and predicates as `atom` writes it.
 fn proposition(
     formula: &Formula,
     atom: &mut dyn FnMut(&Formula) -> Result<String, String>,
 ) -> Result<String, String> {
-    let mut inner = |part: &Formula| proposition(part, atom).map(|text| format!("({text})"));
+    let inner = |part: &Formula| {
+        let text = proposition(part, atom)?;
+        Ok::<_, String>(if is_atom(part) { text } else { format!("({text})") })
+    };
     let (parts, joint) = match formula {
-        Formula::Not(part) => return Ok(format!("~ {}", inner(part)?)),
+        Formula::Not(part) => return Ok(format!("~ ({})", proposition(part, atom)?)),
         Formula::All(parts) => (&parts[..], " /\\ "),
         Formula::Any(parts) => (&parts[..], " \\/ "),
         Formula::Implies(both) => (&both[..], " -> "),
@@ -37,6 +31,10 @@ fn proposition(
         Formula::Compare(..) | Formula::Roots(..) | Formula::Crossing(_) => return atom(formula),
     };
     Ok(parts.iter().map(inner).collect::<Result<Vec<_>, _>>()?.join(joint))
+}
+
+fn is_atom(formula: &Formula) -> bool {
+    matches!(formula, Formula::Compare(..) | Formula::Roots(..) | Formula::Crossing(_))
 }
 
 /// Signs as Coq reads them.
@@ -78,12 +76,19 @@ fn valued(expression: &Expression, values: &Values) -> Expression {
 }
 
 impl Stated {
-    /// What a formula says: what the coefficients of the polynomials are of whose roots it speaks, and the formula on these. The lemmas on
+    /// What a formula says, or its negation: what the coefficients of the polynomials are of whose roots it speaks, and the formula on these. The lemmas on
     /// roots are those of `proofs/HalfPlane.v`.
-    pub(super) fn by_signs(&mut self, formula: &Formula, altered: bool) -> Result<String, String> {
+    pub(super) fn by_signs(&mut self, formula: &Formula, is_negated: bool) -> Result<String, String> {
         let mut polynomials: Vec<String> = Vec::new();
         let text = proposition(formula, &mut |atom| match atom {
-            Formula::Compare(left, comparison, right) => self.compared(left, *comparison, right),
+            Formula::Compare(left, comparison, right) => {
+                let is_strict =
+                    matches!(comparison, Comparison::Less | Comparison::Greater | Comparison::Unequal);
+                if !is_strict && self.shown(left)? == self.shown(right)? {
+                    return Err(same_sides());
+                }
+                self.compared(left, *comparison, right)
+            }
             Formula::Roots(statement, written, variable) => {
                 let (_, coefficients) = located(written, &self.names, variable, &self.premises)?;
                 let list = list(&coefficients);
@@ -110,7 +115,11 @@ impl Stated {
             }
             _ => Err("a statement on a pair of roots that crosses the axis".into()),
         })?;
-        let text = if altered { format!("~ ({text})") } else { format!("({text})") };
+        let text = match is_negated {
+            true => format!("~ ({text})"),
+            false if polynomials.is_empty() => text,
+            false => format!("({text})"),
+        };
         Ok(polynomials.concat() + &text)
     }
 
@@ -167,7 +176,7 @@ pub(super) fn wanted(formula: &Formula, scope: &Scope, stated: &Stated) -> Formu
 pub(super) fn point_of(proof: &Proof) -> Option<Point> {
     let mut certificates = proof.steps.iter().filter_map(|step| step.certificate.as_ref());
     certificates.find_map(|one| match one {
-        Certificate::Value { point, .. } => {
+        Certificate::Value { point, .. } | Certificate::Difference { point, .. } => {
             let value = |value: &Expression| value.rational_value(&Point::new());
             point.iter().map(|(name, one)| Some((name.clone(), value(one)?))).collect()
         }
@@ -176,8 +185,13 @@ pub(super) fn point_of(proof: &Proof) -> Option<Point> {
 }
 
 impl Steps<'_> {
-    /// The tactics for the negation of a formula: it is false at this point, which meets the conditions.
-    pub(super) fn refuted(&mut self, formula: &Formula, mut point: Point) -> Result<String, String> {
+    /// The tactics for a formula, or for its negation, at this point, which meets the conditions.
+    pub(super) fn at_point(
+        &mut self,
+        formula: &Formula,
+        mut point: Point,
+        is_negated: bool,
+    ) -> Result<String, String> {
         let stated = self.stated;
         for solved in stated.premises.solved.iter().rev() {
             let value =
@@ -191,8 +205,12 @@ impl Steps<'_> {
             .map(|(name, value)| (name, Expression::Number(value)))
             .collect();
         let named: Vec<String> = values.values().map(coq::text).collect();
-        let conditions = "split; [ possible | ]; ".repeat(stated.hypotheses.len());
-        Ok(format!("exists {}; {conditions}{}", named.join(", "), self.by_signs(formula, &values, true)?))
+        let conditions = "split; [ met | ]; ".repeat(stated.hypotheses.len());
+        Ok(format!(
+            "exists {}; {conditions}{}",
+            named.join(", "),
+            self.by_signs(formula, &values, is_negated)?
+        ))
     }
 
     /// The tactics for the existence of values: the witness, or the values at the point of the proof.
@@ -250,7 +268,8 @@ impl Steps<'_> {
         tactics += &format!("apply (fun same => from_signs _ ({over_signs}) same); [ by_signs | ");
         let mut zeros = String::new();
         // At a point the values alone decide.
-        let facts = if is_negated { Vec::new() } else { self.facts() };
+        let is_point = !values.is_empty() && stated.there_is.is_empty();
+        let facts = if is_point { Vec::new() } else { self.facts() };
         for (certificate, number) in facts.iter().zip(1..) {
             let Ok(applied) = self.applied(certificate, &[]) else { continue };
             tactics +=
@@ -259,7 +278,7 @@ impl Steps<'_> {
                 zeros += &format!("try case_of_zero f'{number} {} {}; ", shown(name), coq::text(&value));
             }
         }
-        if !is_negated {
+        if !is_point {
             tactics += &self.opposites(&lowered);
         }
         let cases = if zeros.is_empty() {
