@@ -423,4 +423,4 @@ impl From<&RationalFunction> for Expression {
 }
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;

@@ -6,32 +6,65 @@ use proptest::prelude::*;
 
 use super::*;
 
-/// Terms of which the square is known, or nothing.
-const ROOTS: [&str; 6] = ["sqrt(x)", "sqrt(x + y)", "sqrt(x^2 + 1)", "sqrt(2)", "sin(x)", "exp(-x)"];
+/// Terms of which the square or the sign is known under some of the conditions, and free ones.
+const TERMS: [&str; 14] = [
+    "1",
+    "z",
+    "z^2",
+    "sqrt(x)",
+    "sqrt(y)",
+    "sqrt(x + y)",
+    "sqrt(x - y)",
+    "sqrt(x^2 + 1)",
+    "sqrt(y + sqrt(x))",
+    "sqrt(2)",
+    "sin(z)",
+    "exp(-x)",
+    "ln(1 + x)",
+    "asinh(y)",
+];
+
+const CONDITIONS: [(&str, Relation, fn(Ordering) -> bool); 4] = [
+    ("1", Relation::Positive, Ordering::is_gt),
+    ("x - y", Relation::Positive, Ordering::is_gt),
+    ("x - y", Relation::NonNegative, Ordering::is_ge),
+    ("x - y", Relation::NonZero, Ordering::is_ne),
+];
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(1000))]
+    #![proptest_config(ProptestConfig::with_cases(2000))]
 
-    /// A decided sign is that of the value everywhere, and what is never zero has one sign everywhere.
+    /// A decided sign is that of the value everywhere; what divides is never zero, and what has a root is never negative.
     #[test]
     fn decided_signs_are_those_of_values(
-        factors in prop::collection::vec(-3_i32..4, 6),
-        root in 0..ROOTS.len(),
-        points in prop::collection::vec((1_u32..60, 1_u32..60), 4),
+        factors in prop::collection::vec(-2_i32..3, 6),
+        terms in prop::array::uniform2(0..TERMS.len()),
+        condition in 0..CONDITIONS.len(),
+        points in prop::collection::vec((1_u32..60, 1_u32..60, -9_i32..10), 6),
     ) {
-        let [a, b, c, d, e, f] = factors[..] else { unreachable!() };
-        let text = format!("({a}*x + {b}*y + {c}) + ({d}*x + {e}*y + {f})*{}", ROOTS[root]);
-        let (domain, expression) = (Domain::positive("x y"), parse(&text));
-        let orders: Vec<Option<Ordering>> = points.iter().map(|(x, y)| {
-            let values = [("x", x), ("y", y)].map(|(name, value)| (name.into(), Rational::from((*value, 8))));
-            expression.order_at(&values.into())
-        }).collect();
+        let parts = terms.iter().zip(factors.chunks(3)).map(|(term, factors)| {
+            let [a, b, c] = factors[..] else { unreachable!() };
+            format!("({a}*x + {b}*y + {c})*{}", TERMS[*term])
+        });
+        let text = parts.collect::<Vec<_>>().join(" + ");
+        let (given, relation, holds) = CONDITIONS[condition];
+        let (domain, expression) = (Domain::positive("x y").given(parse(given), relation), parse(&text));
+        let points = points.iter().map(|(x, y, z)| {
+            [("x", Rational::from((*x, 8))), ("y", Rational::from((*y, 8))), ("z", Rational::from((*z, 4)))]
+                .map(|(name, value)| (Symbol::from(name), value)).into()
+        });
+        let points = points.filter(|point| parse(given).order_at(point).is_some_and(holds));
+        // None: it may be zero without being rational.
+        let orders: Vec<Option<Ordering>> = points.map(|point| expression.order_at(&point)).collect();
+        let all = |holds: fn(Ordering) -> bool| orders.iter().all(|order| order.is_some_and(holds));
         if let Ok(Some(sign)) = domain.sign(&expression) {
-            let wanted = if sign > 0 { Ordering::Greater } else { Ordering::Less };
-            prop_assert!(orders.iter().all(|order| *order == Some(wanted)), "{} has the sign {}", text, sign);
+            prop_assert!(all(if sign > 0 { Ordering::is_gt } else { Ordering::is_lt }), "{} has the sign {}", text, sign);
         }
         if domain.rational_function(&parse(&format!("1/({text})"))).is_ok() {
-            prop_assert!(orders.iter().all(|order| *order == orders[0] && order.is_some()), "1/({})", text);
+            prop_assert!(all(Ordering::is_ne), "1/({})", text);
+        }
+        if domain.rational_function(&parse(&format!("sqrt({text})"))).is_ok() {
+            prop_assert!(orders.iter().all(|order| order.is_none_or(Ordering::is_ge)), "sqrt({})", text);
         }
     }
 }

@@ -10,14 +10,14 @@ use crate::{Domain, Extent};
 
 /// A value by the rules of arithmetic: exact until the first function, with rounding errors from there on.
 #[derive(Debug, Clone)]
-struct Value {
+pub(crate) struct Value {
     near: f64,
     exact: Option<Rational>,
 }
 
 /// Why there is none.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Gap {
+pub(crate) enum Gap {
     /// It does not exist.
     Undefined,
     /// Rounding errors hide whether it exists, or most of its digits.
@@ -57,7 +57,7 @@ impl Value {
         self.combined(other, |one, other| one * other, |one, other| one * other)
     }
 
-    fn is(&self, other: &Self) -> bool {
+    pub fn is(&self, other: &Self) -> bool {
         match (&self.exact, &other.exact) {
             (Some(one), Some(other)) => one == other,
             _ => (self.near - other.near).abs() < 1e-5 * (1.0 + self.near.abs()),
@@ -65,10 +65,10 @@ impl Value {
     }
 }
 
-type Point = BTreeMap<Symbol, Rational>;
+pub(crate) type Point = BTreeMap<Symbol, Rational>;
 
 /// The value at a point, where f(x) = 3 − 2x + 5x²/2.
-fn value(expression: &Expression, point: &Point) -> Result<Value, Gap> {
+pub(crate) fn value(expression: &Expression, point: &Point) -> Result<Value, Gap> {
     let go = |inner: &Expression| value(inner, point);
     let number = |numerator: i32| Value::exact(Rational::from((numerator, 2)));
     let sum =
@@ -119,12 +119,12 @@ fn value(expression: &Expression, point: &Point) -> Result<Value, Gap> {
 
 /// What an expression may be made of.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Of {
+pub(crate) enum Of {
     Quotients,
     Functions,
 }
 
-fn expressions(of: Of) -> impl Strategy<Value = Expression> {
+pub(crate) fn expressions(of: Of) -> impl Strategy<Value = Expression> {
     let number = (-2_i32..4, 1_i32..3).prop_map(|value| Expression::Number(Rational::from(value)));
     let leaf = prop_oneof![number, prop::sample::select(vec!["x", "y"]).prop_map(Expression::variable)];
     leaf.prop_recursive(3, 12, 3, move |inner| {
@@ -145,7 +145,7 @@ fn expressions(of: Of) -> impl Strategy<Value = Expression> {
     })
 }
 
-fn points() -> impl Strategy<Value = Point> {
+pub(crate) fn points() -> impl Strategy<Value = Point> {
     ((-4_i32..7, 1_i32..3), (-4_i32..7, 1_i32..3)).prop_map(|(x, y)| {
         let function = [("f", 3), ("f'", -2), ("f''", 5)]
             .map(|(name, value)| (Symbol::at_zero(&name.into()), value.into()));
