@@ -32,7 +32,7 @@ const CONDITIONS: [(&str, Relation, fn(Ordering) -> bool); 4] = [
 ];
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(2000))]
+    #![proptest_config(ProptestConfig::with_cases(1000))]
 
     /// A decided sign is that of the value everywhere; what divides is never zero, and what has a root is never negative.
     #[test]
