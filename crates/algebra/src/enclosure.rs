@@ -14,6 +14,7 @@ pub trait Enclosure: Field {
     fn over(self, divisor: &Self) -> Option<Self>;
 
     /// An enclosure of the values of a function; none where there may be none, and where the function is not known to this kind of set.
+    /// Of a ball that reaches below zero, it is the square root of the part that is not negative.
     #[must_use]
     fn call(self, function: Function) -> Option<Self>;
 }

@@ -3,6 +3,7 @@
 use std::cmp::Ordering;
 
 use proptest::prelude::*;
+use rug::Float;
 
 use super::*;
 use crate::number::{Ball, Interval};
@@ -161,23 +162,44 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(2000))]
 
     #[test]
-    fn exact_values_enclosures_and_orders_are_those_of_arithmetic(expression in expressions(Of::Functions), point in points()) {
+    fn exact_values_enclosures_and_orders_are_those_of_arithmetic(
+        expression in expressions(Of::Functions), point in points(), width in prop::sample::select(vec![0.0, 0.25, 3.0])
+    ) {
         let (exact, order) = (expression.rational_value(&point), expression.order_at(&point));
-        let ball = |name: &Symbol| point.get(name).map(|value| Ball::from_rational(value, 128));
-        let interval = |name: &Symbol| point.get(name).map(Interval::enclosing);
+        let own = |name: &Symbol, width: f64| point.get(name).map(|value| (value.to_f64(), if name.as_str().len() == 1 { width } else { 0.0 }));
+        let ball = |name: &Symbol| {
+            own(name, width).map(|(centre, width)| Ball::new(Float::with_val(128, centre), Float::with_val(64, width)))
+        };
+        let interval = |name: &Symbol| own(name, width).map(|(centre, width)| Interval::about(centre, width));
         let (ball, interval) = (expression.enclosed_with(&ball, 128), expression.enclosed_with(&interval, 53));
         match value(&expression, &point) {
             Ok(wanted) => {
-                let close = |low: f64, high: f64| low - 1e-5 * (1.0 + low.abs()) <= wanted.near && wanted.near <= high + 1e-5 * (1.0 + high.abs());
-                let ball = ball.expect("a value");
-                prop_assert!(close(ball.lower().to_f64(), ball.upper().to_f64()) && ball.radius() < 1e-9);
-                prop_assert!(interval.is_none_or(|interval| close(interval.low, interval.high)));
+                let holds = |low: f64, high: f64| {
+                    low - 1e-5 * (1.0 + low.abs()) <= wanted.near && wanted.near <= high + 1e-5 * (1.0 + high.abs())
+                };
+                prop_assert!(interval.is_none_or(|interval| holds(interval.low, interval.high)));
+                prop_assert!(ball.as_ref().is_none_or(|ball| holds(ball.lower().to_f64(), ball.upper().to_f64())));
+                prop_assert!(width > 0.0 || ball.is_some_and(|ball| ball.radius() < 1e-9));
                 prop_assert!(exact.as_ref().is_none_or(|exact| wanted.is(&Value::exact(exact.clone()))));
                 prop_assert!(exact.is_some() || wanted.exact.is_none());
                 prop_assert!(order == wanted.order().ok() || wanted.exact.is_none() && wanted.near.abs() < 1e-4);
             }
-            Err(Gap::Undefined) => prop_assert!(exact.is_none() && order.is_none() && ball.is_none() && interval.is_none()),
+            Err(Gap::Undefined) => prop_assert!(exact.is_none() && order.is_none() && interval.is_none() && (ball.is_none() || width > 0.0)),
             Err(Gap::Unsure) => {}
+        }
+    }
+
+    #[test]
+    fn derivatives_are_the_slopes_between_near_points(expression in expressions(Of::Functions), point in points()) {
+        let x = Symbol::from("x");
+        let derivative = expression.derivative(&x);
+        let at = |step: i32| {
+            let moved = point.iter().map(|(name, own)| (name.clone(), if *name == x { own + Rational::from((step, 1 << 20)) } else { own.clone() }));
+            value(&expression, &moved.collect())
+        };
+        if let (Ok(after), Ok(before), Ok(found)) = (at(1), at(-1), value(&derivative, &point)) {
+            let slope = (after.near - before.near) * f64::from(1 << 19);
+            prop_assert!((slope - found.near).abs() < 1e-3 * (1.0 + slope.abs()), "{} for {}", derivative, expression);
         }
     }
 
