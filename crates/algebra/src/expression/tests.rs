@@ -7,7 +7,7 @@ use rug::Float;
 
 use super::*;
 use crate::number::{Ball, Interval};
-use crate::{Domain, Extent};
+use crate::{Comparison, Domain, Extent};
 
 /// A value by the rules of arithmetic: exact until the first function, with rounding errors from there on.
 #[derive(Debug, Clone)]
@@ -118,6 +118,16 @@ pub(crate) fn value(expression: &Expression, point: &Point) -> Result<Value, Gap
     }
 }
 
+/// Whether a condition holds at a point.
+fn met(demand: &Condition, point: &Point) -> Result<bool, Gap> {
+    let order = value(&demand.expression, point)?.order()?;
+    Ok(match demand.relation {
+        Relation::Positive => order.is_gt(),
+        Relation::NonNegative => order.is_ge(),
+        Relation::NonZero => order.is_ne(),
+    })
+}
+
 /// What an expression may be made of.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Of {
@@ -205,14 +215,7 @@ proptest! {
 
     #[test]
     fn the_demands_of_an_expression_hold_exactly_where_it_has_a_value(expression in expressions(Of::Functions), point in points()) {
-        let met = |demand: Condition| {
-            value(&demand.expression, &point)?.order().map(|order| match demand.relation {
-                Relation::Positive => order.is_gt(),
-                Relation::NonNegative => order.is_ge(),
-                Relation::NonZero => order.is_ne(),
-            })
-        };
-        let met: Vec<Result<bool, Gap>> = expression.demands().into_iter().map(met).collect();
+        let met: Vec<Result<bool, Gap>> = expression.demands().iter().map(|demand| met(demand, &point)).collect();
         match value(&expression, &point) {
             Ok(_) => prop_assert!(met.iter().all(|met| *met == Ok(true))),
             Err(Gap::Undefined) => prop_assert!(met.iter().any(|met| *met != Ok(true))),
@@ -222,6 +225,30 @@ proptest! {
         let is_positive = |name: &Symbol| point[name] > 0;
         if expression.is_positive_by_form(&is_positive) {
             prop_assert!(value(&expression, &point).map_or(true, |value| value.near > 0.0));
+        }
+    }
+
+    #[test]
+    fn a_text_is_read_as_it_is_written_and_demands_what_gives_it_a_value(expression in expressions(Of::Functions), point in points()) {
+        let text = expression.to_string();
+        let (read, demands) = Expression::read_in(&text, &["f".into()].into()).expect("in the grammar");
+        let demands: Vec<Condition> = demands.into_iter().map(|demand| demand.condition).collect();
+        match (value(&expression, &point), value(&read, &point)) {
+            (Ok(wanted), Ok(found)) => prop_assert!(found.is(&wanted) && demands.iter().all(|demand| met(demand, &point) == Ok(true)), "{}", text),
+            // A factor zero hides a part without value, which is demanded all the same.
+            (Err(Gap::Undefined), _) => prop_assert!(demands.iter().any(|demand| met(demand, &point) != Ok(true)), "{}", text),
+            (_, found) => prop_assert!(found.is_ok() || found.is_err_and(|gap| gap == Gap::Unsure), "{}", text),
+        }
+    }
+
+    #[test]
+    fn comparisons_hold_as_their_literals_do(left in -3_i32..4, right in -3_i32..4) {
+        let orders = [left <= right, left >= right, left != right, left == right, left < right, left > right];
+        for (comparison, holds) in Comparison::ALL.iter().zip(orders) {
+            prop_assert_eq!(comparison.holds(left.cmp(&right)), holds);
+            let literal = comparison.literal(Expression::integer(left), Expression::integer(right));
+            prop_assert_eq!(literal.holds_at(&Point::new()), Some(holds));
+            prop_assert_eq!(literal.negated().holds_at(&Point::new()), Some(!holds));
         }
     }
 
