@@ -60,3 +60,24 @@ impl Enclosure for Interval {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn intervals_of_64_bits_know_quotients_roots_and_absolute_values() {
+        let between = |low: f64, high: f64| Interval { low, high };
+        let holds = |found: Option<Interval>, low: f64, high: f64| {
+            found.is_some_and(|found| (found.low - low).abs() + (found.high - high).abs() < 1e-12)
+        };
+        assert!(holds(between(1.0, 2.0).over(&between(2.0, 4.0)), 0.25, 1.0));
+        assert!(holds(between(1.0, 4.0).call(Function::Sqrt), 1.0, 2.0));
+        assert!(holds(between(1.0, 3.0).call(Function::Abs), 1.0, 3.0));
+        assert!(holds(between(-3.0, -1.0).call(Function::Abs), 1.0, 3.0));
+        assert!(between(1.0, 2.0).over(&between(-1.0, 1.0)).is_none());
+        for function in [Function::Sqrt, Function::Abs, Function::Ln] {
+            assert!(between(-1.0, 3.0).call(function).is_none(), "{function:?}");
+        }
+    }
+}

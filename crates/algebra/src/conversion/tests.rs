@@ -85,11 +85,26 @@ fn signs_with_roots_are_decided_by_their_squares() {
         ("sqrt(x^2 + 2*x + 1) - x - 1", None),
         ("sqrt((x - y)^2 + 4*x*y) - x - y", None),
         ("3*sqrt(2) - 4", Some(1)),
+        ("-(z - x)^2 - y", Some(-1)),
+        ("ln(x)", None),
+        ("ln(1 + x)", Some(1)),
         ("1 - sqrt(x)", None),
         ("1 - 2*sin(x)", None),
         ("x - sqrt(x + y)", None),
     ] {
         assert_eq!(sign(text), expected, "{text}");
+    }
+    // The square of the inner root brings the outer one back: both signs follow from the conjugate.
+    for (text, expected) in
+        [("sqrt(x + y + sqrt(x)) - sqrt(x)", Some(1)), ("sqrt(x) - sqrt(x + y + sqrt(x))", Some(-1))]
+    {
+        assert_eq!(sign(text), expected, "{text}");
+    }
+    // What divides or multiplies without a known sign says nothing of the rest.
+    let unknown = domain.clone().given(parse("x - y"), Relation::NonZero);
+    for text in ["z/(x - y)", "z*(x - y)"] {
+        let domain = unknown.clone().given(parse(text), Relation::Positive);
+        assert_eq!(domain.sign(&parse("z")), Ok(None), "{text}");
     }
     for (text, has_value) in
         [("1/(x + 2 - sqrt(x))", true), ("1/(1 - sqrt(x))", false), ("1/(3*sqrt(2) - 4)", true)]
@@ -113,6 +128,10 @@ fn logarithms_of_products_fall_apart() {
     assert!(same(&domain, "ln(x*exp(-y/x)^2)", "ln(x) - 2*y/x"));
     assert!(domain.rational_function(&parse("ln(x - y)")).is_err());
     assert!(domain.rational_function(&parse("ln(z)")).is_err());
+    let is_open = |text: &str| domain.rational_function(&parse(text)).is_err_and(|error| error.is_open());
+    assert!(
+        is_open("ln(x - y)") && is_open("abs(x - y)") && !is_open("1/(x - y)") && !is_open("sqrt(x - y)")
+    );
 }
 
 #[test]
@@ -195,6 +214,14 @@ fn the_argument_of_a_root_must_not_be_negative() {
     for text in ["sqrt(x - y)", "sqrt(-x)", "sqrt(1 - z^2)", "sqrt(z)", "sqrt(sin(z))", "sqrt(1 - 2*sin(z))"]
     {
         assert!(refused(&free, text), "{text}");
+    }
+    let below = free.clone().given(parse("1 - z"), Relation::Positive);
+    assert!(
+        !refused(&below, "sqrt((y - sqrt(x + y^2))/(z - 1))")
+            && !refused(&below, "sqrt((sin(w) - 1)/(z - 1))")
+    );
+    for text in ["sqrt((sqrt(x + y^2) - y)/(z - 1))", "sqrt((1 - sin(w))/(z - 1))", "sqrt(sqrt(x) - x - 1)"] {
+        assert!(refused(&below, text), "{text}");
     }
     let above = free.clone().given(parse("x - y"), Relation::NonNegative);
     assert!(!refused(&above, "sqrt(x - y)") && !refused(&above, "sqrt((x - y)/y)"));

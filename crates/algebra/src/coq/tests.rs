@@ -116,6 +116,7 @@ fn statements_are_those_of_their_certificates() {
         r#""positive": ["x"], "squares": [["q", "x"]], "substitutions": [], "example": [["q", "1"]]"#;
     let given = r#""positive": [], "given": ["x - 1 >= 0", "y != 0"], "substitutions": [],
         "example": [["x", "1"], ["y", "3"]]"#;
+    assert_eq!(super::text(&parsed("x/2")), "(x / 2)");
     let mut text = String::new();
     for (kind, fields, domain) in [
         ("identity", r#""left": "(x + y)^2", "right": "x^2 + 2*x*y + y^2""#, free),
@@ -130,6 +131,16 @@ fn statements_are_those_of_their_certificates() {
             "identity",
             r#""left": "c*d*i^0", "right": "-x*i*d""#,
             r#""positive": ["x"], "substitutions": [["c", "-i*x"]]"#,
+        ),
+        (
+            "identity",
+            r#""left": "i*ln(v)*e", "right": "2*z*i*ln(v)""#,
+            r#""positive": ["v"], "substitutions": [["e", "2*z"]]"#,
+        ),
+        (
+            "identity",
+            r#""left": "i*exp(u)*i", "right": "-exp(u)*z/z""#,
+            r#""positive": ["z"], "substitutions": []"#,
         ),
         ("identity", r#""left": "w/a", "right": "a + g""#, &defined),
         ("identity", r#""left": "q^3 + pm*pm", "right": "q*x + 1""#, squares),

@@ -341,3 +341,44 @@ proptest! {
         }
     }
 }
+
+fn parse(text: &str) -> Expression {
+    Expression::try_from(text.to_owned()).expect("of a certificate")
+}
+
+#[test]
+fn zeros_and_ones_are_simplified_where_nothing_without_value_is_lost() {
+    let [zero, one, x] = [Expression::integer(0), Expression::integer(1), Expression::variable("x")];
+    for gap in [zero.clone().power(0), zero.clone().power(-1), zero.clone() / zero.clone()] {
+        assert_eq!(gap.rational_value(&Point::new()), None, "{gap}");
+    }
+    assert_eq!(
+        [one.clone().power(-5), zero.clone().power(3), x.clone().power(0)],
+        [one.clone(), zero.clone(), one]
+    );
+    assert_eq!([x.clone() * -x.clone(), zero.clone() / x.clone()], [-(x.clone() * x), zero]);
+    for (text, replacements, expected) in [
+        ("z/x", vec![("z", "0")], "0"),
+        ("z/x", vec![("z", "0"), ("x", "y")], "0/y"),
+        ("z/x", vec![("z", "0"), ("x", "-exp(y)^2")], "0"),
+        ("z/x", vec![("z", "0"), ("x", "2*exp(y)")], "0"),
+        ("z/x", vec![("x", "y")], "z/y"),
+        ("z*ln(x)", vec![("z", "0")], "0"),
+        ("z*ln(x)", vec![("z", "0"), ("x", "y")], "0*ln(y)"),
+        ("z*x^2", vec![("z", "0"), ("x", "y")], "0"),
+        ("1*x*ln(y)", vec![("x", "1"), ("y", "x")], "ln(x)"),
+    ] {
+        let values = replacements.into_iter().map(|(name, value)| (name.into(), parse(value))).collect();
+        assert_eq!(parse(text).substitute(&values).to_string(), expected, "{text}");
+    }
+}
+
+#[test]
+fn roots_functions_and_positive_forms_are_seen() {
+    assert!(parse("sqrt(x)/y").has_root() && parse("y/sqrt(x)").has_root());
+    let [x, y] = ["x", "y"].map(Symbol::from);
+    assert!(parse("f(x)*y").has_function_of(&x) && !parse("f(x)*y").has_function_of(&y));
+    let is_positive = |text: &str| parse(text).is_positive_by_form(&|name| *name == x);
+    assert!(is_positive("x/(x + 2)^2*sqrt(x) + 1"));
+    assert!(["y", "-x", "0", "1/y", "x - 1"].iter().all(|text| !is_positive(text)));
+}
