@@ -24,7 +24,10 @@ const TERMS: [&str; 14] = [
     "asinh(y)",
 ];
 
-const CONDITIONS: [(&str, Relation, fn(Ordering) -> bool); 4] = [
+/// A condition, and where it holds.
+type Given = (&'static str, Relation, fn(Ordering) -> bool);
+
+const CONDITIONS: [Given; 4] = [
     ("1", Relation::Positive, Ordering::is_gt),
     ("x - y", Relation::Positive, Ordering::is_gt),
     ("x - y", Relation::NonNegative, Ordering::is_ge),

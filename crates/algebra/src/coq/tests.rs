@@ -201,3 +201,16 @@ fn statements_are_those_of_their_certificates() {
     }
     assert_eq!(text, include_str!("statements.txt"));
 }
+
+#[test]
+fn no_substitution_contains_the_variable_of_a_derivative() {
+    let theorem = |name: &str, image: &str| {
+        let domain = format!(r#""positive": [], "substitutions": [["{name}", "{image}"]]"#);
+        Theorem::of(&certificate(
+            "derivative",
+            r#""expression": "w*x", "variable": "x", "value": "w""#,
+            &domain,
+        ))
+    };
+    assert!(theorem("w", "v").is_ok() && theorem("w", "x + 1").is_err() && theorem("x", "v").is_err());
+}

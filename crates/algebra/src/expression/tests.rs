@@ -6,7 +6,7 @@ use proptest::prelude::*;
 use rug::Float;
 
 use super::*;
-use crate::number::{Ball, Interval};
+use crate::number::{Ball, Interval, nearest_f64};
 use crate::{Comparison, Domain, Extent};
 
 /// A value by the rules of arithmetic: exact until the first function, with rounding errors from there on.
@@ -27,7 +27,7 @@ pub(crate) enum Gap {
 
 impl Value {
     fn exact(value: Rational) -> Self {
-        Self { near: value.to_f64(), exact: Some(value) }
+        Self { near: nearest_f64(&value), exact: Some(value) }
     }
 
     fn near(near: f64) -> Result<Self, Gap> {
@@ -105,14 +105,14 @@ pub(crate) fn value(expression: &Expression, point: &Point) -> Result<Value, Gap
             let at = go(inner)?;
             match function {
                 Function::Ln if at.order()?.is_le() => Err(Gap::Undefined),
-                Function::Ln => Value::near(at.near.ln()),
+                Function::Ln => Value::near(libm::log(at.near)),
                 Function::Sqrt if at.order()?.is_lt() => Err(Gap::Undefined),
                 Function::Sqrt => Value::near(at.near.sqrt()),
                 Function::Abs => Value::near(at.near.abs()),
-                Function::Exp => Value::near(at.near.exp()),
-                Function::Asinh => Value::near(at.near.asinh()),
-                Function::Sin => Value::near(at.near.sin()),
-                Function::Cos => Value::near(at.near.cos()),
+                Function::Exp => Value::near(libm::exp(at.near)),
+                Function::Asinh => Value::near(libm::asinh(at.near)),
+                Function::Sin => Value::near(libm::sin(at.near)),
+                Function::Cos => Value::near(libm::cos(at.near)),
             }
         }
     }
@@ -176,7 +176,7 @@ proptest! {
         expression in expressions(Of::Functions), point in points(), width in prop::sample::select(vec![0.0, 0.25, 3.0])
     ) {
         let (exact, order) = (expression.rational_value(&point), expression.order_at(&point));
-        let own = |name: &Symbol, width: f64| point.get(name).map(|value| (value.to_f64(), if name.as_str().len() == 1 { width } else { 0.0 }));
+        let own = |name: &Symbol, width: f64| point.get(name).map(|value| (nearest_f64(value), if name.as_str().len() == 1 { width } else { 0.0 }));
         let ball = |name: &Symbol| {
             own(name, width).map(|(centre, width)| Ball::new(Float::with_val(128, centre), Float::with_val(64, width)))
         };
