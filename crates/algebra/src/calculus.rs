@@ -65,3 +65,14 @@ fn chain_rule(function: Function, argument: &Expression) -> Expression {
         Function::Cos => -argument.call(Function::Sin),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_moves_gains_a_prime() {
+        let expression: Expression = "x^2*y/z".parse().expect("in the grammar");
+        assert_eq!(expression.time_derivative(&["x", "y"]).to_string(), "2*x*y/z*x' + x^2/z*y'");
+    }
+}

@@ -14,6 +14,7 @@ pub trait Enclosure: Field {
     fn over(self, divisor: &Self) -> Option<Self>;
 
     /// An enclosure of the values of a function; none where there may be none, and where the function is not known to this kind of set.
+    /// Of a ball that reaches below zero, it is the square root of the part that is not negative.
     #[must_use]
     fn call(self, function: Function) -> Option<Self>;
 }
@@ -56,6 +57,27 @@ impl Enclosure for Interval {
             Function::Abs if self.low >= 0.0 => Some(self),
             Function::Abs if self.high <= 0.0 => Some(-self),
             _ => None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn intervals_of_64_bits_know_quotients_roots_and_absolute_values() {
+        let between = |low: f64, high: f64| Interval { low, high };
+        let holds = |found: Option<Interval>, low: f64, high: f64| {
+            found.is_some_and(|found| (found.low - low).abs() + (found.high - high).abs() < 1e-12)
+        };
+        assert!(holds(between(1.0, 2.0).over(&between(2.0, 4.0)), 0.25, 1.0));
+        assert!(holds(between(1.0, 4.0).call(Function::Sqrt), 1.0, 2.0));
+        assert!(holds(between(1.0, 3.0).call(Function::Abs), 1.0, 3.0));
+        assert!(holds(between(-3.0, -1.0).call(Function::Abs), 1.0, 3.0));
+        assert!(between(1.0, 2.0).over(&between(-1.0, 1.0)).is_none());
+        for function in [Function::Sqrt, Function::Abs, Function::Ln] {
+            assert!(between(-1.0, 3.0).call(function).is_none(), "{function:?}");
         }
     }
 }

@@ -421,3 +421,6 @@ impl From<&RationalFunction> for Expression {
         numerator / denominator
     }
 }
+
+#[cfg(test)]
+pub(super) mod tests;

@@ -10,7 +10,7 @@ impl Domain {
     /// The domain as it is, and with substitutions that reach every point of its conditions, in which more expressions have a sign.
     /// The sides name the roots that are to become rational.
     ///
-    /// Each form passes [`Domain::check`] where the domain does.
+    /// Each form passes [`Domain::check`] where the domain does and no positive variable is below an end that may be zero as written.
     #[must_use]
     pub fn forms(&self, sides: &[Expression]) -> Vec<Self> {
         forms(self, sides)
@@ -244,5 +244,56 @@ fn under_roots(expression: &Expression) -> Vec<Expression> {
         Expression::Negation(inner) | Expression::Power(inner, _) => under_roots(inner),
         Expression::Call(Function::Sqrt, inner) => [vec![(**inner).clone()], under_roots(inner)].concat(),
         Expression::Call(_, inner) | Expression::Generic(_, inner) => under_roots(inner),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{ConversionError, DomainError};
+
+    fn parse(text: &str) -> Expression {
+        text.parse().expect("in the grammar")
+    }
+
+    #[test]
+    fn forms_pass_their_check_and_prove_what_their_conditions_say() {
+        let positive = |text: &str| Condition { expression: parse(text), relation: Relation::Positive };
+        for (given, statement, is_seen) in [
+            ("x - y", "x^3 + x - y^3 - y", true),
+            ("x - y", "x^3 + x - 2*y^3 - y", false),
+            ("1 - x", "1/x^2 + 1 - 2*x^2", true),
+            ("y - 2*x*y + 1", "1 + y - x*y", true),
+            ("z - x", "z", true),
+            ("z - x", "z - 2*x", false),
+            ("x - z", "x^2 + 1 - x*z", false),
+            ("-1 - z", "z^2 - 1", true),
+            ("x - y", "sqrt(x) - sqrt(y)/2", true),
+            ("x - y", "sqrt(x) - sqrt(x - y)", true),
+            ("x - y", "sqrt(x) + sqrt(y) - sqrt(x - y)", true),
+            ("x - y", "sqrt(x)*y - sqrt(y)*x + x*sqrt(x)", true),
+        ] {
+            let domain = Domain::positive("x y").given(parse(given), Relation::Positive);
+            let domain = ["x", "y", "z"].into_iter().fold(domain, |domain, name| match given {
+                "x - y" if name == "x" => domain.example(name, parse("2")),
+                "1 - x" | "y - 2*x*y + 1" if name == "x" => domain.example(name, parse("1/2")),
+                "z - x" if name == "z" => domain.example(name, parse("2")),
+                "-1 - z" if name == "z" => domain.example(name, parse("-2")),
+                _ => domain,
+            });
+            assert_eq!(domain.check(), Ok(()), "{given}");
+            let sides = [parse(statement)];
+            let ways = (0..Domain::WAYS).flat_map(|way| domain.forms_in_way(way, &sides));
+            // A positive variable below an end z is z/(1 + g) with g = z/x - 1, and z may be zero as written.
+            for form in ways.chain(domain.forms(&sides)) {
+                let found = form.check();
+                assert!(
+                    matches!(found, Ok(()) | Err(DomainError::Conversion(ConversionError::PossibleZero(_)))),
+                    "{form:?} {found:?}"
+                );
+            }
+            let proves = domain.proves_in_some_form(&positive(statement));
+            assert_eq!(proves.map(|form| form.check()), is_seen.then_some(Ok(())), "{statement} for {given}");
+        }
     }
 }

@@ -125,3 +125,37 @@ pub fn written_out(rows: &[Vec<Expression>]) -> Expression {
         },
     )
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lists_of_other_lengths_and_names_for_two_things_make_no_system() {
+        let list = |texts: &str| {
+            texts.split_whitespace().map(|text| text.parse().expect("in the grammar")).collect::<Vec<_>>()
+        };
+        let found = |state: &str, rates: &str, steady: &str, slopes: &[&str]| {
+            let state = state.split_whitespace().map(|name| name.parse().expect("a name")).collect();
+            let slopes = slopes.iter().map(|row| list(row)).collect();
+            Linearisation { state, rates: list(rates), steady: list(steady), slopes }
+                .identities(&"s".into(), &Expression::variable("p"))
+                .map(|identities| identities.len())
+        };
+        assert_eq!(found("x v", "v -x", "0 0", &["0 1", "-1 0"]), Ok(7));
+        for (state, rates, steady, slopes) in [
+            ("x v", "v -x 0", "0 0", ["0 1", "-1 0"]),
+            ("x v", "v -x", "0 0 0", ["0 1", "-1 0"]),
+            ("x v", "v -x", "0 0", ["0 1", "-1 0 0"]),
+            ("x x", "v -x", "0 0", ["0 1", "-1 0"]),
+            ("x s", "s -x", "0 0", ["0 1", "-1 0"]),
+            ("x v", "v s", "0 0", ["0 1", "-1 0"]),
+            ("x v", "v -x", "0 s", ["0 1", "-1 0"]),
+            ("x v", "v -x", "0 x", ["0 1", "-1 0"]),
+            ("x v", "v -x", "0 0", ["0 1", "-1 v"]),
+        ] {
+            assert!(found(state, rates, steady, &slopes).is_err(), "{state} {rates} {steady} {slopes:?}");
+        }
+        assert!(found("x", "-x", "0", &["-1", "0"]).is_err());
+    }
+}

@@ -72,8 +72,10 @@ pub fn discriminant(polynomial: &Polynomial, variable: &(impl AsRef<Generator> +
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
+
     use super::*;
-    use crate::Symbol;
+    use crate::{Domain, Expression, RationalFunction, Symbol};
 
     fn variable(name: &'static str) -> Polynomial {
         Polynomial::variable(name)
@@ -101,5 +103,38 @@ mod tests {
         let (zero, one) = (Polynomial::zero(), Polynomial::one());
         let exchange = vec![vec![zero.clone(), one.clone()], vec![one, zero]];
         assert_eq!(determinant(&exchange), -&Polynomial::one());
+    }
+
+    /// The polynomial with these coefficients in x, by ascending power.
+    fn polynomial(coefficients: &[i32]) -> Polynomial {
+        let term = |(power, value): (u32, &i32)| variable("x").pow(power).scale(&(*value).into());
+        (0..).zip(coefficients).map(term).fold(Polynomial::zero(), |sum, term| &sum + &term)
+    }
+
+    proptest! {
+        #[test]
+        fn determinants_are_those_written_out(size in 0..5_usize, entries in prop::collection::vec((-2..3, -1..2), 16)) {
+            let rows: Vec<Vec<Polynomial>> =
+                entries.chunks(4).take(size).map(|row| row[..size].iter().map(|(a, b)| polynomial(&[*a, *b])).collect()).collect();
+            let written: Vec<Vec<Expression>> = rows.iter().map(|row| row.iter().map(Expression::from).collect()).collect();
+            let wanted = Domain::default().rational_function(&crate::written_out(&written)).expect("a polynomial");
+            prop_assert_eq!(RationalFunction::from(determinant(&rows)), wanted);
+        }
+
+        /// With roots a of a polynomial that begins with c, the resultant with q is the product of all q(a) times a power of c.
+        #[test]
+        fn resultants_and_discriminants_are_those_of_built_in_roots(
+            roots in prop::collection::vec(-3..4, 1..5), leading in prop::sample::select(vec![-2, 1, 3]), other in prop::collection::vec(-3..4, 1..4)
+        ) {
+            let (x, right) = (Symbol::from("x"), polynomial(&other));
+            let left = roots.iter().fold(polynomial(&[leading]), |product, root| &product * &polynomial(&[-root, 1]));
+            let at = |root: &i32| right.evaluate(&[(x.clone(), (*root).into())].into()).expect("a number");
+            let power = |exponent: u32| Polynomial::constant(leading.pow(exponent).into());
+            let values = roots.iter().fold(rug::Rational::from(1), |product, root| product * at(root));
+            prop_assert_eq!(resultant(&left, &right, &x), power(right.degree(&x)).scale(&values));
+            let pairs = (0..roots.len()).flat_map(|one| (0..one).map(move |other| (one, other)));
+            let differences: i32 = pairs.map(|(one, other)| (roots[one] - roots[other]).pow(2)).product();
+            prop_assert_eq!(discriminant(&left, &x), power(2 * roots.len() as u32 - 2).scale(&differences.into()));
+        }
     }
 }

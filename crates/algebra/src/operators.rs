@@ -96,6 +96,8 @@ impl fmt::Display for Polynomial {
 
 #[cfg(test)]
 mod tests {
+    use std::collections::BTreeSet;
+
     use proptest::prelude::*;
 
     use super::*;
@@ -104,12 +106,15 @@ mod tests {
     /// Small random polynomials in x and y.
     fn polynomial() -> impl Strategy<Value = Polynomial> {
         proptest::collection::vec((-9i32..10, 1i32..5, 0u32..4, 0u32..4), 0..6).prop_map(|terms| {
-            let mut sum = Polynomial::zero();
+            let (mut sum, mut one_by_one) = (Polynomial::zero(), Polynomial::zero());
             for (numerator, denominator, x_power, y_power) in terms {
                 let monomial = Monomial::power(&Symbol::from("x"), x_power)
                     .times(&Monomial::power(&Symbol::from("y"), y_power));
-                sum = &sum + &Polynomial::term(Rational::from((numerator, denominator)), monomial);
+                let coefficient = Rational::from((numerator, denominator));
+                one_by_one.add_term(&monomial, &coefficient);
+                sum = &sum + &Polynomial::term(coefficient, monomial);
             }
+            assert_eq!(sum, one_by_one);
             sum
         })
     }
@@ -129,6 +134,11 @@ mod tests {
             prop_assert_eq!(at(&(&a + &b)), at(&a) + at(&b));
             prop_assert_eq!(at(&(&a - &b)), at(&a) - at(&b));
             prop_assert_eq!(at(&(&a * &b)), at(&a) * at(&b));
+            let x = Symbol::from("x");
+            let moved = point.iter().map(|(name, own)| (name.clone(), if *name == x { at(&b) } else { own.clone() }));
+            prop_assert_eq!(Some(at(&a.substitute(&x, &b))), a.evaluate(&moved.collect()));
+            let signs: BTreeSet<_> = a.terms().map(|(_, coefficient)| if coefficient.is_positive() { 1 } else { -1 }).collect();
+            prop_assert_eq!(a.coefficient_sign(), signs.first().copied().filter(|_| signs.len() == 1));
             let results = [&a + &b, &a - &b, &a * &b].into_iter().chain((&a * &b).divide_exact(&b));
             for result in results {
                 prop_assert!(result.terms().is_sorted_by(|(lighter, _), (heavier, _)| lighter < heavier));

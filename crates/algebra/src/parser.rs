@@ -417,4 +417,20 @@ mod tests {
         let text = format!("{}x{}", "(".repeat(100), ")".repeat(100));
         assert!(message(&text).contains("nested deeper"));
     }
+
+    #[test]
+    fn demands_have_their_columns_and_long_sums_are_not_deep() {
+        let (_, demands) =
+            Expression::read("x + (y - 1)^-2 + ln(x)*sqrt( y)/(x - y)^2").expect("in the grammar");
+        let columns = demands.iter().map(|demand| format!("{} {}", demand.column, demand.condition));
+        assert_eq!(
+            columns.collect::<Vec<_>>(),
+            ["5 y - 1 != 0", "20 x > 0", "28 y >= 0", "33 (x - y)^2 != 0"]
+        );
+        let sum = vec!["x^2"; 400].join(" + ");
+        assert!(sum.parse::<Expression>().is_ok());
+        let parameters = Expression::try_from("2*#13 + #2".to_owned()).expect("of a certificate").variables();
+        assert_eq!(parameters, [13, 2].map(Symbol::parameter).into());
+        assert!("x + 1".parse::<Symbol>().is_err() && "(x)".parse::<Symbol>().is_err());
+    }
 }

@@ -434,4 +434,24 @@ mod tests {
         assert!(whole.steps[0].is_same(&lemma.steps[0]) && whole.steps.len() == 1 && whole.is_certified());
         assert!(whole.to_string().contains("Lemma: A part.\n  Lemma: The binomial formula.\n  1. "));
     }
+
+    #[test]
+    fn proofs_of_other_names_statements_or_steps_are_not_the_same() {
+        let (domain, two) = (Domain::positive("x"), Proof::new("two", "Two signs."));
+        let whole = two
+            .positive("p", &[], &parse("x"), &domain)
+            .and_then(|one| one.negative("n", &[], &parse("-x"), &domain));
+        let whole = whole.expect("true");
+        assert!(whole.is_certified() && !whole.clone().reason("argued").is_certified());
+        let others = [
+            Proof { id: "other".into(), ..whole.clone() },
+            Proof { statement: "Other.".into(), ..whole.clone() },
+            whole.clone().reason("argued"),
+        ];
+        assert!(whole.is_same(&whole.clone()) && others.iter().all(|other| !whole.is_same(other)));
+        assert!(!whole.steps[0].is_same(&whole.steps[1]));
+        let lines = whole.lines_without(|steps| Some((steps.len(), "elsewhere".to_owned())));
+        assert_eq!(lines[0].numbers(), "1-2");
+        assert_eq!(whole.lines_without(|_| Some((1, "elsewhere".to_owned())))[1].numbers(), "2");
+    }
 }

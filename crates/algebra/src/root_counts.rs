@@ -144,4 +144,18 @@ mod tests {
         assert_eq!(UnivariatePolynomial::from_integers(&[]).root_counts(), None);
         assert_eq!(UnivariatePolynomial::from_integers(&[-3]).root_counts(), Some(RootCounts::default()));
     }
+
+    #[test]
+    fn the_bound_of_the_roots_lies_beyond_them() {
+        for root in (-40..41).filter(|root| *root != 0) {
+            for scale in [1, 9] {
+                let p = UnivariatePolynomial::new(vec![
+                    Rational::from((-root, scale)),
+                    Rational::from((1, scale)),
+                ]);
+                let counts = p.root_counts().expect("not zero");
+                assert_eq!((counts.real, counts.positive), (1, usize::from(root > 0)), "{root}/{scale}");
+            }
+        }
+    }
 }

@@ -154,7 +154,11 @@ impl Series {
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
+    use rug::Rational;
+
     use super::*;
+    use crate::UnivariatePolynomial;
 
     fn numbers(values: &[i32]) -> Series {
         Series::new(values.iter().map(|value| RationalFunction::from(*value)).collect())
@@ -189,5 +193,51 @@ mod tests {
         let (x, y) = (Symbol::from("x"), Symbol::from("y"));
         let relation = &Polynomial::variable("y").pow(2) - &Polynomial::variable("x");
         assert_eq!(Series::implicit(&relation, &x, &y, RationalFunction::from(0), 3), None);
+    }
+
+    proptest! {
+        #[test]
+        fn sums_products_and_values_are_those_of_polynomials(
+            one in prop::collection::vec(-4..5, 1..6), other in prop::collection::vec(-4..5, 1..6), at in -3_i32..4
+        ) {
+            let length = one.len().min(other.len());
+            let whole = |values: &[i32]| UnivariatePolynomial::new(values.iter().map(|value| Rational::from(*value)).collect());
+            let cut = |polynomial: UnivariatePolynomial| {
+                let all = polynomial.coefficients().iter().cloned().chain(std::iter::repeat_with(Rational::new));
+                Series::new(all.take(length).map(RationalFunction::constant).collect())
+            };
+            prop_assert_eq!(numbers(&one).plus(&numbers(&other)), cut(whole(&one).plus(&whole(&other))));
+            prop_assert_eq!(numbers(&one).times(&numbers(&other)), cut(whole(&one).times(&whole(&other))));
+            let written: Vec<Expression> = one.iter().map(|value| Expression::integer(*value)).collect();
+            let value = Series::expression(&written, &Expression::variable("x")).rational_value(&[(Symbol::from("x"), Rational::from(at))].into());
+            prop_assert!(value == Some(whole(&one).evaluate(&at.into())) || at == 0);
+            if let Some(inverse) = numbers(&one).reciprocal() {
+                prop_assert_eq!(numbers(&one).times(&inverse), Series::constant(RationalFunction::from(1), one.len()));
+            }
+        }
+
+        /// The series of a root makes its relation zero, a changed coefficient does not, and a root that is not single has none.
+        #[test]
+        fn a_series_solves_its_relation(factors in prop::collection::vec(-2_i32..3, 9), start in -2_i32..3, length in 1..5_usize, changed in 0..5_usize) {
+            let (x, y) = (Symbol::from("x"), Symbol::from("y"));
+            let term = |(at, factor): (u32, &i32)| {
+                let powers = &Polynomial::variable("x").pow(at / 3) * &Polynomial::variable("y").pow(at % 3);
+                powers.scale(&(*factor).into())
+            };
+            let relation = (0..).zip(&factors).map(term).fold(Polynomial::zero(), |sum, term| &sum + &term);
+            let at_start = |polynomial: &Polynomial| polynomial.evaluate(&[(x.clone(), Rational::new()), (y.clone(), Rational::from(start))].into()).expect("numbers");
+            let relation = &relation - &Polynomial::constant(at_start(&relation));
+            let slope = at_start(&relation.derivative(&y));
+            let found = Series::implicit(&relation, &x, &y, start.into(), length);
+            prop_assert_eq!(found.is_some(), !slope.is_zero());
+            if let Some(mut series) = found {
+                let zero = RationalFunction::from(0);
+                prop_assert_eq!(series.residual(&relation, &x, &y), Some(zero.clone()));
+                prop_assert_eq!(&series.coefficients()[0], &RationalFunction::from(start));
+                let place = changed % length;
+                series.0[place] = &series.0[place] + &RationalFunction::from(7);
+                prop_assert!(place == 0 || series.residual(&relation, &x, &y) != Some(zero));
+            }
+        }
     }
 }

@@ -186,6 +186,9 @@ mod tests {
         assert_eq!(demands[0].column, 7);
         assert_eq!(source.expression(parts[2]).expect_err("it ends").column, 20);
         assert_eq!(source.column("elsewhere"), 20);
+        let functions = BTreeSet::from(["f".into()]);
+        let source = Source::new("f(x)").with_functions(&functions);
+        assert!(source.expression(source.text()).is_ok() && Source::new("f(x)").expression("f(x)").is_err());
     }
 
     #[test]

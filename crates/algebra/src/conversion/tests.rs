@@ -6,32 +6,68 @@ use proptest::prelude::*;
 
 use super::*;
 
-/// Terms of which the square is known, or nothing.
-const ROOTS: [&str; 6] = ["sqrt(x)", "sqrt(x + y)", "sqrt(x^2 + 1)", "sqrt(2)", "sin(x)", "exp(-x)"];
+/// Terms of which the square or the sign is known under some of the conditions, and free ones.
+const TERMS: [&str; 14] = [
+    "1",
+    "z",
+    "z^2",
+    "sqrt(x)",
+    "sqrt(y)",
+    "sqrt(x + y)",
+    "sqrt(x - y)",
+    "sqrt(x^2 + 1)",
+    "sqrt(y + sqrt(x))",
+    "sqrt(2)",
+    "sin(z)",
+    "exp(-x)",
+    "ln(1 + x)",
+    "asinh(y)",
+];
+
+/// A condition, and where it holds.
+type Given = (&'static str, Relation, fn(Ordering) -> bool);
+
+const CONDITIONS: [Given; 4] = [
+    ("1", Relation::Positive, Ordering::is_gt),
+    ("x - y", Relation::Positive, Ordering::is_gt),
+    ("x - y", Relation::NonNegative, Ordering::is_ge),
+    ("x - y", Relation::NonZero, Ordering::is_ne),
+];
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(1000))]
 
-    /// A decided sign is that of the value everywhere, and what is never zero has one sign everywhere.
+    /// A decided sign is that of the value everywhere; what divides is never zero, and what has a root is never negative.
     #[test]
     fn decided_signs_are_those_of_values(
-        factors in prop::collection::vec(-3_i32..4, 6),
-        root in 0..ROOTS.len(),
-        points in prop::collection::vec((1_u32..60, 1_u32..60), 4),
+        factors in prop::collection::vec(-2_i32..3, 6),
+        terms in prop::array::uniform2(0..TERMS.len()),
+        condition in 0..CONDITIONS.len(),
+        points in prop::collection::vec((1_u32..60, 1_u32..60, -9_i32..10), 6),
     ) {
-        let [a, b, c, d, e, f] = factors[..] else { unreachable!() };
-        let text = format!("({a}*x + {b}*y + {c}) + ({d}*x + {e}*y + {f})*{}", ROOTS[root]);
-        let (domain, expression) = (Domain::positive("x y"), parse(&text));
-        let orders: Vec<Option<Ordering>> = points.iter().map(|(x, y)| {
-            let values = [("x", x), ("y", y)].map(|(name, value)| (name.into(), Rational::from((*value, 8))));
-            expression.order_at(&values.into())
-        }).collect();
+        let parts = terms.iter().zip(factors.chunks(3)).map(|(term, factors)| {
+            let [a, b, c] = factors[..] else { unreachable!() };
+            format!("({a}*x + {b}*y + {c})*{}", TERMS[*term])
+        });
+        let text = parts.collect::<Vec<_>>().join(" + ");
+        let (given, relation, holds) = CONDITIONS[condition];
+        let (domain, expression) = (Domain::positive("x y").given(parse(given), relation), parse(&text));
+        let points = points.iter().map(|(x, y, z)| {
+            [("x", Rational::from((*x, 8))), ("y", Rational::from((*y, 8))), ("z", Rational::from((*z, 4)))]
+                .map(|(name, value)| (Symbol::from(name), value)).into()
+        });
+        let points = points.filter(|point| parse(given).order_at(point).is_some_and(holds));
+        // None: it may be zero without being rational.
+        let orders: Vec<Option<Ordering>> = points.map(|point| expression.order_at(&point)).collect();
+        let all = |holds: fn(Ordering) -> bool| orders.iter().all(|order| order.is_some_and(holds));
         if let Ok(Some(sign)) = domain.sign(&expression) {
-            let wanted = if sign > 0 { Ordering::Greater } else { Ordering::Less };
-            prop_assert!(orders.iter().all(|order| *order == Some(wanted)), "{} has the sign {}", text, sign);
+            prop_assert!(all(if sign > 0 { Ordering::is_gt } else { Ordering::is_lt }), "{} has the sign {}", text, sign);
         }
         if domain.rational_function(&parse(&format!("1/({text})"))).is_ok() {
-            prop_assert!(orders.iter().all(|order| *order == orders[0] && order.is_some()), "1/({})", text);
+            prop_assert!(all(Ordering::is_ne), "1/({})", text);
+        }
+        if domain.rational_function(&parse(&format!("sqrt({text})"))).is_ok() {
+            prop_assert!(orders.iter().all(|order| order.is_none_or(Ordering::is_ge)), "sqrt({})", text);
         }
     }
 }
@@ -52,11 +88,26 @@ fn signs_with_roots_are_decided_by_their_squares() {
         ("sqrt(x^2 + 2*x + 1) - x - 1", None),
         ("sqrt((x - y)^2 + 4*x*y) - x - y", None),
         ("3*sqrt(2) - 4", Some(1)),
+        ("-(z - x)^2 - y", Some(-1)),
+        ("ln(x)", None),
+        ("ln(1 + x)", Some(1)),
         ("1 - sqrt(x)", None),
         ("1 - 2*sin(x)", None),
         ("x - sqrt(x + y)", None),
     ] {
         assert_eq!(sign(text), expected, "{text}");
+    }
+    // The square of the inner root brings the outer one back: both signs follow from the conjugate.
+    for (text, expected) in
+        [("sqrt(x + y + sqrt(x)) - sqrt(x)", Some(1)), ("sqrt(x) - sqrt(x + y + sqrt(x))", Some(-1))]
+    {
+        assert_eq!(sign(text), expected, "{text}");
+    }
+    // What divides or multiplies without a known sign says nothing of the rest.
+    let unknown = domain.clone().given(parse("x - y"), Relation::NonZero);
+    for text in ["z/(x - y)", "z*(x - y)"] {
+        let domain = unknown.clone().given(parse(text), Relation::Positive);
+        assert_eq!(domain.sign(&parse("z")), Ok(None), "{text}");
     }
     for (text, has_value) in
         [("1/(x + 2 - sqrt(x))", true), ("1/(1 - sqrt(x))", false), ("1/(3*sqrt(2) - 4)", true)]
@@ -80,6 +131,10 @@ fn logarithms_of_products_fall_apart() {
     assert!(same(&domain, "ln(x*exp(-y/x)^2)", "ln(x) - 2*y/x"));
     assert!(domain.rational_function(&parse("ln(x - y)")).is_err());
     assert!(domain.rational_function(&parse("ln(z)")).is_err());
+    let is_open = |text: &str| domain.rational_function(&parse(text)).is_err_and(|error| error.is_open());
+    assert!(
+        is_open("ln(x - y)") && is_open("abs(x - y)") && !is_open("1/(x - y)") && !is_open("sqrt(x - y)")
+    );
 }
 
 #[test]
@@ -162,6 +217,14 @@ fn the_argument_of_a_root_must_not_be_negative() {
     for text in ["sqrt(x - y)", "sqrt(-x)", "sqrt(1 - z^2)", "sqrt(z)", "sqrt(sin(z))", "sqrt(1 - 2*sin(z))"]
     {
         assert!(refused(&free, text), "{text}");
+    }
+    let below = free.clone().given(parse("1 - z"), Relation::Positive);
+    assert!(
+        !refused(&below, "sqrt((y - sqrt(x + y^2))/(z - 1))")
+            && !refused(&below, "sqrt((sin(w) - 1)/(z - 1))")
+    );
+    for text in ["sqrt((sqrt(x + y^2) - y)/(z - 1))", "sqrt((1 - sin(w))/(z - 1))", "sqrt(sqrt(x) - x - 1)"] {
+        assert!(refused(&below, text), "{text}");
     }
     let above = free.clone().given(parse("x - y"), Relation::NonNegative);
     assert!(!refused(&above, "sqrt(x - y)") && !refused(&above, "sqrt((x - y)/y)"));

@@ -213,6 +213,41 @@ mod tests {
         }
     }
 
+    proptest! {
+        #[test]
+        fn a_ball_says_where_its_points_are(
+            centre in -40_i32..41, radius in 0_i32..30, scale in -70_i32..70, share in -4_i32..5, gap in 0_i32..60, exponent in -80_i64..80
+        ) {
+            let exact = |value: i32| Rational::from(value) << scale;
+            let ball = |centre: i32| Ball::new(Float::with_val(64, exact(centre)), Float::with_val(32, exact(radius)));
+            let (x, other, whole) = (ball(centre), ball(centre + gap), Rational::from(&exact(centre)));
+            let inside = exact(radius) * Rational::from((share, 4)) + &whole;
+            let outside = exact(radius) * Rational::from((9, 8)) + &whole;
+            prop_assert!(x.contains(&inside) && x.contains(&outside) == (radius == 0));
+            prop_assert_eq!(x.overlaps(&other) && other.overlaps(&x), gap <= 2 * radius);
+            prop_assert!(x.overlaps(&Ball::unbounded(64)) && Ball::unbounded(64).overlaps(&x));
+            let power = |exponent: i64| Rational::from(1) << exponent as i32;
+            let size = inside.clone().abs();
+            prop_assert!(size == 0 || size <= power(x.exponent_above()) && exact(centre.abs() + radius) * 4_u32 >= power(x.exponent_above()));
+            match x.exponent_below() {
+                Some(least) => prop_assert!(power(least) <= size && power(least) * 4_u32 >= exact(centre.abs() - radius)),
+                None => prop_assert!(centre.abs() <= radius),
+            }
+            prop_assert!(radius == 0 || power(x.radius_exponent()) >= exact(radius) && power(x.radius_exponent()) <= exact(radius) * 4_u32);
+            let wider = x.clone().widened(exponent);
+            prop_assert!(wider.contains(&(whole.clone() + exact(radius) + power(exponent))) && !wider.contains(&(whole.clone() + exact(2 * radius) + power(exponent) * 2_u32)));
+            prop_assert_eq!(x.to_f64(), crate::number::nearest_f64(&whole));
+            let certain = x.relative_radius_log2();
+            prop_assert!(radius == 0 || centre == 0 || (certain - libm::log2(f64::from(radius) / f64::from(centre.abs()))).abs() < 1e-6);
+            let (short, long) = (Ball::from_rational(&Rational::from((centre, 7)), 40), Ball::from_rational(&Rational::from((1, 3)), 90));
+            prop_assert!([short.clone() + &long, long * &short].iter().all(|found| found.precision_bits() == 90));
+            // The root of the part that is not negative.
+            let square = Rational::from(share.abs()).square() / 16_u32;
+            let straddling = Ball::new(Float::with_val(64, centre.min(radius)), Float::with_val(32, radius));
+            prop_assert!(!straddling.contains(&square) || straddling.sqrt().contains(&Rational::from((share.abs(), 4))));
+        }
+    }
+
     #[test]
     fn radii_are_a_few_units_in_the_last_place_not_wildly_more() {
         let third = Ball::from_rational(&Rational::from((1, 3)), 200);

@@ -189,4 +189,12 @@ mod tests {
         assert_eq!(parse_decimal(&"1".repeat(10_001)), Err(DecimalError::TooManyDigits));
         assert!(parse_decimal("1e-400").unwrap() > 0);
     }
+
+    #[test]
+    fn quotients_and_numbers_at_the_caps_are_read() {
+        assert_eq!(parse_quotient("-1.5/3"), Ok(Rational::from((-1, 2))));
+        assert_eq!(parse_quotient(" 6 / 4 "), Ok(Rational::from((3, 2))));
+        assert_eq!(parse_quotient("1/0"), Err(DecimalError::DivisionByZero));
+        assert!(parse_decimal(&"1".repeat(MAX_DIGITS)).is_ok() && parse_decimal("1e10000").is_ok());
+    }
 }

@@ -48,3 +48,14 @@ impl Field for Rational {
         Rational::from(self.square_ref())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn squares_and_roots_are_those_of_the_type() {
+        assert_eq!(Field::square(&Rational::from((-3, 2))), Rational::from((9, 4)));
+        assert_eq!(Real::sqrt(&6.25), 2.5);
+    }
+}

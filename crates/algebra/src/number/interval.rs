@@ -232,4 +232,21 @@ mod tests {
         assert_eq!(Interval::LINE * Interval::point(0.0), Interval::LINE);
         assert!(!(Interval::LINE - Interval::LINE).is_finite());
     }
+
+    #[test]
+    fn an_interval_has_its_ends_middle_and_width() {
+        let x = Interval { low: 2.0, high: 5.0 };
+        assert_eq!((x.width(), x.middle()), (3.0, 3.5));
+        assert!(holds(x * -2.0, &Rational::from(-10)) && !holds(x * -2.0, &Rational::from(-3)));
+        let about = Interval::about(10.0, 3.0);
+        assert!(
+            holds(about, &Rational::from(7)) && holds(about, &Rational::from(13)) && about.width() < 6.001
+        );
+        assert!(
+            !Interval { low: 0.0, ..Interval::LINE }.is_finite()
+                && Interval::point(-2.0).square().low > 3.999
+        );
+        assert_eq!(Interval { low: 0.0, high: 1.0 }.square_root().low, 0.0);
+        assert_eq!(Interval::enclosing(&(Rational::from(1) << 60)).width(), 0.0);
+    }
 }
