@@ -330,13 +330,14 @@ mod tests {
                 let x = Rational::from(1) << (if up { exponent } else { -exponent }) as i32;
                 let at = [("x", x), ("a", Rational::from((a, 8))), ("b", Rational::from((b, 8)))];
                 let at = at.map(|(name, value)| (name.into(), Ball::from_rational(&value, 400)));
-                expression.enclosed(&at.into(), 400).expect("all have numbers")
+                expression.enclosed(&at.into(), 400)
             };
             let is_below = |one: Ball, other: Ball| (one - other).sign() == Some(Ordering::Less);
-            let [near, far] = [12, 20].map(|exponent| value(&whole, exponent));
+            // A divisor may be zero at one of the points.
+            let [Some(near), Some(far)] = [12, 20].map(|exponent| value(&whole, exponent)) else { return Ok(()) };
             let refuted = match Domain::positive("x a b").end(&whole, &"x".into(), toward) {
                 Ok(End::Finite(end)) => {
-                    let end = value(&end, 20);
+                    let end = value(&end, 20).expect("all have numbers");
                     let [near, far] = [near, far].map(|one| (one - &end).square());
                     is_below(near.clone() * Ball::from(2) / Ball::from(3), far.clone()) && is_below(Ball::from(1) / Ball::from(1 << 20), far)
                 }

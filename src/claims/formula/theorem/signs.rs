@@ -261,7 +261,8 @@ impl Steps<'_> {
         }
         let over_signs = proposition(formula, &mut |atom| {
             let known = lowered.atoms.iter().find(|(known, _)| known == atom);
-            let there = |signs: &SignFormula| signs_text(&signs.map(&|one| valued(one, values)));
+            let there =
+                |signs: &SignFormula| format!("({})", signs_text(&signs.map(&|one| valued(one, values))));
             known.map(|(_, signs)| there(signs)).ok_or_else(|| "a predicate without signs".to_owned())
         })?;
         let over_signs = if is_negated { format!("~ ({over_signs})") } else { over_signs };
