@@ -1,4 +1,4 @@
-(** What theorems on formulas with "or", "not", "implies" and "iff" use, and on formulas about roots: the formula over the signs of its
+(** What theorems on formulas with or, not, implies and iff use, and on formulas about roots: the formula over the signs of its
     expressions, and steps as facts on these signs. *)
 
 From Slipmode Require Export Claims HalfPlane.
@@ -117,7 +117,7 @@ Proof. intros ->; unfold Rdiv; ring. Qed.
 (** The cases by the sign of an expression. Where it is zero a variable has a value: a step has solved it. *)
 Ltac case_of_zero f x v :=
   assumed f;
-  let zero := fresh "zero" in
+  let zero := fresh in
   let cases e := destruct (Rtotal_order e 0) as [|[zero|]]; [ | assert (value : x = v) | ] in
   lazymatch type of f with
   | ?e / ?s = _ => cases e; [ | rewrite (zero_quotient e s zero) in f; lra | subst x | ]
@@ -130,7 +130,7 @@ Ltac named e :=
   lazymatch e with
   | - ?inner => named inner
   | IZR _ => fail
-  | _ => tryif is_var e then fail else (let x := fresh "e'" in set (x := e) in *; clearbody x)
+  | _ => tryif is_var e then fail else (let x := fresh in set (x := e) in *; clearbody x)
   end.
 
 Ltac names :=
@@ -143,7 +143,7 @@ Ltac names :=
 
 (** The cases by the sign of an expression that a step has solved. *)
 Ltac zero_case h e s :=
-  let zero := fresh "zero" in
+  let zero := fresh in
   destruct (Rtotal_order e 0) as [?|[zero|?]]; [ clear h | rewrite (zero_quotient e s zero) in h | clear h ].
 
 Lemma sign_of_quotient (e s : R) : 0 < e / s -> (0 < s -> 0 < e) /\ (s < 0 -> e < 0).

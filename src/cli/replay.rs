@@ -83,8 +83,7 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
         return Err(refused(other_build_text(other, &this, &options.archive)));
     }
     let replay = Replay { place: &options.archive, opened: &opened, maker, facts: &this, budget };
-    let (product, reproduction) = replay.run(limits, progress)?;
-    let Reproduction { mut differences, not_verified } = reproduction;
+    let (product, Reproduction { mut differences, not_verified }) = replay.run(limits, progress)?;
     if options.strict {
         differences.extend(not_verified.iter().map(|line| format!("{line}: cannot be verified")));
     }
@@ -99,11 +98,12 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     Failure::check_none(of_each_file(differences))
 }
 
-/// The first line on each file or claim, then the others: a message that is cut short names all of them.
+/// The first line on each file or claim, then the others: a message that is cut short names all of them, files of theorems last.
 fn of_each_file(lines: Vec<String>) -> impl Iterator<Item = String> {
     let mut seen = BTreeSet::new();
     let is_first = |line: &String| seen.insert(line.split(':').next().map(str::to_owned));
-    let (first, others): (Vec<String>, Vec<String>) = lines.into_iter().partition(is_first);
+    let (mut first, others): (Vec<String>, Vec<String>) = lines.into_iter().partition(is_first);
+    first.sort_by_key(|line| line.starts_with("theorems/"));
     first.into_iter().chain(others)
 }
 

@@ -110,6 +110,9 @@ fn an_archive_has_its_theorems_with_their_library_and_coq_accepts_them_without_t
         "library/Functions.v",
         "library/Branches.v",
         "library/Claims.v",
+        "library/Cubics.v",
+        "library/HalfPlane.v",
+        "library/Signs.v",
         "small/claim_S2_whole.v",
     ];
     let compile = |path: &str| {

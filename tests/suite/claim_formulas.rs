@@ -420,6 +420,6 @@ fn a_claim_whose_words_say_more_than_its_formulas_is_argued_at_most() {
         (found["strength"].as_str().unwrap().to_owned(), found["remarks"].to_string())
     });
     let [(strength, _), (argued, remarks)] = both;
-    assert_eq!((strength.as_str(), argued.as_str()), ("exact", "argued"));
+    assert_eq!((strength.as_str(), argued.as_str()), ("kernel-checked", "argued"));
     assert!(remarks.contains("Argued in words: The words are about all motions."), "{remarks}");
 }

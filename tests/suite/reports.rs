@@ -89,7 +89,7 @@ fn a_result_for_programs_has_a_test_for_each_claim_and_each_file_that_moved() {
     let moved = place.run(["verify", "small", "-o", "out", "--junit", "-"]);
     assert_eq!(moved.code, 1);
     for part in [
-        "tests=\"4\" failures=\"4\"",
+        "tests=\"6\" failures=\"6\"",
         "name=\"S1 K &lt; K_c &amp; &lt;b&gt;\"",
         "message=\"recorded fails, now holds\"",
         "classname=\"small: published copy\" name=\"a file\"><failure message=\"report.md:",
