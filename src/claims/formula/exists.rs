@@ -3,7 +3,6 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use slipmode_algebra::{Certificate, Expression, Literal, Proof, Sign, SignFormula, Symbol, unknowns};
-
 use slipmode_core::number::Rational;
 
 use super::Problem;

@@ -1,5 +1,5 @@
-//! Formulas with "or", "not", "implies" and "iff", and predicates on roots, as theorems: Coq proves the same formula over the signs of
-//! expressions, from the steps of the ledger's proof.
+//! Formulas of comparisons and of predicates on roots as theorems: Coq proves the same formula over the signs of expressions, which come
+//! from the steps of the ledger's proof.
 
 use std::collections::BTreeMap;
 
@@ -76,7 +76,7 @@ fn valued(expression: &Expression, values: &Values) -> Expression {
 }
 
 impl Stated {
-    /// What a formula says, or its negation: what the coefficients of the polynomials are of whose roots it speaks, and the formula on these. The lemmas on
+    /// What a formula says, or its negation: first what the coefficients of the polynomials are of whose roots it speaks. The lemmas on
     /// roots are those of `proofs/HalfPlane.v`.
     pub(super) fn by_signs(&mut self, formula: &Formula, is_negated: bool) -> Result<String, String> {
         let mut polynomials: Vec<String> = Vec::new();
