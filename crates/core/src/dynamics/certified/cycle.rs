@@ -2,7 +2,7 @@
 
 use super::crossing::Crossing;
 use super::guess::{Guess, guess};
-use super::interval::{Interval, generously_up};
+use super::interval::{Interval, generously_up, up};
 use super::linear::{Square, apply, multiply, points, worse};
 use super::manifold::Manifold;
 use super::motion::{Motion, States};
@@ -64,11 +64,14 @@ fn long_or_short<T>(prove: impl Fn(f64) -> Result<T, Reason>) -> Result<T, Reaso
     })
 }
 
-/// A point of a section near a cycle, and the radii of a box around it.
+/// A point of a section near a cycle, and the ends of a box around it.
+///
+/// A box around the point that holds these ends is followed, so that Krawczyk's test says of all between them that one cycle at most
+/// passes there. That one does pass is said only where the operator's values lie between them too.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Test {
     found: Guess,
-    radius: [f64; COORDINATES],
+    ends: [[f64; 2]; COORDINATES],
     /// The longest step, as a part of the length aimed at.
     longest: f64,
 }
@@ -82,7 +85,7 @@ impl Test {
     ) -> Result<(Self, Crossing, Observed), Reason> {
         let found = guess(constants, model, cycle)?;
         let with_steps = |longest: f64| {
-            let mut test = Self { found, radius: [0.0; COORDINATES], longest };
+            let mut test = Self { found, ends: [[0.0; 2]; COORDINATES], longest };
             test.correct(constants)?;
             test.grow(constants)
         };
@@ -95,24 +98,46 @@ impl Test {
         else {
             return None;
         };
-        let ends = [state_box, second_box];
+        let ends = [*state_box, *second_box];
         let found = Guess {
             section: *section_log_velocity,
             point: ends.map(|[low, high]| 0.5 * (low + high)),
             is_on_slow_manifold: *is_on_slow_manifold,
         };
-        Some(Self { found, radius: ends.map(|[low, high]| 0.5 * (high - low)), longest })
+        Some(Self { found, ends, longest })
+    }
+
+    /// The point in the coordinates of the section: (y, F), or (y, ψ) with ψ = 0.
+    const fn centre(&self) -> [f64; COORDINATES] {
+        let [y, force] = self.found.point;
+        [y, if self.found.is_on_slow_manifold { 0.0 } else { force }]
+    }
+
+    /// States a box that holds all within `radius` of the point.
+    fn set_radius(&mut self, radius: [f64; COORDINATES]) {
+        let centre = self.centre();
+        self.ends = std::array::from_fn(|i| {
+            let side = Interval { mid: centre[i], rad: radius[i] };
+            [side.lower(), side.upper()]
+        });
+    }
+
+    /// The radii of a box around the point that holds the stated one.
+    fn radius(&self) -> [f64; COORDINATES] {
+        let centre = self.centre();
+        std::array::from_fn(|i| up((self.ends[i][1] - centre[i]).max(centre[i] - self.ends[i][0])))
     }
 
     /// Newton's steps, with a box that is a point but for ψ.
     fn correct(&mut self, constants: &Constants) -> Result<(), Reason> {
         let is_tube = |i: usize| self.found.is_on_slow_manifold && i == 1;
         let map = self.map(constants);
+        let mut radius = [0.0; COORDINATES];
         for _ in 0..CORRECTIONS {
-            let (crossing, _) = map.image(self.found.point, self.radius)?;
-            let value = Krawczyk::of(&crossing, &map.centre(self.found.point), self.radius).value;
+            let (crossing, _) = map.image(self.found.point, radius)?;
+            let value = Krawczyk::of(&crossing, &self.centre(), radius).value;
             let change = value.map(|c| c.mid);
-            self.radius = std::array::from_fn(|i| if is_tube(i) { 2.0 * value[i].magnitude() } else { 0.0 });
+            radius = std::array::from_fn(|i| if is_tube(i) { 2.0 * value[i].magnitude() } else { 0.0 });
             self.found.point =
                 std::array::from_fn(|i| self.found.point[i] + if is_tube(i) { 0.0 } else { change[i] });
             let is_small = |i: usize| change[i].abs() < SMALL.max(PART_OF_WIDTH * value[i].rad);
@@ -120,6 +145,7 @@ impl Test {
                 break;
             }
         }
+        self.set_radius(radius);
         Ok(())
     }
 
@@ -131,13 +157,13 @@ impl Test {
             if self.contains(&value) {
                 return Ok((self, crossing, observed));
             }
-            let centre = self.map(constants).centre(self.found.point);
-            self.radius = value.map(|c| scale * c.magnitude() + f64::MIN_POSITIVE);
+            let mut radius = value.map(|c| scale * c.magnitude() + f64::MIN_POSITIVE);
             // With the derivative found so far, what each side of the box adds to the others.
             for _ in 0..COORDINATES {
-                let next = Krawczyk::of(&crossing, &centre, self.radius).value;
-                self.radius = std::array::from_fn(|i| self.radius[i].max(SPARE * next[i].magnitude()));
+                let next = Krawczyk::of(&crossing, &self.centre(), radius).value;
+                radius = std::array::from_fn(|i| radius[i].max(SPARE * next[i].magnitude()));
             }
+            self.set_radius(radius);
             scale = GROWTH;
         }
         Err(Reason::NotContained)
@@ -150,14 +176,19 @@ impl Test {
 
     /// The return of the box, and Krawczyk's operator.
     fn mapped(&self, constants: &Constants) -> Result<(Crossing, Observed, [Interval; COORDINATES]), Reason> {
-        let map = self.map(constants);
-        let (crossing, observed) = map.image(self.found.point, self.radius)?;
-        let value = Krawczyk::of(&crossing, &map.centre(self.found.point), self.radius).value;
+        let radius = self.radius();
+        let (crossing, observed) = self.map(constants).image(self.found.point, radius)?;
+        let value = Krawczyk::of(&crossing, &self.centre(), radius).value;
         Ok((crossing, observed, value))
     }
 
+    /// Whether all of the operator's values, which count from the point, lie between the stated ends.
     fn contains(&self, value: &[Interval; COORDINATES]) -> bool {
-        (0..COORDINATES).all(|i| value[i].is_inside(Interval::symmetric(self.radius[i])))
+        let centre = self.centre();
+        (0..COORDINATES).all(|i| {
+            let [low, high] = self.ends[i].map(|end| end - centre[i]);
+            low.next_up() < value[i].lower() && value[i].upper() < high.next_down()
+        })
     }
 
     /// Whether the operator of a slider maps the box into itself.
@@ -175,8 +206,9 @@ impl Test {
     /// The same box elsewhere, and with a part of its radius.
     #[cfg(test)]
     pub fn altered(mut self, by: f64, part: f64) -> Self {
+        let radius = self.radius();
         self.found.point[0] += by;
-        self.radius = self.radius.map(|radius| part * radius);
+        self.set_radius(radius.map(|radius| part * radius));
         self
     }
 
@@ -191,17 +223,12 @@ impl Test {
         if !(contraction < 1.0) {
             return Err(Reason::NotAttracting);
         }
-        let [y, force] = self.found.point;
-        let centre = [y, if self.found.is_on_slow_manifold { 0.0 } else { force }];
-        let ends = |i: usize| {
-            let side = Interval { mid: centre[i], rad: self.radius[i] };
-            [side.lower(), side.upper()]
-        };
+        let [state_box, second_box] = self.ends;
         Ok(Certificate {
             proved: Proved::Cycle {
                 section_log_velocity: self.found.section,
-                state_box: ends(0),
-                second_box: ends(1),
+                state_box,
+                second_box,
                 is_on_slow_manifold: self.found.is_on_slow_manifold,
                 contraction,
                 period_s: units.duration(observed.duration),
@@ -221,11 +248,6 @@ struct ReturnMap<'c> {
 }
 
 impl ReturnMap<'_> {
-    /// The point of the section in its coordinates: (y, F), or (y, ψ) with ψ = 0.
-    const fn centre(&self, [y, force]: [f64; 2]) -> [f64; 2] {
-        [y, if self.is_slow { 0.0 } else { force }]
-    }
-
     /// The image of a box around a point.
     fn image(&self, point: [f64; 2], radius: [f64; COORDINATES]) -> Result<(Crossing, Observed), Reason> {
         let mut motion = Motion::new(self.constants, States::Inertial(self.start(point, radius)), MOST_STEPS);
@@ -323,6 +345,8 @@ pub(super) fn repels(derivative: &Square<COORDINATES>) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::number::Rational;
+    use crate::number::split_mix::SplitMix64;
 
     fn around(matrix: Square2, rad: f64) -> Square<COORDINATES> {
         matrix.map(|row| row.map(|mid| Interval { mid, rad }))
@@ -376,7 +400,7 @@ mod tests {
                 let crossing =
                     Crossing { centre: constant.map(Interval::point), derivative: around(matrix, rad) };
                 let value = Krawczyk::of(&crossing, &[0.0; 2], [1.0; 2]).value;
-                let is_held = Test { found, radius: [1.0; 2], longest: LONGEST }.contains(&value);
+                let is_held = Test { found, ends: [[-1.0, 1.0]; 2], longest: LONGEST }.contains(&value);
                 held += usize::from(is_held);
                 for corner in 0..16_u32 {
                     let entry = |i: usize, j: usize| {
@@ -396,5 +420,29 @@ mod tests {
             }
         }
         assert!(held >= 2, "{held}");
+    }
+
+    #[test]
+    fn the_box_that_is_followed_holds_the_stated_ends_and_values_at_these_are_refused() {
+        let mut random = SplitMix64(33);
+        let exact = |value: f64| Rational::from_f64(value).unwrap();
+        for case in 0..2_000 {
+            let point = [0; 2].map(|_| 20.0 * (random.unit() - 0.5));
+            // From a tenth of a unit of the centre, where rounding is most of the box, to a wide one.
+            let radius = [0; 2].map(|_| 10f64.powf(-17.0 + 17.0 * random.unit()));
+            let found = Guess { section: 0.0, point, is_on_slow_manifold: case % 4 == 0 };
+            let mut test = Test { found, ends: [[0.0; 2]; COORDINATES], longest: LONGEST };
+            test.set_radius(radius);
+            let (centre, followed) = (test.centre(), test.radius());
+            for (i, [low, high]) in test.ends.into_iter().enumerate() {
+                let [centre, wide, asked] = [centre[i], followed[i], radius[i]].map(exact);
+                assert!(centre.clone() - wide.clone() <= exact(low) && exact(high) <= centre.clone() + wide);
+                assert!(exact(low) <= centre.clone() - asked.clone() && centre + asked <= exact(high));
+            }
+            let of = |part: f64| followed.map(|radius| Interval::symmetric(part * radius));
+            assert!(!test.contains(&of(1.0)) && !test.contains(&of(f64::NAN)));
+            let is_rounding = (0..COORDINATES).any(|i| radius[i] < 1e-14);
+            assert!(is_rounding || test.contains(&of(0.5)), "{test:?}");
+        }
     }
 }
