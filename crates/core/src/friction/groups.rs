@@ -1,5 +1,7 @@
 //! The three dimensionless groups of the spring-slider.
 
+use std::ops::{Add, Sub};
+
 use crate::number::Field;
 
 /// η, κ and β: with time in units of D_c/V0 the slider, linear or not, has no other parameter.
@@ -33,18 +35,22 @@ pub fn critical_stiffness_group<R: Field>(effect_ratio: &R, inertial_parameter: 
     (effect_ratio.clone() - &one) * (one + inertial_parameter)
 }
 
+/// Eq 8 by ascending power of p from the terms κ, 1, β and η, or from these four times one number.
+#[inline(always)]
+pub(crate) fn cubic_of_terms<R>([spring, direct, evolution, inertia]: [&R; 4]) -> [R; 4]
+where
+    R: Clone + for<'r> Add<&'r R, Output = R> + for<'r> Sub<&'r R, Output = R>,
+{
+    [spring.clone(), spring.clone() + direct - evolution, inertia.clone() + direct, inertia.clone()]
+}
+
 impl<R: Field> Groups<R> {
     /// Eq 8 in p = s·D_c/V0, by ascending power of p: κ, κ+1−β, 1+η, η.
     #[must_use]
     #[inline(always)]
     pub fn characteristic_cubic(&self) -> [R; 4] {
-        let one = R::from(1);
-        [
-            self.stiffness_group.clone(),
-            self.stiffness_group.clone() + &one - &self.effect_ratio,
-            self.inertial_parameter.clone() + &one,
-            self.inertial_parameter.clone(),
-        ]
+        let Self { inertial_parameter, stiffness_group, effect_ratio } = self;
+        cubic_of_terms([stiffness_group, &R::from(1), effect_ratio, inertial_parameter])
     }
 
     /// κ_c = (β−1)(1+η), the κ of K = K_c (eq 9).

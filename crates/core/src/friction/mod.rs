@@ -20,6 +20,7 @@ mod slider;
 mod slip_mode;
 
 pub use evolution::EvolutionLaw;
+pub(crate) use groups::cubic_of_terms;
 pub use groups::{Groups, critical_stiffness_group};
 pub use parameter_box::ParameterBox;
 pub use parameters::{OperatingPoint, Parameters};

@@ -5,6 +5,8 @@
 //! all terms of f' are positive), and P, Q and the discriminant are computed exactly. So nothing is lost
 //! next to a double or triple root; what is lost is the shift by c2, and that is known in advance.
 
+use std::cell::OnceCell;
+
 use rug::{Complete, Integer, Rational};
 
 /// An integer cubic lead·x³ + quadratic·x² + … and its depressed form.
@@ -12,17 +14,15 @@ use rug::{Complete, Integer, Rational};
 pub(crate) struct Depressed {
     /// The integer coefficients by ascending power, the last positive.
     pub(crate) cubic: [Integer; 4],
-    /// c3.
-    pub(crate) lead: Integer,
-    /// c2.
-    pub(crate) quadratic: Integer,
     /// P.
     pub(crate) linear: Integer,
     /// Q.
     pub(crate) constant: Integer,
-    /// −(4P³ + 27Q²) = Π(yᵢ − yⱼ)² = 729·c3²·Δ.
-    pub(crate) discriminant: Integer,
+    discriminant: OnceCell<Integer>,
 }
+
+/// How far from 1 the ratio of 4|P|³ and 27Q² is seen to be in 64-bit: some ten roundings are far below.
+const CLEARLY: f64 = 1e-12;
 
 impl Depressed {
     /// The depressed form, or `None` when the leading coefficient is zero.
@@ -30,22 +30,59 @@ impl Depressed {
         if cubic[3].is_zero() {
             return None;
         }
-        let cubic = integer_coefficients(cubic);
+        Self::of_integers(integer_coefficients(cubic))
+    }
+
+    /// The same of integer coefficients by ascending power; `None` unless the last is positive.
+    pub(crate) fn of_integers(cubic: [Integer; 4]) -> Option<Self> {
         let [c0, c1, c2, c3] = &cubic;
+        if *c3 <= 0 {
+            return None;
+        }
         let outer = (c3 * c1).complete();
         let square = c2.square_ref().complete();
-        // P' = P/3 keeps the numbers short: 4P³ + 27Q² = 27(4P'³ + Q²).
         let third = &outer * 3u32 - square.clone();
         let constant = (square * 2u32 - outer * 9u32) * c2 + c3.square_ref().complete() * c0 * 27u32;
-        let discriminant =
-            (third.square_ref().complete() * &third * 4u32 + constant.square_ref().complete()) * -27;
-        let (lead, quadratic) = (c3.clone(), c2.clone());
-        Some(Self { lead, quadratic, linear: third * 3u32, constant, discriminant, cubic })
+        Some(Self { linear: third * 3u32, constant, discriminant: OnceCell::new(), cubic })
+    }
+
+    /// c3.
+    pub(crate) const fn lead(&self) -> &Integer {
+        &self.cubic[3]
+    }
+
+    /// c2.
+    pub(crate) const fn quadratic(&self) -> &Integer {
+        &self.cubic[2]
+    }
+
+    /// −(4P³ + 27Q²) = Π(yᵢ − yⱼ)² = 729·c3²·Δ.
+    pub(crate) fn discriminant(&self) -> &Integer {
+        self.discriminant.get_or_init(|| {
+            // P/3 keeps the numbers short: 4P³ + 27Q² = 27(4(P/3)³ + Q²).
+            let third = self.linear.div_exact_u_ref(3).complete();
+            (third.square_ref().complete() * &third * 4u32 + self.constant.square_ref().complete()) * -27
+        })
     }
 
     /// The sign of the cubic's discriminant.
     pub(crate) fn discriminant_sign(&self) -> i8 {
-        self.discriminant.cmp0() as i8
+        if self.linear >= 0 {
+            return if self.linear.is_zero() && self.constant.is_zero() { 0 } else { -1 };
+        }
+        let [(linear, of_linear), (constant, of_constant)] =
+            [&self.linear, &self.constant].map(|value| value.to_f64_exp());
+        let power = 3 * i64::from(of_linear) - 2 * i64::from(of_constant);
+        // Two numbers of half to one, and a power of two beyond which the ratio is clear as well.
+        let power = libm::exp2(power.clamp(-100, 100) as f64);
+        let ratio = 4.0 * linear.abs().powi(3) * power / (27.0 * constant * constant);
+        if ratio > 1.0 + CLEARLY {
+            1
+        } else if ratio < 1.0 - CLEARLY {
+            -1
+        } else {
+            self.discriminant().cmp0() as i8
+        }
     }
 
     /// c1c2 − c0c3 = −c3²·Π(rᵢ + rⱼ): zero when two roots sum to zero. For eq 8 it has the sign of K − K_c (Routh-Hurwitz).

@@ -8,7 +8,7 @@ use super::depressed::Depressed;
 ///
 /// With y³ + Py + Q = 0 and 4P³ + 27Q² = 0 the simple root is y = 3Q/P and the double root y = −3Q/(2P).
 pub(super) fn rational_roots(depressed: &Depressed) -> Vec<(Rational, u32)> {
-    let map_back = |y: Rational| (y - &depressed.quadratic) / (depressed.lead.clone() * 3u32);
+    let map_back = |y: Rational| (y - depressed.quadratic()) / (depressed.lead().clone() * 3u32);
     if depressed.linear.is_zero() {
         return vec![(map_back(Rational::new()), 3)];
     }

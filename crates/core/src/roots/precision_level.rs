@@ -18,7 +18,7 @@ slipmode_algebra::named! {
         /// Double-double with a forward error bound.
         #[cfg_attr(feature = "serde", serde(rename = "double-double"))]
         DoubleDouble = "double-double",
-        /// Rationals for signs, balls of the needed precision for values.
+        /// Integers or rationals for signs; for values the depressed cubic from integers, or balls of the needed precision.
         #[cfg_attr(feature = "serde", serde(rename = "exact"))]
         Exact = "exact",
     }

@@ -35,6 +35,7 @@ mod double_root;
 mod fixtures;
 mod frequencies;
 mod frequency_line;
+mod integer_cubic;
 pub mod inverse;
 mod logarithm;
 mod nearest_place;

@@ -167,7 +167,7 @@ impl PointValues {
     }
 
     #[inline(always)]
-    fn of_roots(roots: &BranchlessRoots, rate: Dd, usable: bool) -> Self {
+    pub(super) fn of_roots(roots: &BranchlessRoots, rate: Dd, usable: bool) -> Self {
         let is_pair = roots.sign < 0.0;
         let parts = [&roots.real, &roots.first, &roots.second].map(|root| in_si(root, rate));
         let rounded = parts.each_ref().map(|part| part.value.rounds_surely(part.error));

@@ -79,7 +79,7 @@ pub(super) fn equation_at_ratio(depressed: &Depressed, squared_ratio: &Rational)
     let difference = p * 3u32 - w.clone() * 4u32;
     let denominator = squared_ratio.denom();
     let cube = denominator.square_ref().complete() * denominator;
-    -(&depressed.discriminant * cube) - w * 4u32 * difference.square()
+    -(depressed.discriminant() * cube) - w * 4u32 * difference.square()
 }
 
 /// The slip mode of a point. Each case is decided by signs of rationals.

@@ -6,8 +6,9 @@
 //! 2. The coefficients κ, κ + 1 − β, 1 + η and η of eq 8 are known to 26u of the sums of their terms' magnitudes.
 //! 3. A 64-bit Newton iteration gives a start, and one Newton step in double-double a real root. Its error follows from the
 //!    residual, the slope and the curvature, with the errors of the coefficients in the residual (`roots/forward/branchless.rs`).
-//! 4. The other two roots solve the quadratic that is left. Next to a triple root the depressed cubic is solved instead.
-//! 5. If one of the two ways bounds every error by 2^-64 of the root's modulus ([`WORKING_ERROR`]), the roots are rounded to
+//! 4. The other two roots solve the quadratic that is left. Next to a triple root the depressed cubic is solved instead, nearer
+//!    still with P and Q from integers.
+//! 5. If one of these ways bounds every error by 2^-64 of the root's modulus ([`WORKING_ERROR`]), the roots are rounded to
 //!    64-bit, each part to nearest: that adds 2^-53 of the modulus. Otherwise certified enclosures of 22 digits of the exact
 //!    inputs are rounded.
 //!
@@ -19,6 +20,7 @@ use thiserror::Error;
 
 use super::batch::one_point;
 use super::certain_signs::InputError;
+use super::integer_cubic::IntegerCubic;
 use super::point_values::{PointValues, Route};
 use crate::friction::Parameters;
 use crate::number::{Dd, Rational};
@@ -88,6 +90,9 @@ pub trait ExactInput: Clone {
     fn in_double_double(&self) -> Dd;
     #[doc(hidden)]
     fn exactly(&self) -> Option<Rational>;
+    /// The number, if it is positive and its type has none but 64-bit ones.
+    #[doc(hidden)]
+    fn binary_fraction(&self) -> Option<f64>;
 }
 
 /// How an exact input is known in double-double.
@@ -103,6 +108,9 @@ impl ExactInput for f64 {
     fn exactly(&self) -> Option<Rational> {
         Rational::from_f64(*self)
     }
+    fn binary_fraction(&self) -> Option<f64> {
+        (*self > 0.0 && self.is_finite()).then_some(*self)
+    }
 }
 
 impl ExactInput for Rational {
@@ -112,6 +120,9 @@ impl ExactInput for Rational {
     }
     fn exactly(&self) -> Option<Rational> {
         Some(self.clone())
+    }
+    fn binary_fraction(&self) -> Option<f64> {
+        None
     }
 }
 
@@ -140,16 +151,8 @@ pub fn three_roots<R: ExactInput>(parameters: &Parameters<R>) -> Result<ThreeRoo
     let InputErrorOf(input_error) = R::ERROR_IN_DOUBLE_DOUBLE;
     let doubled = parameters.map(R::in_double_double);
     let by = |route| ThreeRoots::of_values(&one_point(&doubled, input_error, route));
-    if let Some(found) = by(Route::Deflation).or_else(|| by(Route::Shift)) {
-        return Ok(found);
-    }
-    let exact: Option<Vec<Rational>> = <[R; 7]>::from(parameters.clone())
-        .iter()
-        .map(|value| value.exactly().filter(|value| *value > 0))
-        .collect();
-    let exact =
-        exact.and_then(|values| <[Rational; 7]>::try_from(values).ok()).ok_or(RootsError::NotPositive)?;
-    ThreeRoots::exactly(&Parameters::from(exact))
+    let found = by(Route::Deflation).or_else(|| by(Route::Shift));
+    found.map_or_else(|| ThreeRoots::beyond_double_double(parameters), Ok)
 }
 
 impl ThreeRoots {
@@ -173,6 +176,31 @@ impl ThreeRoots {
             max_real_error_per_s: values.max_real_error,
             precision_level: PrecisionLevel::DoubleDouble,
         })
+    }
+
+    /// The roots where double-double does not bound them: of the cubic in integers, or else by certified enclosures.
+    pub(super) fn beyond_double_double<R: ExactInput>(
+        parameters: &Parameters<R>,
+    ) -> Result<Self, RootsError> {
+        let values = <[R; 7]>::from(parameters.clone());
+        let fractions = values.each_ref().map(R::binary_fraction);
+        if let [Some(a), Some(b), Some(d), Some(k), Some(m), Some(s), Some(v)] = fractions
+            && let Some(found) = Self::of_integers(&Parameters::from([a, b, d, k, m, s, v]))
+        {
+            return Ok(found);
+        }
+        let exact: Option<Vec<Rational>> =
+            values.iter().map(|value| value.exactly().filter(|value| *value > 0)).collect();
+        let exact =
+            exact.and_then(|values| <[Rational; 7]>::try_from(values).ok()).ok_or(RootsError::NotPositive)?;
+        Self::exactly(&Parameters::from(exact))
+    }
+
+    /// The roots from P and Q of the depressed cubic in integers.
+    fn of_integers(point: &Parameters<f64>) -> Option<Self> {
+        let doubled = point.map(|value| Dd::from(*value));
+        let found = Self::of_values(&IntegerCubic::of(point)?.values(&doubled))?;
+        Some(Self { precision_level: PrecisionLevel::Exact, ..found })
     }
 
     /// The roots by certified enclosures.

@@ -177,10 +177,10 @@ impl Enclosures {
         let ball = |value: &Integer| Ball::from_short_integer(value, bits);
         let y = outermost_real_root(depressed, bits);
         let slope = y.square() * Ball::from(3) + ball(&depressed.linear);
-        let divisor = ball(&(depressed.lead.clone() * 6u32));
+        let divisor = ball(&(depressed.lead().clone() * 6u32));
         let half_width =
-            Ball::from_integer(&depressed.discriminant.clone().abs(), bits).sqrt() / (slope * &divisor);
-        let quadratic = ball(&depressed.quadratic);
+            Ball::from_integer(&depressed.discriminant().clone().abs(), bits).sqrt() / (slope * &divisor);
+        let quadratic = ball(depressed.quadratic());
         let twice = Ball::from(2);
         Self {
             single: (y.clone() - &quadratic) * &twice / &divisor,

@@ -9,9 +9,9 @@ impl Depressed {
     ///
     /// Counted in binary exponents, from bounds that are a few bits apart from the truth; all in advance of any root.
     pub(super) fn lost_bits(&self) -> u32 {
-        let largest = (i64::from(self.scale_log2()) + 1).max(i64::from(bits(&self.quadratic)));
+        let largest = (i64::from(self.scale_log2()) + 1).max(i64::from(bits(self.quadratic())));
         // 3c3 is at least 2^(bits of c3).
-        let largest = largest - i64::from(bits(&self.lead));
+        let largest = largest - i64::from(bits(self.lead()));
         let smallest =
             self.smallest_modulus_log2().min(self.half_width_log2()).min(self.pair_real_part_log2());
         u32::try_from((largest - smallest).max(0)).unwrap_or(u32::MAX / 4)
@@ -26,14 +26,14 @@ impl Depressed {
 
     /// An upper bound of log2 of the largest |x|: |x| ≤ 2·max |c_(3−k)/c_3|^(1/k) (Fujiwara).
     fn largest_modulus_log2(&self) -> i64 {
-        let lowest = i64::from(bits(&self.lead)) - 1;
+        let lowest = i64::from(bits(self.lead())) - 1;
         1 + exponent_bound(self.cubic[..3].iter().rev(), lowest)
     }
 
     /// A lower bound of log2 of half the distance of the pair: √|D|/(6c3·f') with f' ≤ 3y² + |P| < 2^(2k+4).
     fn half_width_log2(&self) -> i64 {
-        let root = (i64::from(bits(&self.discriminant)) - 1).div_euclid(2);
-        root - 2 * i64::from(self.scale_log2()) - 4 - i64::from(bits(&self.lead)) - 3
+        let root = (i64::from(bits(self.discriminant())) - 1).div_euclid(2);
+        root - 2 * i64::from(self.scale_log2()) - 4 - i64::from(bits(self.lead())) - 3
     }
 
     /// A lower bound of log2 of a complex pair's |Re| when it is not zero: c1c2 − c0c3 = −2·Re·c3²·|x + pair|².
@@ -43,7 +43,7 @@ impl Depressed {
             return i64::MAX;
         }
         let largest = self.largest_modulus_log2() + 1;
-        i64::from(bits(&hurwitz)) - 2 - 2 * i64::from(bits(&self.lead)) - 2 * largest
+        i64::from(bits(&hurwitz)) - 2 - 2 * i64::from(bits(self.lead())) - 2 * largest
     }
 }
 

@@ -157,8 +157,7 @@ impl BoundedCubic<Dd> {
         )
     }
 
-    /// The roots by y = 3c3x + c2: with P = 3(3c3c1 − c2²) and Q = 2c2³ − 9c3c2c1 + 27c3²c0, one root y of y³ + Py + Q and the
-    /// other two −y/2 ± √−(3y² + 4P)/2.
+    /// The roots by y = 3c3x + c2, with P = 3(3c3c1 − c2²) and Q = 2c2³ − 9c3c2c1 + 27c3²c0.
     #[inline(always)]
     pub fn roots_by_shift(&self) -> BranchlessRoots {
         let [c0, c1, c2, c3] = self.coefficients;
@@ -170,7 +169,15 @@ impl BoundedCubic<Dd> {
         let p_error = 3.0 * (3.0 * m3 * m1 + m2 * m2) * (2.0 * self.relative_error + 6.0 * UNIT) * SLACK;
         let q_terms = (2.0 * m2 * m2 + 9.0 * m3 * m1) * m2 + 27.0 * m3 * m3 * m0;
         let q_error = q_terms * (3.0 * self.relative_error + 8.0 * UNIT) * SLACK;
+        self.roots_of_depressed(&Bounded { value: p, error: p_error }, &Bounded { value: q, error: q_error })
+    }
 
+    /// The roots by those of y³ + Py + Q: one is y, the other two are −y/2 ± √−(3y² + 4P)/2.
+    #[inline(always)]
+    pub fn roots_of_depressed(&self, linear: &Bounded<Dd>, constant: &Bounded<Dd>) -> BranchlessRoots {
+        let [_, _, c2, c3] = self.coefficients;
+        let [_, _, m2, m3] = self.magnitudes;
+        let (p, p_error, q, q_error) = (linear.value, linear.error, constant.value, constant.error);
         let x = kahan_root_without_branches([q.hi(), p.hi(), 0.0, 1.0]);
         let (size, p_size) = (x.abs(), p.hi().abs());
         let start = AtStart {

@@ -1,6 +1,5 @@
 //! Exact signs of many unrelated points, given as seven columns.
 
-use super::grid::{exact, exact_signs};
 use super::parallel;
 use super::{PrecisionCounts, SignPair};
 use crate::friction::Parameters;
@@ -8,6 +7,7 @@ use crate::number::Dd;
 use crate::number::dispatch::{Kernel, run_on_widest_unit};
 use crate::roots::PrecisionLevel;
 use crate::stability::certain_signs::{self, BoundedGroups};
+use crate::stability::integer_cubic::IntegerCubic;
 
 /// Points handled at a time: their columns stay in the first-level cache.
 const BLOCK: usize = 1024;
@@ -61,20 +61,23 @@ fn decide_the_rest(columns: &Parameters<&[f64]>, cells: &mut [SignPair]) -> Opti
         if !is_valid(columns, index) {
             return None;
         }
-        let (signs, precision_level) = decide_above_64_bit(&columns.map(|column| column[index]));
+        let (signs, precision_level) = decide_above_64_bit(&columns.map(|column| column[index]))?;
         *cell = signs;
         counts.count(precision_level);
     }
     Some(counts)
 }
 
-/// Both signs by double-double, else by rationals.
-fn decide_above_64_bit(point: &Parameters<f64>) -> (SignPair, PrecisionLevel) {
+/// Both signs by double-double, else by integers.
+fn decide_above_64_bit(point: &Parameters<f64>) -> Option<(SignPair, PrecisionLevel)> {
     let in_double_double = BoundedGroups::of_parameters(&point.map(|value| Dd::from(*value)));
-    match in_double_double.and_then(|groups| groups.signs_below_exact()) {
+    Some(match in_double_double.and_then(|groups| groups.signs_below_exact()) {
         Some(signs) => (SignPair::new(signs.transition, signs.boundary), PrecisionLevel::DoubleDouble),
-        None => (exact_signs(&point.map(|value| exact(*value)).groups()), PrecisionLevel::Exact),
-    }
+        None => {
+            let [transition, boundary] = IntegerCubic::of(point)?.signs();
+            (SignPair::new(transition, boundary), PrecisionLevel::Exact)
+        }
+    })
 }
 
 /// The inner loop over a block of points.
@@ -101,6 +104,7 @@ impl Kernel for PointLoop<'_> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::grid::exact;
     use super::*;
     use crate::stability::{boundary_sign, transition_sign};
     use proptest::prelude::*;

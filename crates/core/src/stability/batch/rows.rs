@@ -12,7 +12,7 @@ use crate::stability::point_values::{PointValues, Route};
 use crate::stability::quick::{classify_quickly, clearly_in_upper_area};
 use crate::stability::slip_mode::slip_mode_by;
 use crate::stability::spectrum::{OfPair, clearly_inertial_beyond};
-use crate::stability::three_roots::{RootsError, ThreeRoots, three_roots};
+use crate::stability::three_roots::{RootsError, ThreeRoots};
 use crate::stability::{Classification, InertialThreshold, SpectralClass};
 
 /// The classification of many points whose inputs are each within a relative [`Dd::UNIT`] of the true ones.
@@ -106,7 +106,7 @@ pub enum PointError {
 
 /// The three roots of every point whose seven inputs (SI) stand in seven columns; the 64-bit numbers are taken as exact.
 ///
-/// Each has the guarantees of [`three_roots`].
+/// Each has the guarantees of [`three_roots`](crate::stability::three_roots()).
 ///
 /// # Errors
 /// When the columns differ in length; else the error of the first point that has one.
@@ -156,7 +156,8 @@ fn roots_of_part(columns: &[&[f64]; 7], start: usize) -> Result<Vec<ThreeRoots>,
     }
     let or_exactly = |(index, found): (usize, Option<ThreeRoots>)| match found {
         Some(found) => Ok(found),
-        None => three_roots(&point(index)).map_err(|error| PointError::Point { index: start + index, error }),
+        None => ThreeRoots::beyond_double_double(&point(index))
+            .map_err(|error| PointError::Point { index: start + index, error }),
     };
     roots.into_iter().enumerate().map(or_exactly).collect()
 }

@@ -3,6 +3,7 @@
 use super::*;
 use crate::number::{Rational, parse_decimal};
 use crate::stability::classify;
+use crate::stability::three_roots;
 use proptest::prelude::*;
 
 fn decimals(exponents: [f64; 7]) -> Parameters<Rational> {
