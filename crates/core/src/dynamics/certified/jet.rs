@@ -30,18 +30,25 @@ fn alternating(value: Interval, n: usize) -> Interval {
     if n % 2 == 1 { -size } else { size }
 }
 
-/// Coefficients of δx^i δy^j for i + j ≤ [`DEGREE`].
+/// Coefficients of δx^i δy^j for i + j ≤ d ≤ [`DEGREE`].
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Jet([Interval; TERMS]);
+pub(super) struct Jet {
+    degree: usize,
+    terms: [Interval; TERMS],
+}
 
 impl Jet {
     /// From its coefficients.
     pub fn new(coefficient: impl Fn(usize, usize) -> Interval) -> Self {
+        Self::of_degree(DEGREE, coefficient)
+    }
+
+    fn of_degree(degree: usize, coefficient: impl Fn(usize, usize) -> Interval) -> Self {
         let mut terms = [Interval::ZERO; TERMS];
-        for (term, (i, j)) in terms.iter_mut().zip(exponents(DEGREE)) {
+        for (term, (i, j)) in terms.iter_mut().zip(exponents(degree)) {
             *term = coefficient(i, j);
         }
-        Self(terms)
+        Self { degree, terms }
     }
 
     /// A number.
@@ -64,55 +71,49 @@ impl Jet {
         Self::new(|i, j| if i == 0 { alternating(value, j) } else { Interval::ZERO })
     }
 
-    fn at(&self, i: usize, j: usize) -> Interval {
-        if i + j > DEGREE { Interval::ZERO } else { self.0[place(i, j)] }
-    }
-
     /// The value.
     pub const fn value(&self) -> Interval {
-        self.0[0]
+        self.terms[0]
     }
 
     /// The first derivatives.
     pub const fn gradient(&self) -> [Interval; 2] {
-        [self.0[1], self.0[2]]
+        [self.terms[1], self.terms[2]]
     }
 
     /// A bound of each second derivative.
     pub fn largest_second(&self) -> f64 {
-        [self.at(2, 0), self.at(1, 1), self.at(0, 2)]
-            .map(|c| 2.0 * c.magnitude())
-            .into_iter()
-            .fold(0.0, worse)
+        self.terms[3..6].iter().map(|c| 2.0 * c.magnitude()).fold(0.0, worse)
     }
 
     /// The derivative by x; its coefficients of the highest degree are unknown and left out.
     pub fn by_x(&self) -> Self {
-        Self::new(|i, j| Interval::point((i + 1) as f64) * self.at(i + 1, j))
+        Self::of_degree(self.degree - 1, |i, j| Interval::point((i + 1) as f64) * self.terms[place(i + 1, j)])
     }
 
     /// The same by y.
     pub fn by_y(&self) -> Self {
-        Self::new(|i, j| Interval::point((j + 1) as f64) * self.at(i, j + 1))
+        Self::of_degree(self.degree - 1, |i, j| Interval::point((j + 1) as f64) * self.terms[place(i, j + 1)])
     }
 
     /// All coefficients times a number.
     pub fn scaled(self, by: Interval) -> Self {
-        Self(self.0.map(|term| term * by))
+        Self { terms: self.terms.map(|term| term * by), ..self }
     }
 }
 
 impl Add for Jet {
     type Output = Self;
     fn add(self, other: Self) -> Self {
-        Self(std::array::from_fn(|k| self.0[k] + other.0[k]))
+        let of = |i, j| self.terms[place(i, j)] + other.terms[place(i, j)];
+        Self::of_degree(self.degree.min(other.degree), of)
     }
 }
 
 impl Neg for Jet {
     type Output = Self;
     fn neg(self) -> Self {
-        Self(self.0.map(|term| -term))
+        Self { terms: self.terms.map(|term| -term), ..self }
     }
 }
 
@@ -126,11 +127,11 @@ impl Sub for Jet {
 impl Mul for Jet {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
-        Self::new(|i, j| {
+        Self::of_degree(self.degree.min(other.degree), |i, j| {
             let mut sum = Interval::ZERO;
             for p in 0..i + 1 {
                 for q in 0..j + 1 {
-                    sum = sum + self.0[place(p, q)] * other.0[place(i - p, j - q)];
+                    sum = sum + self.terms[place(p, q)] * other.terms[place(i - p, j - q)];
                 }
             }
             sum

@@ -82,13 +82,12 @@ impl Manifold {
         }
         let inverse = Jet::exponential_of_minus_x((-at[0]).exp() * inertia.reciprocal());
         let damping = inverse + rate + rate.by_x();
-        let rows = [rate.gradient(), state_rate.gradient()];
         Self {
             inertia: own_inertia.value(),
             rate: rate.value(),
             rate_gradient: rate.gradient(),
             state_rate: state_rate.value(),
-            largest_slope: super::linear::largest_row(&rows),
+            largest_slope: super::linear::largest_row(&[rate.gradient(), state_rate.gradient()]),
             largest_bend: generously_up(4.0 * worse(rate.largest_second(), state_rate.largest_second())),
             residual: difference.value().magnitude(),
             residual_gradient: difference.gradient(),
