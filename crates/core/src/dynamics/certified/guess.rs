@@ -46,7 +46,7 @@ pub(super) fn guess(constants: &Constants, model: &Model<f64>, cycle: &Cycle<f64
             let rate = zeta - x - beta * y;
             has_fallen |= rate < 0.0;
             // Most samples need no more than the least delay.
-            sticks |= has_fallen && least < 0.5 * ENTRY_DELAY && delay() < 0.5 * ENTRY_DELAY;
+            sticks = sticks || has_fallen && least < 0.5 * ENTRY_DELAY && delay() < 0.5 * ENTRY_DELAY;
             if sticks && x > -300.0 && (least > EXIT_DELAY || delay() > EXIT_DELAY) {
                 return Ok(Guess { section: x, point: [y, rate], is_on_slow_manifold: true });
             }

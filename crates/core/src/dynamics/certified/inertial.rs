@@ -10,62 +10,47 @@
 
 use super::Constants;
 use super::interval::Interval;
-use super::lanes::{Lanes, product};
+use super::lanes::{Factor, Lanes, product};
 use super::step::{ORDER, Series, System};
 use crate::friction::EvolutionLaw;
-use crate::number::dispatch::{Kernel, run_on_widest_unit};
 
 /// The equations of x, y and F in s.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Inertial<'c>(pub &'c Constants);
 
 impl System<3, 4> for Inertial<'_> {
-    fn series<const M: usize>(&self, start: &[Lanes<M>; 3]) -> Series<M, 4> {
-        let mut out: Series<M, 4> = [[Lanes::ZERO; 4]; ORDER + 1];
-        out[0][..3].copy_from_slice(start);
-        run_on_widest_unit(Recursion { constants: self.0, out: &mut out });
-        out
-    }
-}
-
-/// The recursion of the coefficients, from those of order zero.
-struct Recursion<'a, const M: usize> {
-    constants: &'a Constants,
-    out: &'a mut Series<M, 4>,
-}
-
-impl<const M: usize> Kernel for Recursion<'_, M> {
     #[inline(always)]
-    fn run(self) {
-        let Constants { inertia, stiffness, effect_ratio, law } = *self.constants;
-        let out = self.out;
+    fn expand<const M: usize>(&self, out: &mut Series<M, 4>) {
+        let Constants { inertia, stiffness, effect_ratio, law } = *self.0;
         let start = [out[0][0], out[0][1]];
-        let blank = [Lanes::<M>::ZERO; ORDER + 1];
-        let (mut velocity, mut square, mut sum, mut force, mut healing, mut relative) =
-            (blank, blank, blank, blank, blank, blank);
+        let [mut velocities, mut forces, mut firsts, mut seconds] = [[Factor::<M>::ZERO; ORDER + 1]; 4];
         let exponential = start[0].lane(0).exp();
-        velocity[0] = Lanes::following(exponential, exponential, &start[0]);
+        let mut velocity = Lanes::following(exponential, exponential, &start[0]);
         let difference = start[0] - start[1];
         let healed = difference.lane(0).exp();
-        healing[0] = Lanes::following(healed, healed, &difference);
+        let mut healing = Lanes::following(healed, healed, &difference);
         let spring = stiffness * inertia;
         for k in 0..ORDER {
             let part = Interval::ONE * Interval::point((k + 1) as f64).reciprocal();
             let [x, y, f, _] = out[k];
-            (sum[k], force[k]) = (x + y, f);
-            square[k] = product(&velocity, &velocity, k);
+            (velocities[k], forces[k]) = (velocity.into(), f.into());
+            let square = product(&velocities, &velocities, k);
             let change = match law {
-                EvolutionLaw::Slip => -product(&square, &sum, k),
-                EvolutionLaw::Aging => healing[k] - square[k],
+                EvolutionLaw::Slip => {
+                    (firsts[k], seconds[k]) = (square.into(), (x + y).into());
+                    -product(&firsts, &seconds, k)
+                }
+                EvolutionLaw::Aging => healing - square,
             };
             let state_rate = change.scaled(inertia);
-            let force_rate = (velocity[k] - square[k]).scaled(spring) - f - state_rate.scaled(effect_ratio);
+            let force_rate = (velocity - square).scaled(spring) - f - state_rate.scaled(effect_ratio);
+            let clock_rate = velocity.scaled(inertia);
             out[k + 1] =
-                [f, state_rate, force_rate, velocity[k].scaled(inertia)].map(|rate| rate.scaled(part));
-            velocity[k + 1] = product(&force, &velocity, k).scaled(part);
+                [f.scaled(part), state_rate.scaled(part), force_rate.scaled(part), clock_rate.scaled(part)];
+            velocity = product(&forces, &velocities, k).scaled(part);
             if law == EvolutionLaw::Aging {
-                relative[k] = f - state_rate;
-                healing[k + 1] = product(&relative, &healing, k).scaled(part);
+                (firsts[k], seconds[k]) = ((f - state_rate).into(), healing.into());
+                healing = product(&firsts, &seconds, k).scaled(part);
             }
         }
     }

@@ -5,14 +5,20 @@ use super::interval::{Interval, generously_up};
 /// A square matrix of intervals.
 pub(super) type Square<const N: usize> = [[Interval; N]; N];
 
-/// A product of matrices.
+/// A product of matrices; loops rather than closures, which the compiler leaves as calls.
 pub(super) fn multiply<const N: usize, const M: usize, const K: usize>(
     a: &[[Interval; M]; N],
     b: &[[Interval; K]; M],
 ) -> [[Interval; K]; N] {
-    std::array::from_fn(|i| {
-        std::array::from_fn(|j| (0..M).fold(Interval::ZERO, |sum, m| sum + a[i][m] * b[m][j]))
-    })
+    let mut product = [[Interval::ZERO; K]; N];
+    for i in 0..N {
+        for j in 0..K {
+            for m in 0..M {
+                product[i][j] = product[i][j] + a[i][m] * b[m][j];
+            }
+        }
+    }
+    product
 }
 
 /// A matrix times a vector.
@@ -20,7 +26,7 @@ pub(super) fn apply<const N: usize, const M: usize>(
     a: &[[Interval; M]; N],
     v: &[Interval; M],
 ) -> [Interval; N] {
-    std::array::from_fn(|i| (0..M).fold(Interval::ZERO, |sum, m| sum + a[i][m] * v[m]))
+    multiply(a, &v.map(|c| [c])).map(|[c]| c)
 }
 
 /// The determinant.

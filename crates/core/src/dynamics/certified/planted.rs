@@ -34,7 +34,7 @@ fn times(x: &Float, y: &Float) -> Float {
 }
 
 fn series(a: Interval, b: Interval) -> Interval {
-    product(&[Lanes::<1>::new([a])], &[Lanes::new([b])], 0).lane(0)
+    product(&[Lanes::<1>::all(a).into()], &[Lanes::all(b).into()], 0).lane(0)
 }
 
 const RIGHT: [Operation; 5] = [

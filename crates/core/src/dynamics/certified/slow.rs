@@ -6,7 +6,7 @@
 use super::Constants;
 use super::interval::Interval;
 use super::jet::{exponents, inverse_factorial, place};
-use super::lanes::{Lanes, product};
+use super::lanes::{Factor, Lanes, product};
 use super::step::{ORDER, Series, System};
 use crate::friction::EvolutionLaw;
 
@@ -17,10 +17,18 @@ pub(super) const CORRECTIONS: usize = 3;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Slow<'c>(pub &'c Constants);
 
-/// The Taylor coefficients in time of a function's derivatives by x and y, over factorials: one series for each [`place`].
-type Field<const M: usize> = [[Lanes<M>; ORDER + 1]; (CORRECTIONS + 1) * (CORRECTIONS + 2) / 2];
+/// How many derivatives up to a degree are multiplied, and how many ξ_0 has.
+const FACTORS: usize = CORRECTIONS * (CORRECTIONS + 1) / 2;
+const PLACES: usize = (CORRECTIONS + 1) * (CORRECTIONS + 2) / 2;
+
+/// A function's derivatives by x and y, over factorials, one for each [`place`].
+type Derivatives<const M: usize> = [Lanes<M>; PLACES];
+
+/// The Taylor coefficients in time of those that are multiplied.
+type Field<const M: usize> = [[Factor<M>; ORDER + 1]; FACTORS];
 
 /// Coefficient k of the product of two fields, at (i, j).
+#[inline(always)]
 fn field_product<const M: usize>(a: &Field<M>, b: &Field<M>, (i, j): (usize, usize), k: usize) -> Lanes<M> {
     let mut sum = Lanes::ZERO;
     for p in 0..i + 1 {
@@ -33,11 +41,10 @@ fn field_product<const M: usize>(a: &Field<M>, b: &Field<M>, (i, j): (usize, usi
 
 /// The fields that the iterates are made of.
 struct Fields<const M: usize> {
-    velocity: Field<M>,
     inertia: Field<M>,
     state_rate: Field<M>,
     /// ξ_0, ξ_1, …
-    rates: [Field<M>; CORRECTIONS + 1],
+    rates: [Field<M>; CORRECTIONS],
     /// ξ + ξ_x and ξ_y of each.
     growths: [Field<M>; CORRECTIONS],
     by_y: [Field<M>; CORRECTIONS],
@@ -47,20 +54,26 @@ struct Fields<const M: usize> {
 
 impl<const M: usize> Fields<M> {
     const fn new() -> Self {
-        let blank: Field<M> = [[Lanes::ZERO; ORDER + 1]; (CORRECTIONS + 1) * (CORRECTIONS + 2) / 2];
+        let blank: Field<M> = [[Factor::ZERO; ORDER + 1]; FACTORS];
         Self {
-            velocity: blank,
             inertia: blank,
             state_rate: blank,
-            rates: [blank; CORRECTIONS + 1],
+            rates: [blank; CORRECTIONS],
             growths: [blank; CORRECTIONS],
             by_y: [blank; CORRECTIONS],
             bends: [blank; CORRECTIONS],
         }
     }
 
-    /// Coefficient k of g, ξ_0, e^x and ε, from those of e^x, g and, for the aging law, e^{−y}.
-    fn begin(&mut self, constants: &Constants, k: usize, [velocity, state_rate, healing]: [Lanes<M>; 3]) {
+    /// Coefficient k of g, ε and ξ_0, of which the last is returned, from those of e^x, g and, for the aging law, e^{−y}.
+    #[inline(always)]
+    fn begin(
+        &mut self,
+        constants: &Constants,
+        k: usize,
+        [velocity, state_rate, healing]: [Lanes<M>; 3],
+    ) -> Derivatives<M> {
+        let mut rate = [Lanes::ZERO; PLACES];
         for (i, j) in exponents(CORRECTIONS) {
             let index = place(i, j);
             let of_velocity = velocity.scaled(inverse_factorial(i));
@@ -79,66 +92,73 @@ impl<const M: usize> Fields<M> {
             };
             let of_velocity = if j == 0 { of_velocity } else { Lanes::ZERO };
             let excess = if index + k == 0 { (-of_velocity).plus(Interval::ONE) } else { -of_velocity };
-            self.velocity[index][k] = of_velocity;
-            self.inertia[index][k] = of_velocity.scaled(constants.inertia);
-            self.state_rate[index][k] = of_state;
-            self.rates[0][index][k] =
-                excess.scaled(constants.stiffness) - of_state.scaled(constants.effect_ratio);
+            if i + j < CORRECTIONS {
+                self.inertia[index][k] = of_velocity.scaled(constants.inertia).into();
+                self.state_rate[index][k] = of_state.into();
+            }
+            rate[index] = excess.scaled(constants.stiffness) - of_state.scaled(constants.effect_ratio);
         }
+        rate
     }
 
-    /// Coefficient k of ξ_n.
-    fn corrected(&mut self, k: usize) -> Lanes<M> {
+    /// Coefficient k of ξ_n, from that of ξ_0.
+    #[inline(always)]
+    fn corrected(&mut self, k: usize, first: &Derivatives<M>) -> Lanes<M> {
+        let mut rate = *first;
         for m in 0..CORRECTIONS {
             let degree = CORRECTIONS - 1 - m;
             for (i, j) in exponents(degree) {
-                let rate = &self.rates[m];
-                let by_x = rate[place(i + 1, j)][k].scaled(Interval::point((i + 1) as f64));
-                self.growths[m][place(i, j)][k] = rate[place(i, j)][k] + by_x;
-                self.by_y[m][place(i, j)][k] =
-                    rate[place(i, j + 1)][k].scaled(Interval::point((j + 1) as f64));
+                let at = place(i, j);
+                let by_x = rate[place(i + 1, j)].scaled(Interval::point((i + 1) as f64));
+                let by_y = rate[place(i, j + 1)].scaled(Interval::point((j + 1) as f64));
+                self.rates[m][at][k] = rate[at].into();
+                self.growths[m][at][k] = (rate[at] + by_x).into();
+                self.by_y[m][at][k] = by_y.into();
             }
             for at in exponents(degree) {
-                self.bends[m][place(at.0, at.1)][k] = field_product(&self.rates[m], &self.growths[m], at, k)
+                let bend = field_product(&self.rates[m], &self.growths[m], at, k)
                     + field_product(&self.state_rate, &self.by_y[m], at, k);
+                self.bends[m][place(at.0, at.1)][k] = bend.into();
             }
             for (i, j) in exponents(degree) {
                 // ε depends on x only.
-                let lag = (0..=i).fold(Lanes::ZERO, |sum, p| {
-                    sum + product(&self.inertia[place(p, 0)], &self.bends[m][place(i - p, j)], k)
-                });
-                self.rates[m + 1][place(i, j)][k] = self.rates[0][place(i, j)][k] - lag;
+                let mut lag = Lanes::ZERO;
+                for p in 0..i + 1 {
+                    lag = lag + product(&self.inertia[place(p, 0)], &self.bends[m][place(i - p, j)], k);
+                }
+                rate[place(i, j)] = first[place(i, j)] - lag;
             }
         }
-        self.rates[CORRECTIONS][0][k]
+        rate[0]
     }
 }
 
 impl System<2, 3> for Slow<'_> {
-    fn series<const M: usize>(&self, start: &[Lanes<M>; 2]) -> Series<M, 3> {
+    #[inline(always)]
+    fn expand<const M: usize>(&self, out: &mut Series<M, 3>) {
         let is_aging = self.0.law == EvolutionLaw::Aging;
-        let mut out: Series<M, 3> = [[Lanes::ZERO; 3]; ORDER + 1];
         let mut fields = Fields::<M>::new();
-        let [mut velocity, mut healing, mut sum, mut state_rate, mut rate] =
-            [[Lanes::<M>::ZERO; ORDER + 1]; 5];
-        out[0][..2].copy_from_slice(start);
-        let [exponential, healed] = [start[0].lane(0).exp(), (-start[1].lane(0)).exp()];
-        velocity[0] = Lanes::following(exponential, exponential, &start[0]);
-        healing[0] = Lanes::following(healed, -healed, &start[1]);
+        let [mut velocities, mut healings, mut sums, mut state_rates, mut rates] =
+            [[Factor::<M>::ZERO; ORDER + 1]; 5];
+        let [x, y] = [out[0][0], out[0][1]];
+        let [exponential, healed] = [x.lane(0).exp(), (-y.lane(0)).exp()];
+        let mut velocity = Lanes::following(exponential, exponential, &x);
+        let mut healing = Lanes::following(healed, -healed, &y);
         for k in 0..ORDER {
             let part = Interval::point((k + 1) as f64).reciprocal();
             if k > 0 {
                 let part = Interval::point(k as f64).reciprocal();
-                velocity[k] = product(&velocity, &rate, k - 1).scaled(part);
-                healing[k] = -product(&healing, &state_rate, k - 1).scaled(part);
+                velocity = product(&velocities, &rates, k - 1).scaled(part);
+                healing = -product(&healings, &state_rates, k - 1).scaled(part);
             }
-            sum[k] = out[k][0] + out[k][1];
-            state_rate[k] = if is_aging { healing[k] - velocity[k] } else { -product(&velocity, &sum, k) };
-            fields.begin(self.0, k, [velocity[k], state_rate[k], healing[k]]);
-            rate[k] = fields.corrected(k);
+            let sum = out[k][0] + out[k][1];
+            (velocities[k], healings[k], sums[k]) = (velocity.into(), healing.into(), sum.into());
+            let state_rate = if is_aging { healing - velocity } else { -product(&velocities, &sums, k) };
+            let first = fields.begin(self.0, k, [velocity, state_rate, healing]);
+            let rate = fields.corrected(k, &first);
+            (state_rates[k], rates[k]) = (state_rate.into(), rate.into());
             let clock = if k == 0 { Lanes::ZERO.plus(Interval::ONE) } else { Lanes::ZERO };
-            out[k + 1] = [rate[k].scaled(part), state_rate[k].scaled(part), clock];
+            out[k + 1] = [rate.scaled(part), state_rate.scaled(part), clock];
         }
-        out
     }
 }

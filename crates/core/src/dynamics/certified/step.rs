@@ -8,6 +8,7 @@ use super::interval::{Interval, generously_up};
 use super::lanes::Lanes;
 use super::linear::{Square, apply, worse};
 use super::set::Set;
+use crate::number::dispatch::{Kernel, run_on_widest_unit};
 
 /// The order n of the remainder.
 pub(super) const ORDER: usize = 22;
@@ -24,18 +25,42 @@ const LARGEST_OF_SLOPE: f64 = 1e-10;
 const MARGIN: f64 = 4.0;
 const TRIALS: usize = 3;
 
+/// The lanes of a state with its derivatives: as many as fill a vector unit.
+const LANES: usize = 4;
+
 /// The Taylor coefficients 0 … n of N components and of the elapsed time, which is the last of C = N + 1 components.
 pub(super) type Series<const M: usize, const C: usize> = [[Lanes<M>; C]; ORDER + 1];
 
 /// Equations of motion of N components.
-pub(super) trait System<const N: usize, const C: usize> {
+pub(super) trait System<const N: usize, const C: usize>: Sized {
+    /// All coefficients of a solution, from those of order zero: `#[inline(always)]`, so that it is compiled for each vector unit.
+    fn expand<const M: usize>(&self, series: &mut Series<M, C>);
+
     /// The coefficients of the solution through a state; those of order zero are the state.
-    fn series<const M: usize>(&self, start: &[Lanes<M>; N]) -> Series<M, C>;
+    fn series<const M: usize>(&self, start: &[Lanes<M>; N]) -> Series<M, C> {
+        let mut series = [[Lanes::ZERO; C]; ORDER + 1];
+        series[0][..N].copy_from_slice(start);
+        run_on_widest_unit(Recursion { system: self, series: &mut series });
+        series
+    }
+}
+
+/// The recursion of the coefficients.
+struct Recursion<'a, S, const N: usize, const C: usize, const M: usize> {
+    system: &'a S,
+    series: &'a mut Series<M, C>,
+}
+
+impl<S: System<N, C>, const N: usize, const C: usize, const M: usize> Kernel for Recursion<'_, S, N, C, M> {
+    #[inline(always)]
+    fn run(self) {
+        self.system.expand(self.series);
+    }
 }
 
 /// The series at a set: over its hull with derivatives, and at its centre.
 pub(super) struct Expansion<const N: usize, const C: usize> {
-    hull: Series<C, C>,
+    hull: Series<LANES, C>,
     pub centre: Series<1, C>,
 }
 
@@ -56,7 +81,7 @@ pub(super) struct Step<const N: usize, const C: usize> {
 impl<const N: usize, const C: usize> Expansion<N, C> {
     pub fn new(system: &impl System<N, C>, set: &Set<N>) -> Self {
         let hull = set.hull();
-        let unit: [Lanes<C>; N] = std::array::from_fn(|i| {
+        let unit: [Lanes<LANES>; N] = std::array::from_fn(|i| {
             Lanes::new(std::array::from_fn(|l| match l {
                 0 => hull[i],
                 _ if l == i + 1 => Interval::ONE,
@@ -109,7 +134,7 @@ impl<const N: usize, const C: usize> Expansion<N, C> {
         let length = Interval::point(h);
         let power = (0..ORDER).fold(Interval::ONE, |power, _| power * length);
         let range: [Interval; N] = std::array::from_fn(|i| self.range(i, h).widened(disturbance));
-        let spread: Square<N> = std::array::from_fn(|i| std::array::from_fn(|j| self.spread(i, j + 1, h)));
+        let spread: Square<N> = std::array::from_fn(|i| self.spread(i, h));
         let widen =
             |range: Interval, by: f64| range.widened(by + 1e-13 * range.magnitude() + f64::MIN_POSITIVE);
         let mut terms = self.hull[ORDER].map(|term| term.scaled(power));
@@ -118,8 +143,12 @@ impl<const N: usize, const C: usize> Expansion<N, C> {
             let during: [Interval; N] = std::array::from_fn(|i| widen(range[i], margins[0]));
             let slopes: Square<N> =
                 std::array::from_fn(|i| std::array::from_fn(|j| widen(spread[i][j], margins[1])));
-            let start: [Lanes<C>; N] = std::array::from_fn(|i| {
-                Lanes::new(std::array::from_fn(|l| if l == 0 { during[i] } else { slopes[i][l - 1] }))
+            let start: [Lanes<LANES>; N] = std::array::from_fn(|i| {
+                Lanes::new(std::array::from_fn(|l| match l {
+                    0 => during[i],
+                    _ if l <= N => slopes[i][l - 1],
+                    _ => Interval::ZERO,
+                }))
             });
             terms = system.series(&start)[ORDER].map(|term| term.scaled(power));
             let holds = |i: usize, l: usize, range: Interval, inside: Interval| {
@@ -133,7 +162,11 @@ impl<const N: usize, const C: usize> Expansion<N, C> {
                 terms[i].lane(0).magnitude() < largest * (1.0 + during[i].magnitude())
                     && (1..C).all(|l| terms[i].lane(l).magnitude() < largest_of_slope)
             });
-            if all && is_small && terms[N].lane(0).is_bounded() {
+            if !is_small {
+                // A larger box has larger terms.
+                return None;
+            }
+            if all && terms[N].lane(0).is_bounded() {
                 return Some(self.enclosed(set, length, &during, &slopes, &terms));
             }
         }
@@ -147,19 +180,20 @@ impl<const N: usize, const C: usize> Expansion<N, C> {
         length: Interval,
         during: &[Interval; N],
         slopes: &Square<N>,
-        last: &[Lanes<C>; C],
+        last: &[Lanes<LANES>; C],
     ) -> Step<N, C> {
-        let image = std::array::from_fn(|i| value(&self.centre, i, 0, length) + last[i].lane(0));
+        let at_centre = |i: usize| value(&self.centre, i, length).lane(0) + last[i].lane(0);
         let slope_of = |i: usize| -> [Interval; N] {
-            std::array::from_fn(|j| value(&self.hull, i, j + 1, length) + last[i].lane(j + 1))
+            let end = value(&self.hull, i, length) + last[i];
+            std::array::from_fn(|j| end.lane(j + 1))
         };
         let of_hull = apply(&[slope_of(N)], &set.offsets())[0];
         Step {
             during: *during,
-            image,
+            image: std::array::from_fn(at_centre),
             slope: std::array::from_fn(slope_of),
             largest_slope: super::linear::largest_row(slopes),
-            duration: value(&self.centre, N, 0, length) + last[N].lane(0) + of_hull,
+            duration: at_centre(N) + of_hull,
         }
     }
 
@@ -167,20 +201,24 @@ impl<const N: usize, const C: usize> Expansion<N, C> {
     fn range(&self, component: usize, h: f64) -> Interval {
         const PIECES: usize = 4;
         let part = |i: usize| h * i as f64 / PIECES as f64;
-        (0..PIECES)
-            .map(|i| value(&self.hull, component, 0, Interval::between(part(i), part(i + 1))))
-            .reduce(Interval::hull)
-            .unwrap_or(Interval::symmetric(f64::INFINITY))
+        let lengths: Lanes<PIECES> =
+            Lanes::new(std::array::from_fn(|i| Interval::between(part(i), part(i + 1))));
+        let terms = self.hull[..ORDER].iter().rev().map(|term| Lanes::all(term[component].lane(0)));
+        let pieces = terms.fold(Lanes::ZERO, |sum, term| sum.times(&lengths) + term);
+        (1..PIECES).fold(pieces.lane(0), |hull, i| hull.hull(pieces.lane(i)))
     }
 
-    /// The same for a derivative, from the sizes of its terms.
-    fn spread(&self, component: usize, lane: usize, h: f64) -> Interval {
-        let (mut power, mut sum) = (1.0, 0.0);
+    /// The same for its derivatives, from the sizes of their terms.
+    fn spread(&self, component: usize, h: f64) -> [Interval; N] {
+        let (mut power, mut sums) = (1.0, [0.0; LANES]);
         for term in &self.hull[1..ORDER] {
             power *= h;
-            sum += power * term[component].lane(lane).magnitude();
+            for (l, sum) in sums.iter_mut().enumerate() {
+                *sum += power * term[component].lane(l).magnitude();
+            }
         }
-        self.hull[0][component].lane(lane).widened(generously_up(sum))
+        let start = &self.hull[0][component];
+        std::array::from_fn(|j| start.lane(j + 1).widened(generously_up(sums[j + 1])))
     }
 
     /// The length at which a function of the length changes its sign within the step; none where it does not.
@@ -213,7 +251,7 @@ impl<const N: usize, const C: usize> Expansion<N, C> {
 }
 
 /// How far the box exceeds the range: of the state, and of the derivatives.
-fn margins<const N: usize, const C: usize>(terms: &[Lanes<C>; C]) -> [f64; 2] {
+fn margins<const N: usize, const C: usize>(terms: &[Lanes<LANES>; C]) -> [f64; 2] {
     let largest = |lanes: std::ops::Range<usize>| {
         let sizes = terms[..N].iter().flat_map(|term| lanes.clone().map(|l| term.lane(l).magnitude()));
         MARGIN * sizes.fold(0.0, worse)
@@ -225,11 +263,10 @@ fn margins<const N: usize, const C: usize>(terms: &[Lanes<C>; C]) -> [f64; 2] {
 fn value<const M: usize, const C: usize>(
     series: &Series<M, C>,
     component: usize,
-    lane: usize,
     length: Interval,
-) -> Interval {
+) -> Lanes<M> {
     let terms = series[..ORDER].iter().rev();
-    terms.fold(Interval::ZERO, |sum, term| sum * length + term[component].lane(lane))
+    terms.fold(Lanes::ZERO, |sum, term| sum.scaled(length) + term[component])
 }
 
 #[cfg(test)]
@@ -270,7 +307,7 @@ mod tests {
             |found: &Square<N>| found.iter().zip(&slope).any(|(found, slope)| is_disjoint(found, slope));
         assert!(!is_disjoint(&step.image, &reference) && !excludes_slope(&step.slope));
         let expansion = Expansion::new(system, &start);
-        let with = |last: &[Lanes<C>; C]| {
+        let with = |last: &[Lanes<LANES>; C]| {
             expansion.enclosed(&start, Interval::point(h), &step.during, &step.slope, last)
         };
         let without = with(&[Lanes::ZERO; C]);
@@ -304,15 +341,12 @@ mod tests {
     struct Growth(f64);
 
     impl System<1, 2> for Growth {
-        fn series<const M: usize>(&self, start: &[Lanes<M>; 1]) -> Series<M, 2> {
-            let mut out: Series<M, 2> = [[Lanes::ZERO; 2]; ORDER + 1];
-            out[0][0] = start[0];
+        fn expand<const M: usize>(&self, out: &mut Series<M, 2>) {
             for k in 0..ORDER {
                 let part = Interval::point((k + 1) as f64).reciprocal();
                 let x = out[k][0].scaled(part);
                 out[k + 1] = [x.scaled(Interval::point(self.0)), x];
             }
-            out
         }
     }
 
