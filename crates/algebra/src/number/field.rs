@@ -23,6 +23,7 @@ pub trait Field:
 {
     /// The square of the number (balls and double-doubles do this tighter or faster than a product).
     #[must_use]
+    #[inline(always)]
     fn square(&self) -> Self {
         self.clone() * self
     }

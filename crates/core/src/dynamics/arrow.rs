@@ -28,6 +28,7 @@ pub struct Arrow<R> {
 impl<R: Scalar> Arrow<R> {
     /// All entries times the step.
     #[must_use]
+    #[inline(always)]
     pub fn scaled(&self, h: &R) -> Self {
         Self {
             xx: self.xx.clone() * h,
@@ -152,7 +153,7 @@ impl<R: Scalar> Factors<Complex<R>> {
 impl<C> Factors<C> {
     /// Eliminates y and ζ from λ − J, where `jacobian` already carries the step's factor.
     #[must_use]
-    #[inline]
+    #[inline(always)]
     pub fn new<R: Scalar>(lambda: &C, jacobian: &Arrow<R>) -> Self
     where
         C: OverReals<R>,
@@ -167,7 +168,7 @@ impl<C> Factors<C> {
 
     /// Solves (λ − J) d = r.
     #[must_use]
-    #[inline]
+    #[inline(always)]
     pub fn solve<R: Scalar>(&self, jacobian: &Arrow<R>, [x, y, zeta]: [C; 3]) -> [C; 3]
     where
         C: OverReals<R>,

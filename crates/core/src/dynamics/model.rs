@@ -122,13 +122,13 @@ impl<R: Scalar> Model<R> {
         &self.inverse_inertia
     }
 
-    #[inline]
+    #[inline(always)]
     fn inverse_momentum(&self, velocity: &R) -> R {
         let floor = R::from_f64(SLOWEST);
         self.inverse_inertia.clone() / if *velocity < floor { &floor } else { velocity }
     }
 
-    #[inline]
+    #[inline(always)]
     fn exponentials(&self, [x, y, _]: &State<R>) -> Exponentials<R> {
         let (velocity, velocity_excess) = x.exponentials();
         let (healing, healing_excess) = match self.law {
@@ -140,7 +140,7 @@ impl<R: Scalar> Model<R> {
 
     /// The friction φ = (μ − μ0)/a; for the regularised law relative to that of steady sliding at V_l.
     #[must_use]
-    #[inline]
+    #[inline(always)]
     pub fn friction(&self, state: &State<R>) -> R {
         let logarithmic = state[0].clone() + self.groups.effect_ratio.clone() * &state[1];
         match &self.balance {
@@ -153,21 +153,21 @@ impl<R: Scalar> Model<R> {
 
     /// ζ − φ: spring stress not balanced by friction, in units of aσ.
     #[must_use]
-    #[inline]
+    #[inline(always)]
     pub fn imbalance(&self, state: &State<R>) -> R {
         state[2].clone() - self.friction(state)
     }
 
     /// The time derivative of the state.
     #[must_use]
-    #[inline]
+    #[inline(always)]
     pub fn rate(&self, state: &State<R>) -> State<R> {
         self.rate_and_stiffness(state).0
     }
 
     /// The same with the stiffness ∂x'/∂ζ = e^{−x}/η of the balance of forces.
     #[must_use]
-    #[inline]
+    #[inline(always)]
     pub fn rate_and_stiffness(&self, state: &State<R>) -> (State<R>, R) {
         let e = self.exponentials(state);
         let state_rate = match self.law {
@@ -186,6 +186,7 @@ impl<R: Scalar> Model<R> {
 
     /// The derivative of the rate by the state.
     #[must_use]
+    #[inline(always)]
     pub fn jacobian(&self, state: &State<R>) -> Arrow<R> {
         let e = self.exponentials(state);
         let beta = &self.groups.effect_ratio;

@@ -8,6 +8,7 @@ use super::arrow::{Arrow, Complex, Factors};
 use super::collocation::Collocation;
 use super::stepper::{Stepper, Trial, Weight, increment};
 use super::{Model, Scalar, State};
+use crate::number::dispatch::{Kernel, run_on_widest_unit};
 
 /// Newton iterations before a step is given up.
 const MOST_ITERATIONS: u32 = 12;
@@ -55,6 +56,7 @@ impl<R: Scalar, const S: usize> Radau<R, S> {
     }
 
     /// Starts Newton's iteration on the last polynomial: extrapolated over a new step, interpolated for a repeated one.
+    #[inline(always)]
     fn predict(&mut self, h: &R) {
         let rewound = std::mem::take(&mut self.rewound);
         let source = if rewound {
@@ -71,12 +73,14 @@ impl<R: Scalar, const S: usize> Radau<R, S> {
         let ratio = h.clone() / step;
         for i in 0..S {
             let value = increment(polynomial, &(offset.clone() + ratio.clone() * &self.constants.nodes[i]));
-            self.stages[i] = std::array::from_fn(|c| value[c].clone() - &origin[c]);
+            for c in 0..3 {
+                self.stages[i][c] = value[c].clone() - &origin[c];
+            }
         }
     }
 
     /// Solves for Newton's update of the modes.
-    #[inline]
+    #[inline(always)]
     fn update(
         &mut self,
         model: &Model<R>,
@@ -89,7 +93,7 @@ impl<R: Scalar, const S: usize> Radau<R, S> {
         let pivot = eigenvalues[0].clone() + &factors.jacobian.xz;
         let mut derivatives = self.stages.clone();
         for (i, derivative) in derivatives.iter_mut().enumerate() {
-            let state: State<R> = std::array::from_fn(|c| from[c].clone() + &self.stages[i][c]);
+            let state = sum(from, &self.stages[i]);
             let (rate, stiffness) = model.rate_and_stiffness(&state);
             // The row of x as a residual, scaled from the stiffness of its stage to that of the Jacobian.
             let mut residual = rate[0].clone() * h;
@@ -101,24 +105,21 @@ impl<R: Scalar, const S: usize> Radau<R, S> {
         }
         self.evaluations += S as u64;
         let mut right = transform(&self.constants.to_modes, &derivatives);
-        let real: State<R> = std::array::from_fn(|c| match c {
-            0 => right[0][0].clone(),
-            _ => right[0][c].clone() - eigenvalues[0].clone() * &modes[0][c],
-        });
+        let rest = |c: usize| right[0][c].clone() - eigenvalues[0].clone() * &modes[0][c];
+        let real = [right[0][0].clone(), rest(1), rest(2)];
         right[0] = factors.real.solve(&factors.jacobian, real);
         for m in (1..S).step_by(2) {
             let (re, im) = (&eigenvalues[m], &eigenvalues[m + 1]);
             // The pair (a, b) of modes acts as a − ib, on which A^{-1} is multiplication by λ.
-            let residual: [Complex<R>; 3] = std::array::from_fn(|c| {
-                if c == 0 {
-                    return Complex { re: right[m][0].clone(), im: -right[m + 1][0].clone() };
-                }
+            let rest = |c: usize| {
                 let (a, b) = (&modes[m][c], &modes[m + 1][c]);
                 Complex {
                     re: right[m][c].clone() - re.clone() * a - im.clone() * b,
                     im: re.clone() * b - im.clone() * a - &right[m + 1][c],
                 }
-            });
+            };
+            let first = Complex { re: right[m][0].clone(), im: -right[m + 1][0].clone() };
+            let residual = [first, rest(1), rest(2)];
             let solution = factors.pairs[m / 2].solve(&factors.jacobian, residual);
             for (c, d) in solution.into_iter().enumerate() {
                 right[m][c] = d.re;
@@ -129,6 +130,7 @@ impl<R: Scalar, const S: usize> Radau<R, S> {
     }
 
     /// Newton's iteration on the stages; false when it does not converge.
+    #[inline(always)]
     fn solve_stages(
         &mut self,
         model: &Model<R>,
@@ -171,6 +173,7 @@ impl<R: Scalar, const S: usize> Radau<R, S> {
     }
 
     /// The estimated error, filtered by (λ0 − hJ)^{-1} so that it stays bounded for stiff components.
+    #[inline(always)]
     fn estimate(
         &mut self,
         model: &Model<R>,
@@ -180,10 +183,11 @@ impl<R: Scalar, const S: usize> Radau<R, S> {
     ) -> State<R> {
         let real = self.constants.eigenvalues[0].clone();
         let weights = &self.constants.error_weights;
-        let from_stages = weighted(weights, &self.stages).map(|sum| sum * &real);
-        let rate = model.rate(from);
+        let [x, y, zeta] = weighted(weights, &self.stages);
+        let from_stages = [x * &real, y * &real, zeta * &real];
+        let [x, y, zeta] = model.rate(from);
         self.evaluations += 1;
-        let raw = std::array::from_fn(|c| rate[c].clone() * h + &from_stages[c]);
+        let raw = sum(&[x * h, y * h, zeta * h], &from_stages);
         factors.real.solve(&factors.jacobian, raw)
     }
 }
@@ -203,16 +207,14 @@ struct StepFactors<R, const S: usize> {
 }
 
 impl<R: Scalar, const S: usize> StepFactors<R, S> {
+    #[inline(always)]
     fn new(eigenvalues: &[R; S], jacobian: Arrow<R>) -> Self {
         let real = Factors::new(&eigenvalues[0], &jacobian);
-        let pairs = std::array::from_fn(|k| {
-            let m = 2 * k + 1;
-            if m >= S {
-                return Factors::blank();
-            }
-            let lambda = Complex { re: eigenvalues[m].clone(), im: eigenvalues[m + 1].clone() };
-            Factors::new(&lambda, &jacobian)
-        });
+        let mut pairs = std::array::from_fn(|_| Factors::blank());
+        for k in 0..S / 2 {
+            let (re, im) = (eigenvalues[2 * k + 1].clone(), eigenvalues[2 * k + 2].clone());
+            pairs[k] = Factors::new(&Complex { re, im }, &jacobian);
+        }
         Self { jacobian, real, pairs }
     }
 }
@@ -226,10 +228,17 @@ fn larger(a: f64, b: f64) -> f64 {
 #[inline(always)]
 fn transform<R: Scalar, const S: usize>(matrix: &[[R; S]; S], values: &[State<R>; S]) -> [State<R>; S] {
     let mut out = values.clone();
-    for (row, sum) in matrix.iter().zip(&mut out) {
-        *sum = weighted(row, values);
+    for i in 0..S {
+        out[i] = weighted(&matrix[i], values);
     }
     out
+}
+
+/// The sum of two states.
+#[inline(always)]
+fn sum<R: Scalar>(one: &State<R>, other: &State<R>) -> State<R> {
+    let of = |c: usize| one[c].clone() + &other[c];
+    [of(0), of(1), of(2)]
 }
 
 /// Σ m_i v_i; loops rather than closures, which the compiler leaves as calls.
@@ -245,24 +254,44 @@ fn weighted<R: Scalar, const S: usize>(weights: &[R; S], values: &[State<R>; S])
     sum
 }
 
+/// One step, tried.
+struct Attempt<'a, R, const S: usize> {
+    method: &'a mut Radau<R, S>,
+    model: &'a Model<R>,
+    from: &'a State<R>,
+    h: &'a R,
+    weight: Weight,
+    trial: &'a mut Option<Trial<R>>,
+}
+
+impl<R: Scalar, const S: usize> Kernel for Attempt<'_, R, S> {
+    #[inline(always)]
+    fn run(self) {
+        let Self { method, model, from, h, weight, trial } = self;
+        method.predict(h);
+        // The Jacobian of the predicted middle of the step: in half the iterations of the one at its start.
+        let centre = sum(from, &method.stages[S / 2]);
+        let factors = StepFactors::new(&method.constants.eigenvalues, model.jacobian(&centre).scaled(h));
+        if !method.solve_stages(model, from, h, &factors, weight) {
+            return;
+        }
+        method.polynomial = transform(&method.constants.dense, &method.stages);
+        method.step = h.clone();
+        let estimate = method.estimate(model, from, h, &factors);
+        let largest = estimate.iter().fold(0.0f64, |largest, e| largest.max(e.to_f64().abs()));
+        let to = sum(from, &method.stages[S - 1]);
+        let finite = to.iter().all(Scalar::is_finite) && largest.is_finite();
+        *trial = finite.then(|| Trial { to, error: largest / weight.absolute });
+    }
+}
+
 impl<R: Scalar, const S: usize> Stepper<R> for Radau<R, S> {
     const ERROR_EXPONENT: u32 = S as u32 + 1;
 
     fn attempt(&mut self, model: &Model<R>, from: &State<R>, h: &R, weight: Weight) -> Option<Trial<R>> {
-        self.predict(h);
-        // The Jacobian of the predicted middle of the step: in half the iterations of the one at its start.
-        let centre: State<R> = std::array::from_fn(|c| from[c].clone() + &self.stages[S / 2][c]);
-        let factors = StepFactors::new(&self.constants.eigenvalues, model.jacobian(&centre).scaled(h));
-        if !self.solve_stages(model, from, h, &factors, weight) {
-            return None;
-        }
-        self.polynomial = transform(&self.constants.dense, &self.stages);
-        self.step = h.clone();
-        let estimate = self.estimate(model, from, h, &factors);
-        let largest = estimate.iter().fold(0.0f64, |largest, e| largest.max(e.to_f64().abs()));
-        let to: State<R> = std::array::from_fn(|c| from[c].clone() + &self.stages[S - 1][c]);
-        let finite = to.iter().all(Scalar::is_finite) && largest.is_finite();
-        finite.then(|| Trial { to, error: largest / weight.absolute })
+        let mut trial = None;
+        run_on_widest_unit(Attempt { method: self, model, from, h, weight, trial: &mut trial });
+        trial
     }
 
     fn accept(&mut self) {

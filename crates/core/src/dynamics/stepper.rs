@@ -56,9 +56,15 @@ pub trait Stepper<R: Scalar> {
 
 /// Evaluates Σ c_k θ^{k+1}, the increment at θ (0 = start of the step, 1 = end).
 #[must_use]
-#[inline]
+#[inline(always)]
 pub fn increment<R: Scalar>(coefficients: &[State<R>], theta: &R) -> State<R> {
-    std::array::from_fn(|i| coefficients.iter().rev().fold(R::from(0), |sum, c| (sum + &c[i]) * theta))
+    let mut sum = [R::from(0), R::from(0), R::from(0)];
+    for coefficient in coefficients.iter().rev() {
+        for c in 0..3 {
+            sum[c] = (sum[c].clone() + &coefficient[c]) * theta;
+        }
+    }
+    sum
 }
 
 /// First and second derivative by θ of the increment of x.
