@@ -21,7 +21,7 @@ const FIRST_COLUMNS: usize = 4;
 
 /// The finding on a statement over the rows of a table that has some, in a sentence of this kind.
 pub(super) fn decide(text: &str, statement: &RowStatement, table: &Table, kind: Kind) -> Finding {
-    let rows = match values::rows(table, &statement.words) {
+    let rows = match values::rows(table, statement) {
         Ok(rows) => Rows { statement, rows },
         Err(contradiction) => return Finding::not_checked(contradiction),
     };

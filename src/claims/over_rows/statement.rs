@@ -92,6 +92,15 @@ impl RowStatement {
         compared.chain(self.sides()).flat_map(Expression::variables).collect()
     }
 
+    /// The same, with those that its numbers name.
+    pub fn all_names(&self) -> BTreeSet<Symbol> {
+        let numbers = || self.numbers.iter().map(|(_, number)| number);
+        let compared = numbers().flat_map(|number| comparisons(&number.selected));
+        let sides =
+            compared.flat_map(|(left, _, right)| [left, right]).chain(numbers().filter_map(Number::side));
+        sides.flat_map(Expression::variables).chain(self.names()).collect()
+    }
+
     /// The columns that have to be a certain word.
     pub fn fixed(&self) -> Vec<&Symbol> {
         let Formula::All(parts) = &self.selected else { return Vec::new() };

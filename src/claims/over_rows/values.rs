@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 
 use slipmode_algebra::Symbol;
 use slipmode_core::number::{Ball, Rational, parse_decimal};
-use slipmode_plot::table::{Cell, Kind, Table};
+use slipmode_plot::table::{Cell, Column, Kind, Table};
 
 use super::arithmetic::{BITS, around};
-use super::statement::placeholder;
+use super::statement::{RowStatement, placeholder};
 use crate::claims::Strength;
 
 /// A row: what is known of each column.
@@ -83,33 +83,39 @@ impl Beside {
     }
 }
 
-/// The rows of a table; the quoted words have the first numbers.
+/// The rows of a table with the columns that a statement names; the quoted words have the first numbers.
 ///
 /// # Errors
-/// Which row contradicts what is proved of it.
-pub(super) fn rows(table: &Table, quoted: &[String]) -> Result<Vec<Row>, String> {
+/// Which row contradicts what is proved of it, in whatever column.
+pub(super) fn rows(table: &Table, statement: &RowStatement) -> Result<Vec<Row>, String> {
     let beside: Vec<Beside> = table.columns.iter().map(|column| Beside::of(&column.name, table)).collect();
+    let named = statement.all_names();
+    let columns = table.columns.iter().enumerate();
+    let columns = columns.filter_map(|(at, column)| Some((at, column, column.name.parse::<Symbol>().ok()?)));
+    let is_proved = |beside: &Beside| beside.ends.is_some() || beside.proved.is_some();
+    let is_read = |(at, _, name): &(usize, &Column, Symbol)| named.contains(name) || is_proved(&beside[*at]);
+    let columns: Vec<_> = columns.filter(is_read).collect();
     let mut words = BTreeMap::new();
-    let placeholders = quoted
-        .iter()
-        .enumerate()
-        .filter_map(|(number, word)| Some((placeholder(number).parse().ok()?, numbered(word, &mut words))));
+    let placeholders =
+        statement.words.iter().enumerate().filter_map(|(number, word)| {
+            Some((placeholder(number).parse().ok()?, numbered(word, &mut words)))
+        });
     let start: BTreeMap<Symbol, Ball> = placeholders.collect();
     let row = |cells: &Vec<Cell>| {
         let mut row = Row::start(start.clone(), table, cells, &beside);
-        for (at, (column, cell)) in table.columns.iter().zip(cells).enumerate() {
-            let Ok(name) = column.name.parse::<Symbol>() else { continue };
+        for (at, column, name) in &columns {
+            let cell = &cells[*at];
             let found = match column.kind {
-                Kind::Text => word(cell, &beside[at], cells, row.of_words)
+                Kind::Text => word(cell, &beside[*at], cells, row.of_words)
                     .map(|found| found.map(|(word, strength)| (numbered(word, &mut words), strength))),
-                Kind::Number => number(cell, &beside[at], cells),
+                Kind::Number => number(cell, &beside[*at], cells),
             };
             let found = found.ok_or_else(|| contradiction(table, cells))?;
             let Some((value, strength)) = found else { continue };
-            let strength = if at < table.names { Strength::Certified } else { strength };
+            let strength = if *at < table.names { Strength::Certified } else { strength };
             row.estimated.extend((strength == Strength::Converged).then(|| name.clone()));
             row.values.insert(name.clone(), value);
-            row.strengths.insert(name, strength);
+            row.strengths.insert(name.clone(), strength);
         }
         Ok(row)
     };
