@@ -102,68 +102,54 @@ impl Expression {
         }
     }
 
-    /// Whether this variable is in it.
-    #[must_use]
-    pub fn contains(&self, variable: &Symbol) -> bool {
-        match self {
-            Self::Number(_) => false,
-            Self::Variable(name) => name == variable,
-            Self::Sum(parts) | Self::Product(parts) => parts.iter().any(|part| part.contains(variable)),
-            Self::Quotient(left, right) => left.contains(variable) || right.contains(variable),
+    /// The expressions that it is made of.
+    fn parts(&self) -> impl Iterator<Item = &Self> {
+        let (many, [first, second]): (&[Self], [Option<&Self>; 2]) = match self {
+            Self::Number(_) | Self::Variable(_) => (&[], [None; 2]),
+            Self::Sum(parts) | Self::Product(parts) => (parts, [None; 2]),
+            Self::Quotient(left, right) => (&[], [Some(left), Some(right)]),
             Self::Negation(inner)
             | Self::Power(inner, _)
             | Self::Call(_, inner)
-            | Self::Generic(_, inner) => inner.contains(variable),
-        }
+            | Self::Generic(_, inner) => (&[], [Some(inner), None]),
+        };
+        many.iter().chain(first).chain(second)
+    }
+
+    /// Whether this variable is in it.
+    #[must_use]
+    pub fn contains(&self, variable: &Symbol) -> bool {
+        matches!(self, Self::Variable(name) if name == variable)
+            || self.parts().any(|part| part.contains(variable))
     }
 
     /// Whether a square root is in it.
     #[must_use]
     pub fn has_root(&self) -> bool {
-        match self {
-            Self::Number(_) | Self::Variable(_) => false,
-            Self::Sum(parts) | Self::Product(parts) => parts.iter().any(Self::has_root),
-            Self::Quotient(left, right) => left.has_root() || right.has_root(),
-            Self::Call(Function::Sqrt, _) => true,
-            Self::Negation(inner)
-            | Self::Power(inner, _)
-            | Self::Call(_, inner)
-            | Self::Generic(_, inner) => inner.has_root(),
-        }
+        matches!(self, Self::Call(Function::Sqrt, _)) || self.parts().any(Self::has_root)
     }
 
     /// The variables that occur.
     #[must_use]
     pub fn variables(&self) -> BTreeSet<Symbol> {
-        match self {
-            Self::Number(_) => BTreeSet::new(),
-            Self::Variable(name) => BTreeSet::from([name.clone()]),
-            Self::Sum(parts) | Self::Product(parts) => parts.iter().flat_map(Self::variables).collect(),
-            Self::Quotient(left, right) => &left.variables() | &right.variables(),
-            Self::Negation(inner)
-            | Self::Power(inner, _)
-            | Self::Call(_, inner)
-            | Self::Generic(_, inner) => inner.variables(),
+        let mut found = BTreeSet::new();
+        self.add_variables(&mut found);
+        found
+    }
+
+    fn add_variables(&self, found: &mut BTreeSet<Symbol>) {
+        if let Self::Variable(name) = self {
+            found.insert(name.clone());
         }
+        self.parts().for_each(|part| part.add_variables(found));
     }
 
     /// Adds the functions in it of which nothing is known, each as often as it has different arguments.
     pub(super) fn add_generics(&self, found: &mut BTreeSet<Generator>) {
-        match self {
-            Self::Number(_) | Self::Variable(_) => {}
-            Self::Sum(parts) | Self::Product(parts) => {
-                parts.iter().for_each(|part| part.add_generics(found));
-            }
-            Self::Quotient(left, right) => {
-                left.add_generics(found);
-                right.add_generics(found);
-            }
-            Self::Negation(inner) | Self::Power(inner, _) | Self::Call(_, inner) => inner.add_generics(found),
-            Self::Generic(function, inner) => {
-                found.insert(Generator::generic(function, (**inner).clone()));
-                inner.add_generics(found);
-            }
+        if let Self::Generic(function, inner) = self {
+            found.insert(Generator::generic(function, (**inner).clone()));
         }
+        self.parts().for_each(|part| part.add_generics(found));
     }
 
     /// The names, without primes, of the functions in it of which nothing is known.
