@@ -22,6 +22,7 @@ mod growth;
 mod lower_area;
 mod pair;
 mod pair_conditions;
+mod pair_point;
 mod pair_search;
 mod polynomials;
 mod ranges;

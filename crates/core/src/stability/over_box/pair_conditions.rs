@@ -1,10 +1,62 @@
-//! What is zero where two numbers X ± √(−w) are roots of eq 8, with its derivatives.
+//! What is zero where two numbers are roots of eq 8, with its derivatives.
 
 use std::ops::{Add, Mul, Sub};
 
 use crate::number::Interval;
 
-/// X, w, r = V0/D_c, δ = D_c/σ, a, b, k, m and m N/k.
+/// How two roots are known.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum TwoRoots {
+    /// A pair X ± i√w, by X and w.
+    Pair,
+    /// Two real roots, by themselves.
+    Real,
+}
+
+impl TwoRoots {
+    /// 2X and N of such two values and r.
+    pub(super) fn sum_and_product<T: Number>(self, [first, second, _]: &[T; 3]) -> [T; 2] {
+        match self {
+            Self::Pair => [*first + *first, first.squared() + *second],
+            Self::Real => [*first + *second, *first * *second],
+        }
+    }
+
+    /// Q = N + r² + 2rX: the product of the distances of both roots from −r.
+    pub(super) fn from_pole<T: Number>(self, [first, second, rate]: &[T; 3]) -> T {
+        let from_pole = *rate + *first;
+        match self {
+            Self::Pair => from_pole.squared() + *second,
+            Self::Real => from_pole * (*rate + *second),
+        }
+    }
+}
+
+/// What numbers and enclosures can do.
+pub(super) trait Number: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {
+    /// The square, which is not negative.
+    fn squared(self) -> Self;
+}
+
+impl Number for f64 {
+    fn squared(self) -> Self {
+        self * self
+    }
+}
+
+impl Number for Interval {
+    fn squared(self) -> Self {
+        self.square()
+    }
+}
+
+impl Number for Changing {
+    fn squared(self) -> Self {
+        Self { value: self.value.square(), ..self * self }
+    }
+}
+
+/// Two roots, r = V0/D_c, δ = D_c/σ, a, b, k, m and m N/k.
 pub(super) const VARIABLES: usize = 9;
 
 /// How many conditions there are.
@@ -16,17 +68,17 @@ pub(super) struct Terms<'v, T> {
     /// r² and 2rX.
     rate_square: T,
     twice: T,
-    /// N = X² + w and Q = N + r² + 2rX.
+    /// N and Q.
     product: T,
     from_pole: T,
 }
 
-impl<'v, T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>> Terms<'v, T> {
-    pub(super) fn of(variables: &'v [T; VARIABLES]) -> Self {
-        let [middle, square, rate, ..] = *variables;
-        let (rate_square, twice) = (rate * rate, rate * (middle + middle));
-        let product = middle * middle + square;
-        Self { variables, rate_square, twice, product, from_pole: product + rate_square + twice }
+impl<'v, T: Number> Terms<'v, T> {
+    pub(super) fn of(kind: TwoRoots, variables: &'v [T; VARIABLES]) -> Self {
+        let [first, second, rate, ..] = *variables;
+        let [sum, product] = kind.sum_and_product(&[first, second, rate]);
+        let from_pole = kind.from_pole(&[first, second, rate]);
+        Self { variables, rate_square: rate.squared(), twice: rate * sum, product, from_pole }
     }
 
     /// The equation for a; that for b; both without k, without m, and without δ.
@@ -61,10 +113,6 @@ impl Changing {
     fn with(self, other: Self, value: Interval, slope: impl Fn(Interval, Interval) -> Interval) -> Self {
         Self { value, slopes: std::array::from_fn(|i| slope(self.slopes[i], other.slopes[i])) }
     }
-
-    fn times(self, other: Self) -> Self {
-        self.with(other, self.value * other.value, |one, two| one * other.value + two * self.value)
-    }
 }
 
 impl Add for Changing {
@@ -87,7 +135,7 @@ impl Mul for Changing {
     type Output = Self;
 
     fn mul(self, other: Self) -> Self {
-        self.times(other)
+        self.with(other, self.value * other.value, |one, two| one * other.value + two * self.value)
     }
 }
 
@@ -98,34 +146,39 @@ mod tests {
     use crate::number::split_mix::SplitMix64;
     use crate::roots::bounded_roots;
 
-    fn all<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>>(
-        at: &[T; VARIABLES],
-    ) -> [T; CONDITIONS] {
-        let terms = Terms::of(at);
+    fn all<T: Number>(kind: TwoRoots, at: &[T; VARIABLES]) -> [T; CONDITIONS] {
+        let terms = Terms::of(kind, at);
         std::array::from_fn(|which| terms.condition(which))
     }
 
     /// The variables of the two roots beside a real one, by the cubic.
-    fn of_roots(values: [f64; 7]) -> Option<[f64; VARIABLES]> {
+    fn of_roots(values: [f64; 7]) -> Option<(TwoRoots, [f64; VARIABLES])> {
         let [a, b, d, k, m, s, v] = values;
         let [c0, c1, c2, c3] = cubic(&values.map(Interval::point)).map(Interval::middle);
         let real = bounded_roots([c0, c1, c2, c3]).real.value;
         let half_sum = -0.5 * (c2 / c3 + real);
-        let square = -c0 / (c3 * real) - half_sum * half_sum;
+        let product = -c0 / (c3 * real);
+        let square = product - half_sum * half_sum;
+        let half_width = square.abs().sqrt();
+        let (kind, [first, second]) = if square > 0.0 {
+            (TwoRoots::Pair, [half_sum, square])
+        } else {
+            (TwoRoots::Real, [half_sum + half_width, half_sum - half_width])
+        };
         (square.abs() > 1e-3 * half_sum * half_sum)
-            .then(|| [half_sum, square, v / d, d / s, a, b, k, m, m * (half_sum * half_sum + square) / k])
+            .then(|| (kind, [first, second, v / d, d / s, a, b, k, m, m * product / k]))
     }
 
     #[test]
     fn roots_of_the_cubic_meet_all_conditions_and_numbers_beside_them_do_not() {
         let mut random = SplitMix64(4);
-        let mut found = 0;
-        while found < 200 {
+        let mut found = [0; 2];
+        while found.iter().any(|found| *found < 100) {
             let values =
                 [0.01, 0.014, 1.0, 0.005, 1e-4, 1.0, 1.0].map(|x| x * libm::exp10(random.unit() - 0.5));
-            let Some(root) = of_roots(values) else { continue };
-            found += 1;
-            let sizes = |at: [f64; VARIABLES]| all(&at.map(|x| Interval::about(x, 1e-9 * x.abs())));
+            let Some((kind, root)) = of_roots(values) else { continue };
+            found[usize::from(kind == TwoRoots::Real)] += 1;
+            let sizes = |at: [f64; VARIABLES]| all(kind, &at.map(|x| Interval::about(x, 1e-9 * x.abs())));
             assert!(sizes(root).iter().all(|value| value.low <= 0.0 && value.high >= 0.0), "{values:?}");
             for i in 0..3 {
                 let mut beside = root;
@@ -137,21 +190,22 @@ mod tests {
 
     #[test]
     fn derivatives_agree_with_differences() {
-        let at = [-0.3, 0.7, 1.1, 0.9, 0.01, 0.014, 0.005, 0.02, 2.0];
-        let of = |at: [f64; VARIABLES]| all(&at);
-        let found = all(&std::array::from_fn(|i| Changing::variable(Interval::point(at[i]), i)));
-        for i in 0..VARIABLES {
-            let step = 1e-6 * at[i].abs();
-            let moved = |sign: f64| {
-                let mut moved = at;
-                moved[i] += sign * step;
-                of(moved)
-            };
-            let (above, below) = (moved(1.0), moved(-1.0));
-            for which in 0..CONDITIONS {
-                let difference = (above[which] - below[which]) / (2.0 * step);
-                // The difference errs by rounding over the step, and by its square.
-                assert!((found[which].slopes[i].middle() - difference).abs() < 1e-8, "{which} {i}");
+        for (kind, roots) in [(TwoRoots::Pair, [-0.3, 0.7]), (TwoRoots::Real, [-0.3, -0.7])] {
+            let at = [roots[0], roots[1], 1.1, 0.9, 0.01, 0.014, 0.005, 0.02, 2.0];
+            let found = all(kind, &std::array::from_fn(|i| Changing::variable(Interval::point(at[i]), i)));
+            for i in 0..VARIABLES {
+                let step = 1e-6 * at[i].abs();
+                let moved = |sign: f64| {
+                    let mut moved = at;
+                    moved[i] += sign * step;
+                    all(kind, &moved)
+                };
+                let (above, below) = (moved(1.0), moved(-1.0));
+                for which in 0..CONDITIONS {
+                    let difference = (above[which] - below[which]) / (2.0 * step);
+                    // The difference errs by rounding over the step, and by its square.
+                    assert!((found[which].slopes[i].middle() - difference).abs() < 1e-8, "{which} {i}");
+                }
             }
         }
     }

@@ -1,16 +1,20 @@
 //! Which two numbers are roots of eq 8 for some point of a box, and bounds of the largest real and imaginary part over the box.
 //!
-//! The roots beside a negative one are X ± √(−w): with their product N = X² + w > 0, r = V0/D_c, δ = D_c/σ and Q = N + r² + 2rX, eq 8 is
-//! a = δ (r² k/N − m r (r + 2X)) and b = δ Q (k/N − m); the third root is −r k/(m N). For given X, w and r, the pairs (a/δ, b/δ) of a box are a
+//! Two roots with the sum 2X and the product N > 0, r = V0/D_c, δ = D_c/σ and Q = N + r² + 2rX: eq 8 is
+//! a = δ (r² k/N − m r (r + 2X)) and b = δ Q (k/N − m); the third root is −r k/(m N). For given X, N and r, the pairs (a/δ, b/δ) of a box are a
 //! polygon, and those of all k and m a parallelogram. They meet unless a side of one of them divides them, so that five conditions decide
-//! whether these are roots for some point with this r. A search over X, w and r has three dimensions in the place of seven.
+//! whether these are roots for some point with this r. A search over two roots and r has three dimensions in the place of seven.
+//!
+//! A pair X ± i√w is known by X and w. Of three real roots the upper two are known by themselves: where they lie decades apart, half of their
+//! sum says nothing of the larger one.
 
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
-use super::pair_conditions::{CONDITIONS, Changing, Terms, VARIABLES};
+use super::pair_conditions::{CONDITIONS, Changing, Terms, TwoRoots, VARIABLES};
+use super::pair_point::point_with;
 use super::ranges::Sought;
-use super::root_discs::{Quantity, Values, cubic};
+use super::root_discs::{Quantity, RootDiscs, Values, cubic};
 use crate::number::Interval;
 
 /// The most places that a search for a bound halves, and one for a point.
@@ -19,6 +23,8 @@ const MOST_PLACES_FOR_A_POINT: usize = 1 << 11;
 /// How often the equations narrow a place, and how often its end is cut.
 const NARROWINGS: u32 = 3;
 const CUTS: u32 = 3;
+/// A cut below this part of a place does not pay.
+const LEAST_CUT: f64 = 0.1;
 
 /// A search for the greatest or the least value of a quantity.
 #[derive(Debug, Clone, Copy)]
@@ -33,11 +39,17 @@ pub(super) struct PairSearch<'v> {
     pub ceiling: f64,
 }
 
-/// Values of X, w and r.
-type Place = [Interval; 3];
+/// Values of two roots, as their kind says, and of r.
+#[derive(Debug, Clone, Copy)]
+struct Place {
+    kind: TwoRoots,
+    values: [Interval; 3],
+}
 
-const MIDDLE: usize = 0;
-const SQUARE: usize = 1;
+/// X, or the largest root.
+const FIRST: usize = 0;
+/// w, or the second largest root.
+const SECOND: usize = 1;
 const RATE: usize = 2;
 
 impl PairSearch<'_> {
@@ -46,13 +58,13 @@ impl PairSearch<'_> {
         let outward = |value: f64| if self.is_greatest { value } else { -value };
         let attained = outward(attained);
         let ranked = |place: Place| Ranked { rank: outward(self.bound_over(&place)), place };
-        let mut open: BinaryHeap<Ranked> = self.narrowed(self.whole()).map(ranked).into_iter().collect();
+        let mut open: BinaryHeap<Ranked> = self.whole().map(ranked).collect();
         for _ in 0..MOST_PLACES {
             if open.peek().is_none_or(|first| first.rank <= attained + gap) {
                 break;
             }
             let Some(first) = open.pop() else { break };
-            let halves = halves(&first.place).into_iter();
+            let halves = first.place.halves().into_iter();
             let left = halves.filter_map(|half| self.cut(self.narrowed(half)?)).map(ranked);
             open.extend(left.filter(|half| half.rank > attained));
         }
@@ -62,12 +74,13 @@ impl PairSearch<'_> {
     /// Whether a point of the box is below the ceiling.
     pub(super) fn has_points(&self) -> Sought {
         let ranked = |place: Place| Ranked { rank: -self.bound_over(&place), place };
-        let mut open: BinaryHeap<Ranked> = self.narrowed(self.whole()).map(ranked).into_iter().collect();
+        let mut open: BinaryHeap<Ranked> = self.whole().map(ranked).collect();
         for _ in 0..MOST_PLACES_FOR_A_POINT {
             let Some(Ranked { place, .. }) = open.pop() else { return Sought::Nowhere };
-            for half in halves(&place).into_iter().filter_map(|half| self.cut(self.narrowed(half)?)) {
-                let middle = half.map(|variable| Interval::point(variable.middle()));
-                if self.narrowed(middle).and_then(|middle| self.cut(middle)).is_some() {
+            for half in place.halves().into_iter().filter_map(|half| self.cut(self.narrowed(half)?)) {
+                let middle = half.values.map(Interval::middle);
+                let point = point_with(self.values, half.kind, &middle, self.ceiling);
+                if point.is_some_and(|point| self.is_below_ceiling(&point)) {
                     return Sought::Somewhere;
                 }
                 open.push(ranked(half));
@@ -76,14 +89,22 @@ impl PairSearch<'_> {
         Sought::Unknown
     }
 
+    /// Whether a point's largest real part is below the ceiling, for certain.
+    fn is_below_ceiling(&self, point: &[f64; 7]) -> bool {
+        let discs = RootDiscs::of(&point.map(Interval::point));
+        discs.is_some_and(|discs| discs.largest(Quantity::Real, &[None; 3]).high <= self.ceiling)
+    }
+
     /// k, m and m N/k: the third root, −r k/(m N), is below the ceiling, and below the other two where these are real.
-    fn machine(&self, [middle, square, rate]: &Place, product: Interval) -> Option<[Interval; 3]> {
+    fn machine(&self, place: &Place, product: Interval) -> Option<[Interval; 3]> {
         let [.., k, m, _, _] = *self.values;
         let mut machine = [k, m, m / k * product];
-        let lower = *middle - (-*square).square_root();
-        let ceiling = if square.high < 0.0 { self.ceiling.min(lower.high) } else { self.ceiling };
+        let ceiling = match place.kind {
+            TwoRoots::Pair => self.ceiling,
+            TwoRoots::Real => self.ceiling.min(place.values[SECOND].high),
+        };
         if ceiling < 0.0 {
-            machine[2] = common(machine[2], at_most((*rate / Interval::point(-ceiling)).high))?;
+            machine[2] = common(machine[2], at_most((place.values[RATE] / Interval::point(-ceiling)).high))?;
             let least = product / Interval::point(machine[2].high);
             machine[0].low = k.low.max((least * m.low).low);
             machine[1].high = m.high.min((Interval::point(k.high) / least).high);
@@ -93,38 +114,43 @@ impl PairSearch<'_> {
 
     /// The variable with which the quantity changes most.
     const fn leading(&self) -> usize {
-        if matches!(self.quantity, Quantity::Real) { MIDDLE } else { SQUARE }
+        if matches!(self.quantity, Quantity::Real) { FIRST } else { SECOND }
     }
 
     /// The end of that variable at which the search looks.
     fn end(&self, place: &Place) -> f64 {
-        let leading = place[self.leading()];
+        let leading = place.values[self.leading()];
         if self.is_greatest { leading.high } else { leading.low }
     }
 
     /// A value that the quantity does not pass over a place.
-    fn bound_over(&self, [middle, square, rate]: &Place) -> f64 {
-        let value = match self.quantity {
-            Quantity::Imaginary => square.square_root(),
-            Quantity::Real => {
+    fn bound_over(&self, place: &Place) -> f64 {
+        let [first, second, rate] = place.values;
+        let value = match (self.quantity, place.kind) {
+            (Quantity::Imaginary, _) => second.square_root(),
+            (Quantity::Real, TwoRoots::Real) => first,
+            (Quantity::Real, TwoRoots::Pair) => {
                 let [.., k, m, _, _] = *self.values;
-                let third = -(*rate * k / (m * (middle.square() + *square)));
-                let of_two = *middle + (-*square).square_root();
-                Interval { low: of_two.low.max(third.low), high: of_two.high.max(third.high.min(0.0)) }
+                let third = -(rate * k / (m * (first.square() + second)));
+                Interval { low: first.low.max(third.low), high: first.high.max(third.high.min(0.0)) }
             }
         };
         if self.is_greatest { value.high } else { value.low }
     }
 
     /// All places: a pair is slower than the slider on its spring alone, the third root is negative, and no root is beyond twice the
-    /// greatest of c2/c3, √(|c1|/c3) and ∛(c0/c3).
-    fn whole(&self) -> Place {
+    /// greatest of c2/c3, √(|c1|/c3) and ∛(c0/c3). Real roots have no imaginary part.
+    fn whole(&self) -> impl Iterator<Item = Place> {
         let [.., d, k, m, _, v] = *self.values;
         let [c0, c1, c2, c3] = cubic(self.values);
         let size = |coefficient: Interval| (coefficient / c3).high.max(-(coefficient / c3).low).next_up();
         let reach = 2.0 * size(c2).max(size(c1).sqrt()).max(libm::cbrt(size(c0))).next_up();
-        let least = if self.quantity == Quantity::Real { -reach * reach } else { 0.0 };
-        [Interval { low: -0.5 * size(c2), high: reach }, Interval { low: least, high: (k / m).high }, v / d]
+        let within = Interval { low: -reach, high: reach };
+        let pair =
+            [Interval { low: -0.5 * size(c2), high: reach }, Interval { low: 0.0, high: (k / m).high }];
+        let of_kind = |kind, [first, second]: [Interval; 2]| Place { kind, values: [first, second, v / d] };
+        let real = (self.quantity == Quantity::Real).then(|| of_kind(TwoRoots::Real, [within; 2]));
+        [of_kind(TwoRoots::Pair, pair)].into_iter().chain(real).filter_map(|place| self.narrowed(place))
     }
 
     /// D_c/σ where V0/D_c has the values of a rate.
@@ -136,22 +162,22 @@ impl PairSearch<'_> {
     /// The part of a place that the ceiling and each equation alone leave; none where no numbers of it are roots.
     fn narrowed(&self, mut place: Place) -> Option<Place> {
         let [a, b, ..] = *self.values;
-        let delta = self.delta(place[RATE])?;
-        place[MIDDLE] = common(place[MIDDLE], at_most(self.ceiling))?;
+        let delta = self.delta(place.values[RATE])?;
+        place.values[FIRST] = common(place.values[FIRST], at_most(self.ceiling))?;
         for _ in 0..NARROWINGS {
-            let [middle, square, rate] = place;
-            let depth = (Interval::point(self.ceiling) - Interval::point(middle.low)).square();
-            let square = common(square, Interval { low: -depth.high, high: f64::INFINITY })?;
-            let product = positive(middle.square() + square)?;
-            let [k, m, _] = self.machine(&[middle, square, rate], product)?;
-            let (rate_square, twice) = (rate.square(), delta * m * rate * 2.0);
-            let from_pole = (rate + middle).square() + square;
-            // N by a, and X by what remains of both equations without k.
-            let of_a = a / delta + m * (rate_square + rate * middle * 2.0);
+            place = place.in_order()?;
+            let rate = place.values[RATE];
+            let [sum, product] = place.kind.sum_and_product(&place.values);
+            let product = positive(product)?;
+            let [k, m, _] = self.machine(&place, product)?;
+            let rate_square = rate.square();
+            let from_pole = place.kind.from_pole(&place.values);
+            // N by a, and 2X by what remains of both equations without k.
+            let of_a = a / delta + m * (rate_square + rate * sum);
             let product = common(product, k * rate_square / positive(of_a)?)?;
             common(k / product - m, b / (delta * from_pole))?;
-            place[MIDDLE] = common(middle, (b / from_pole * rate_square - a) / twice)?;
-            place[SQUARE] = common(square, product - place[MIDDLE].square())?;
+            let sum = common(sum, (b / from_pole * rate_square - a) / (delta * m * rate))?;
+            place = place.with(sum, product)?;
         }
         Some(place)
     }
@@ -162,33 +188,40 @@ impl PairSearch<'_> {
     fn cut(&self, mut place: Place) -> Option<Place> {
         let [a, b, ..] = *self.values;
         let leading = self.leading();
-        let [middle, square, rate] = place;
-        let [k, m, share] = self.machine(&place, positive(middle.square() + square)?)?;
-        let mut variables = [middle, square, rate, self.delta(rate)?, a, b, k, m, share];
+        let [first, second, rate] = place.values;
+        let [_, product] = place.kind.sum_and_product(&place.values);
+        let [k, m, share] = self.machine(&place, positive(product)?)?;
+        let mut variables = [first, second, rate, self.delta(rate)?, a, b, k, m, share];
         let changing = std::array::from_fn(|i| Changing::variable(variables[i], i));
-        let terms = Terms::of(&changing);
+        let terms = Terms::of(place.kind, &changing);
         let slopes: [_; CONDITIONS] = std::array::from_fn(|which| terms.condition(which).slopes);
         for _ in 0..CUTS {
             let end = self.end(&place);
             variables[leading] = Interval::point(end);
-            let cut_by = |which: usize| {
-                let distance = distance_from_zero(&variables, &slopes[which], which);
-                let steepest = slopes[which][leading].low.abs().max(slopes[which][leading].high.abs());
-                (Interval::point(distance) / Interval::point(steepest)).low
-            };
-            let cut = (0..CONDITIONS).map(cut_by).fold(0.0, f64::max);
-            let width = place[leading].width();
+            let width = place.values[leading].width();
+            let middle = variables.map(|variable| Interval::point(variable.middle()));
+            let at_middle = Terms::of(place.kind, &middle);
+            let mut cut = 0.0;
+            for (which, slopes) in slopes.iter().enumerate() {
+                let steepest = Interval::point(slopes[leading].low.abs().max(slopes[leading].high.abs()));
+                let value = at_middle.condition(which);
+                // No cut is deeper than this one, which is without the other variables' effect.
+                let deepest = (Interval::point(value.high.max(-value.low)) / steepest).high;
+                if deepest > f64::max(cut, LEAST_CUT * width) {
+                    let distance = distance_from_zero(place.kind, &variables, slopes, which, value.low > 0.0);
+                    cut = cut.max((Interval::point(distance) / steepest).low);
+                }
+            }
             if cut > width {
                 return None;
             }
-            let of_leading = &mut place[leading];
+            let of_leading = &mut place.values[leading];
             if self.is_greatest {
                 of_leading.high = (end - cut).next_up().min(end);
             } else {
                 of_leading.low = (end + cut).next_down().max(end);
             }
-            // Less than this does not pay.
-            if cut < 0.1 * width {
+            if cut < LEAST_CUT * width {
                 break;
             }
         }
@@ -196,29 +229,53 @@ impl PairSearch<'_> {
     }
 }
 
-/// How far a condition is from zero for certain; not positive where it may be zero.
-///
-/// Variables in which it rises or falls stand at their ends. Others stand in the middle, and change it as their derivatives say.
+/// How far a condition is from zero for certain, on the side of its value in the middle; not positive where it may be zero.
 fn distance_from_zero(
+    kind: TwoRoots,
     variables: &[Interval; VARIABLES],
     slopes: &[Interval; VARIABLES],
     which: usize,
+    is_positive: bool,
 ) -> f64 {
-    let extreme = |is_upper: bool| {
-        let mut change = Interval::point(0.0);
-        let corner = std::array::from_fn(|i| {
-            let (variable, slope) = (variables[i], slopes[i]);
-            Interval::point(if slope.low >= 0.0 || slope.high <= 0.0 {
-                if (slope.low >= 0.0) == is_upper { variable.high } else { variable.low }
-            } else {
-                let middle = variable.middle();
-                change = change + slope * (variable - Interval::point(middle));
-                middle
-            })
-        });
-        Terms::of(&corner).condition(which) + change
-    };
-    extreme(false).low.max(-extreme(true).high)
+    let nearest = extreme(kind, variables, slopes, which, !is_positive);
+    if is_positive { nearest.low } else { -nearest.high }
+}
+
+/// The least or the greatest value of a condition, enclosed.
+///
+/// Variables in which it rises or falls stand at their ends, one after the other: with some there, the derivatives by others are narrower.
+/// The rest stand in the middle, and change it as their derivatives say.
+fn extreme(
+    kind: TwoRoots,
+    variables: &[Interval; VARIABLES],
+    slopes: &[Interval; VARIABLES],
+    which: usize,
+    is_upper: bool,
+) -> Interval {
+    let (mut corner, mut slopes) = (*variables, *slopes);
+    loop {
+        let mut is_changed = false;
+        for (variable, slope) in corner.iter_mut().zip(slopes) {
+            if variable.low < variable.high && (slope.low >= 0.0 || slope.high <= 0.0) {
+                let end = if (slope.low >= 0.0) == is_upper { variable.high } else { variable.low };
+                *variable = Interval::point(end);
+                is_changed = true;
+            }
+        }
+        let is_point = corner.iter().all(|variable| variable.low == variable.high);
+        if is_point || !is_changed {
+            break;
+        }
+        let changing = std::array::from_fn(|i| Changing::variable(corner[i], i));
+        slopes = Terms::of(kind, &changing).condition(which).slopes;
+    }
+    let mut change = Interval::point(0.0);
+    let middle = std::array::from_fn(|i| {
+        let middle = if corner[i].low == corner[i].high { corner[i].low } else { corner[i].middle() };
+        change = change + slopes[i] * (corner[i] - Interval::point(middle));
+        Interval::point(middle)
+    });
+    Terms::of(kind, &middle).condition(which) + change
 }
 
 fn common(one: Interval, other: Interval) -> Option<Interval> {
@@ -235,27 +292,59 @@ fn positive(interval: Interval) -> Option<Interval> {
     common(interval, Interval { low: 0.0, high: f64::INFINITY })
 }
 
-/// Both halves of a place, by the variable that is the widest beside its size.
-fn halves(place: &Place) -> [Place; 2] {
-    let [middle, square, rate] = *place;
-    let largest = |interval: Interval| interval.high.abs().max(interval.low.abs());
-    let size = largest(middle).max(largest(square).sqrt());
-    let widths = [
-        middle.width() / size,
-        (signed_root(square.high) - signed_root(square.low)) / size,
-        rate.width() / rate.high,
-    ];
-    let widest = (0..3).fold(MIDDLE, |widest, i| if widths[i] > widths[widest] { i } else { widest });
-    let half = place[widest].middle();
-    let mut halves = [*place; 2];
-    halves[0][widest].high = half;
-    halves[1][widest].low = half;
-    halves
+impl Place {
+    /// The part where the first of two real roots is the larger one.
+    fn in_order(mut self) -> Option<Self> {
+        if self.kind == TwoRoots::Real {
+            let [first, second, _] = self.values;
+            self.values[FIRST].low = first.low.max(second.low);
+            self.values[SECOND] = common(second, at_most(first.high))?;
+        }
+        Some(self)
+    }
+
+    /// The part with such a sum and product of the roots.
+    fn with(mut self, sum: Interval, product: Interval) -> Option<Self> {
+        let [first, second] = &mut self.values[..RATE] else { return None };
+        match self.kind {
+            TwoRoots::Pair => {
+                *first = common(*first, sum * 0.5)?;
+                *second = common(*second, product - first.square())?;
+            }
+            TwoRoots::Real => {
+                *first = common(common(*first, sum - *second)?, product / *second)?;
+                *second = common(common(*second, sum - *first)?, product / *first)?;
+            }
+        }
+        Some(self)
+    }
+
+    /// Both halves, by the variable that is the widest beside its size.
+    fn halves(&self) -> [Self; 2] {
+        let [first, second, rate] = self.values;
+        let largest = |interval: Interval| interval.high.abs().max(interval.low.abs());
+        let widths = match self.kind {
+            TwoRoots::Pair => {
+                let size = largest(first).max(second.high.sqrt());
+                [first.width() / size, (second.high.sqrt() - second.low.sqrt()) / size]
+            }
+            TwoRoots::Real => [first, second].map(|root| root.width() / largest(root)),
+        };
+        let widths = [widths[0], widths[1], rate.width() / rate.high];
+        let widest = (0..3).fold(FIRST, |widest, i| if widths[i] > widths[widest] { i } else { widest });
+        let half = between(self.values[widest]);
+        let mut halves = [*self; 2];
+        halves[0].values[widest].high = half;
+        halves[1].values[widest].low = half;
+        halves
+    }
 }
 
-/// √w, or −√(−w).
-fn signed_root(square: f64) -> f64 {
-    square.abs().sqrt().copysign(square)
+/// A number inside: by its logarithm where the ends lie far apart.
+fn between(interval: Interval) -> f64 {
+    let Interval { low, high } = interval;
+    let is_far = low * high > 0.0 && (low.abs() > 4.0 * high.abs() || high.abs() > 4.0 * low.abs());
+    if is_far { (low.abs().sqrt() * high.abs().sqrt()).copysign(low) } else { interval.middle() }
 }
 
 /// A place by its end at which the search looks.

@@ -19,11 +19,13 @@ use crate::number::{Interval, Rational};
 /// A search ends when the enclosure's end is as near to a value that is attained, relative to it.
 const TOLERANCE: f64 = 1e-9;
 /// The most parts that a search for a real and for an imaginary part halves.
-const MOST_PARTS: [usize; 2] = [1 << 7, 1 << 6];
+const MOST_PARTS: [usize; 2] = [1 << 6, 1 << 6];
 /// Where a search over seven parameters does not end, one over the roots goes on to this share of the attained values' distance.
-const NEAR: f64 = 2e-3;
+const NEAR: f64 = 4e-3;
 /// The most levels that are compared with a least value.
 const MOST_LEVELS: u32 = 12;
+/// How much farther from the attained value the next level is, up to the middle.
+const WIDER: f64 = 4.0;
 /// How often the point of the greatest value is moved along every parameter, and how near to the best place.
 const CLIMBS: u32 = 8;
 const NEAR_SUMMIT: f64 = 1e-3;
@@ -225,9 +227,11 @@ impl Scaled {
         );
         let gap = NEAR * (range.attained[1] - range.attained[0]);
         let end = usize::from(is_greatest);
+        let mut step = gap;
         for _ in 0..MOST_LEVELS {
             let (outer, attained) = (&mut range.enclosure[end], &mut range.attained[end]);
-            if (*outer - *attained).abs() <= gap {
+            // A level that was compared is as far as the gap to rounding.
+            if (*outer - *attained).abs() <= 1.01 * gap {
                 break;
             }
             if quantity == Quantity::Imaginary || is_greatest {
@@ -235,14 +239,18 @@ impl Scaled {
                 *outer = if is_greatest { outer.min(bound.high) } else { outer.max(bound.low) };
                 break;
             }
-            // For the least value of the largest of three, no point is below a level, or some point is.
-            let level = 0.5 * (*outer + *attained);
+            // For the least value of the largest of three, no point is below a level, or some point is. The first level is next to the
+            // attained value, which is mostly the least one.
+            let half = 0.5 * (*attained - *outer);
+            let level = *attained - step.min(half);
             let ceiling = scaled(level).high;
             match search(ceiling).has_points() {
                 Sought::Nowhere => *outer = level,
                 Sought::Somewhere => *attained = in_si(ceiling).high,
-                Sought::Unknown => break,
+                Sought::Unknown if step >= half => break,
+                Sought::Unknown => {}
             }
+            step *= WIDER;
         }
     }
 
