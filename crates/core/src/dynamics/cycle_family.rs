@@ -4,7 +4,7 @@
 //! Newton's method on the return map finds stable and unstable members alike, and passes the fold where two members merge.
 
 use super::floquet::floquet_multipliers;
-use super::integrator::{Control, Integrator};
+use super::integrator::{Control, Integrator, Work};
 use super::long_term::Cycle;
 use super::section_return::{Return, ReturnEnd, next_return};
 use super::{Failure, Model, Radau};
@@ -30,6 +30,8 @@ pub struct Member {
     pub stiffness_group: f64,
     /// The cycle, from one upward crossing of V = V_l to the next.
     pub orbit: Return<f64>,
+    /// What it cost to find.
+    pub(super) work: Work,
 }
 
 impl Member {
@@ -70,17 +72,17 @@ impl CycleFamily {
     /// Those of the integrator, and [`Failure::Undecided`] when Newton's method does not end.
     pub fn member(&self, stress: f64, guess: [f64; 2]) -> Result<Member, Failure> {
         let mut unknowns = guess.map(libm::log);
-        let mut change = f64::INFINITY;
+        let (mut change, mut work) = (f64::INFINITY, Work::default());
         for _ in 0..MOST_ITERATIONS {
-            let residual = self.residual(stress, unknowns)?;
-            let step = self.newton_step(stress, unknowns, residual)?;
+            let residual = self.residual(stress, unknowns, &mut work)?;
+            let step = self.newton_step(stress, unknowns, residual, &mut work)?;
             let last = change;
             change = step[0].abs().max(step[1].abs());
             let share = (LARGEST_CHANGE / change).min(1.0);
             unknowns = [unknowns[0] + share * step[0], unknowns[1] + share * step[1]];
             if change < CLOSED || change < ROUNDING && change > 0.5 * last {
-                let orbit = self.orbit(stress, unknowns)?;
-                return Ok(Member { stiffness_group: libm::exp(unknowns[1]), orbit });
+                let orbit = self.orbit(stress, unknowns, &mut work)?;
+                return Ok(Member { stiffness_group: libm::exp(unknowns[1]), orbit, work });
             }
         }
         Err(Failure::Undecided { cycles: MOST_ITERATIONS, change })
@@ -138,29 +140,42 @@ impl CycleFamily {
         Model::new(groups, self.law)
     }
 
-    fn orbit(&self, stress: f64, [imbalance, stiffness]: Unknowns) -> Result<Return<f64>, Failure> {
+    fn orbit(
+        &self,
+        stress: f64,
+        [imbalance, stiffness]: Unknowns,
+        work: &mut Work,
+    ) -> Result<Return<f64>, Failure> {
         let model = self.model(libm::exp(stiffness));
         let start = [0.0, (stress - libm::exp(imbalance)) / self.effect_ratio, stress];
         let control = Control { local_tolerance: self.local_tolerance, most_steps: MOST_STEPS };
         let mut run = Integrator::new(&model, Radau::<f64, 5>::new(), start, control)?;
-        match next_return(&mut run)? {
+        let found = next_return(&mut run)?;
+        *work += run.work();
+        match found {
             (orbit, ReturnEnd::Crossing) => Ok(orbit),
             (_, ReturnEnd::AtRest) => Err(Failure::Undecided { cycles: 1, change: 1.0 }),
         }
     }
 
     /// How far the logarithms of imbalance and stress move in one return.
-    fn residual(&self, stress: f64, unknowns: Unknowns) -> Result<[f64; 2], Failure> {
-        let end = self.orbit(stress, unknowns)?.end;
+    fn residual(&self, stress: f64, unknowns: Unknowns, work: &mut Work) -> Result<[f64; 2], Failure> {
+        let end = self.orbit(stress, unknowns, work)?.end;
         let imbalance = end[2] - self.effect_ratio * end[1];
         Ok([libm::log(imbalance) - unknowns[0], libm::log(end[2] / stress)])
     }
 
-    fn newton_step(&self, stress: f64, at: Unknowns, residual: [f64; 2]) -> Result<Unknowns, Failure> {
-        let column = |n: usize| {
+    fn newton_step(
+        &self,
+        stress: f64,
+        at: Unknowns,
+        residual: [f64; 2],
+        work: &mut Work,
+    ) -> Result<Unknowns, Failure> {
+        let mut column = |n: usize| {
             let mut moved = at;
             moved[n] += DIFFERENCE;
-            let there = self.residual(stress, moved)?;
+            let there = self.residual(stress, moved, work)?;
             Ok([0, 1].map(|m| (there[m] - residual[m]) / DIFFERENCE))
         };
         let ([a, c], [b, d]) = (column(0)?, column(1)?);

@@ -198,7 +198,8 @@ impl<'m, R: Scalar, M: Stepper<R>> Integrator<'m, R, M> {
     /// How exact a step from this state must be.
     #[must_use]
     pub fn weight(&self, state: &State<R>) -> Weight {
-        let size = state.iter().fold(0.0f64, |size, c| size.max(c.to_f64().abs()));
+        let [x, y, stress] = state.each_ref().map(Scalar::to_f64);
+        let size = x.abs().max(y.abs()).max(stress.abs() / self.method.stress_unit());
         // Where the state is small the equations keep relative accuracy, and so must the steps.
         let scale = if size == 0.0 { 1.0 } else { size.min(1.0) };
         let noise = 2.0 * R::UNIT_ROUNDOFF * size.max(f64::MIN_POSITIVE);

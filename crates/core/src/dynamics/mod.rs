@@ -3,7 +3,9 @@
 //! [`simulate`] goes from parameters in SI to observables in SI with stated errors; [`simulate_model`] is the same without units. Below
 //! them: [`Model`] (equations and Jacobian in logarithms), one-step methods ([`Stepper`]), the adaptive [`Integrator`] with its
 //! cycle-local clock, events refined to the order of the method, returns between upward crossings of V = V_l, and [`long_term_behaviour`], which
-//! decides the long-term behaviour on the return map; [`CycleFamily`] finds cycles, stable or not, with the stiffness that they need. Nothing here knows the linear theory.
+//! decides the long-term behaviour on the return map; [`CycleFamily`] finds cycles, stable or not, with the stiffness that they need.
+//! Nothing here knows the linear theory, with one exception: where an oscillation grows or dies by less in a return than f64 resolves (`slow_pair`), the
+//! roots of eq 8 and the normal form near K = K_c take the place of returns.
 //!
 //! # Which method, and why
 //! Time of one period of the limit cycle in µs, slip law, by the cheapest tolerance that meets an error of 1e-4, 1e-8 and 1e-12 of
@@ -51,6 +53,8 @@ mod checks;
 #[cfg(test)]
 mod checks_elsewhere;
 #[cfg(test)]
+mod checks_slow;
+#[cfg(test)]
 mod checks_smooth;
 #[cfg(test)]
 mod checks_transition;
@@ -69,6 +73,7 @@ mod edge_law;
 pub mod events;
 mod failure;
 mod floquet;
+mod friction_work;
 mod history;
 mod integrator;
 mod kick;
@@ -89,6 +94,8 @@ mod search;
 mod section_return;
 mod sensitivity;
 mod simulation;
+mod slow_pair;
+mod small_cycle;
 mod smooth_decay;
 mod start;
 mod stepper;

@@ -2,13 +2,15 @@
 //!
 //! Radau IIA of order 5 takes the least work for limit cycles to a hundredth or a thousandth (`loose_cycle`), order 9 for everything else
 //! down to rounding. What is required of a search, and how its errors are known, is in the module of the search.
+//! An oscillation that grows or dies too slowly for a search is followed to small amplitudes (`smooth_decay`), where eq 8 and the normal form say the rest.
 
 use super::loose_cycle::loose_cycle;
 use super::outcome::{Outcome, Simulation};
 use super::search::Search;
-use super::smooth_decay::smooth_decay;
+use super::slow_pair::{Pace, SlowPair};
+use super::smooth_decay::{slow_oscillation, smooth_decay};
 use super::{Balance, Failure, Model, Radau, Start};
-use crate::friction::{EvolutionLaw, Parameters};
+use crate::friction::{EvolutionLaw, Groups, Parameters};
 use crate::number::{Rational, nearest_f64};
 
 /// What to simulate, beyond the parameters.
@@ -95,14 +97,15 @@ pub fn simulate(
     law: EvolutionLaw,
     options: &Options,
 ) -> Result<Simulation, Failure> {
-    let groups = parameters.groups().map(nearest_f64);
+    let exact = parameters.groups();
+    let groups = exact.map(nearest_f64);
     let parameters = parameters.map(nearest_f64);
     let balance = match options.regularised_reference_friction {
         Some(reference) => Balance::Regularised(reference / parameters.slider.direct_effect),
         None => Balance::Inertial,
     };
-    let outcome = simulate_model(&Model::with_balance(groups, law, balance), options)?;
-    Ok(outcome.in_si(&parameters))
+    let model = Model::with_balance(groups, law, balance);
+    Ok(simulate_exact(&model, options, || exact)?.in_si(&parameters))
 }
 
 /// Simulates a slider without units.
@@ -110,9 +113,35 @@ pub fn simulate(
 /// # Errors
 /// Those of [`simulate`].
 pub fn simulate_model(model: &Model<f64>, options: &Options) -> Result<Outcome, Failure> {
+    // Every finite f64 is a rational number; the integrator refuses the others.
+    let exact = || model.groups().map(|&group| Rational::from_f64(group).unwrap_or_default());
+    simulate_exact(model, options, exact)
+}
+
+/// Simulates a slider whose groups are known exactly: next to K = K_c those of the model are rounded by as much as what matters.
+fn simulate_exact(
+    model: &Model<f64>,
+    options: &Options,
+    exact: impl FnOnce() -> Groups<Rational>,
+) -> Result<Outcome, Failure> {
     if let Some(outcome) = smooth_decay(model, options) {
         return Ok(outcome);
     }
-    loose_cycle(model, options)
-        .or_else(|leftover| Search::new(model, Radau::<f64, 5>::new(), options, leftover).answer())
+    let search = || {
+        loose_cycle(model, options)
+            .or_else(|leftover| Search::new(model, Radau::<f64, 5>::new(), options, leftover).answer())
+    };
+    let requested = options.tolerance;
+    let slowly = || {
+        let outcome =
+            SlowPair::of(model, exact).and_then(|pair| slow_oscillation(model, options, pair)).ok_or(None)?;
+        let reached = outcome.largest_error();
+        let missed = Failure::UnreachableTolerance { requested, reached };
+        if reached <= requested { Ok(outcome) } else { Err(Some(missed)) }
+    };
+    match Pace::of(model) {
+        Pace::Fast => search(),
+        Pace::Slow => search().or_else(|failure| slowly().map_err(|missed| missed.unwrap_or(failure))),
+        Pace::Lost => slowly().or_else(|missed| search().map_err(|failure| missed.unwrap_or(failure))),
+    }
 }

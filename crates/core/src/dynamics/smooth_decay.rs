@@ -11,6 +11,11 @@
 //! In the normal form r(A)/r_0 = 1 + aX + bX² with X = (A/A_1)² ≤ 1, amplitudes A_1 and A_2 = f A_1 give r(0)/r_0 = 1 − f²b. With f = 0.6 the
 //! permitted difference of 0.2 means |b| ≤ 0.56. A cycle below A_1 is a zero of r there. With r(A_1)/r_0 > 0 there would be two zeros, which need b > 1.
 //! The Taylor series follows what is nowhere stiff, Radau IIA what relaxes within a small part of a period.
+//!
+//! A pair that grows or dies by less in a return than f64 resolves (`slow_pair`) is known from eq 8, however fast the forces balance, and what a
+//! return takes from the amplitude is the work of friction. Near K = K_c the tests end where the rates are those of the normal form. They then show a
+//! decay, or a run that ends on the small cycle (`small_cycle`).
+//!
 //! The search decides every other trajectory: one whose forces balance fast, that has no pair, takes too many steps, or fails a test.
 
 use super::deviations::{Modes, inertial_modes};
@@ -20,7 +25,9 @@ use super::long_term::{Decay, LongTerm};
 use super::outcome::Outcome;
 use super::search::decay_errors;
 use super::section_return::{FAINT, Return, ReturnEnd, return_above};
-use super::{Balance, Model, Options, Radau, State, Stepper, Taylor};
+use super::slow_pair::{NearTransition, SlowPair};
+use super::small_cycle::SmallCycle;
+use super::{Balance, Model, Options, Radau, State, Stepper, Taylor, friction_work};
 
 /// The largest rate e^{−x}/η of the balance of forces at the start, in units of √(K/M).
 const FASTEST_BALANCE: f64 = 100.0;
@@ -29,11 +36,15 @@ const FASTEST_BALANCE: f64 = 100.0;
 const BALANCE_OF_SERIES: f64 = 20.0;
 const STATE_OF_SERIES: f64 = 60.0;
 
+/// The second bound for a slow pair: the error of Radau IIA is in units of ζ, of which a vibration at η ≫ 1 has too many.
+const STATE_OF_SLOW: f64 = 1e3;
+
 /// Coefficients of the series.
 const TERMS: usize = 20;
 
-/// Most steps of one run: a trajectory that needs more of them sticks.
+/// Most steps of one run: a trajectory that needs more of them sticks. The second bound is for a slow pair, which the search does not resolve.
 const MOST_STEPS: u64 = 600;
+const MOST_STEPS_OF_SLOW: u64 = 20_000;
 /// Most returns until crossings lie on a line.
 const MOST_RETURNS: usize = 60;
 /// Size of a state that small deviations describe.
@@ -73,6 +84,13 @@ const LOOSEST_OF_RATE: f64 = 1e-4;
 /// Relative difference between two rates of small deviations that are known.
 const KNOWN: f64 = 1e-3;
 
+/// The least relative change of amplitude in a return that is measured: ten local tolerances. The work of friction over the energy of the
+/// oscillation is measured to a part 1/(1 + η) of it.
+const LEAST_CHANGE: f64 = 1e-11;
+
+/// Relative difference between the changes of amplitude of two returns from which on nothing but the amplitude changes.
+const EVEN: f64 = 0.1;
+
 /// A method and its tolerances.
 struct Route<M> {
     method: M,
@@ -88,26 +106,46 @@ struct Route<M> {
 
 /// The outcome of a decay whose forces balance slowly; none when the search has to decide.
 pub(super) fn smooth_decay(model: &Model<f64>, options: &Options) -> Option<Outcome> {
-    let groups = model.groups();
     let start = options.start.state(model, &libm::log(options.velocity_ratio));
-    let balance = libm::exp(-start[0]) / (groups.inertial_parameter * groups.stiffness_group).sqrt();
+    let balance = balance_rate(model, &start);
     let is_slow = balance > 0.0 && balance <= FASTEST_BALANCE;
     if *model.balance() != Balance::Inertial || !is_slow {
         return None;
     }
+    by_cheapest_route(model, options, None)
+}
+
+/// The outcome of a run whose small deviations grow or die slowly: a decay, or a small cycle near K = K_c. Its errors may be larger than requested.
+/// None when the search has to decide.
+pub(super) fn slow_oscillation(model: &Model<f64>, options: &Options, pair: SlowPair) -> Option<Outcome> {
+    by_cheapest_route(model, options, Some(pair))
+}
+
+/// The rate e^{−x}/η of the balance of forces, in units of √(K/M).
+fn balance_rate(model: &Model<f64>, state: &State<f64>) -> f64 {
+    let groups = model.groups();
+    libm::exp(-state[0]) / (groups.inertial_parameter * groups.stiffness_group).sqrt()
+}
+
+fn by_cheapest_route(model: &Model<f64>, options: &Options, slow: Option<SlowPair>) -> Option<Outcome> {
+    let groups = model.groups();
+    let start = options.start.state(model, &libm::log(options.velocity_ratio));
+    let work = Work::default();
     let state = (groups.inertial_parameter / groups.stiffness_group).sqrt();
     let oscillation_units = (groups.stiffness_group * groups.inertial_parameter).sqrt().max(1.0);
-    if balance <= BALANCE_OF_SERIES && state <= STATE_OF_SERIES {
+    let fastest = if slow.is_some() { STATE_OF_SLOW } else { STATE_OF_SERIES };
+    if balance_rate(model, &start) <= BALANCE_OF_SERIES && state <= fastest {
         let method = Taylor::<f64, TERMS>::new();
+        let method = if slow.is_some() { method.with_stress_unit(oscillation_units) } else { method };
         let route = Route { method, coarse: 0.5, bad_steps: 20.0, units: 1.0, of_deviations: [1e-10, 1e-13] };
-        SmoothDecay { model, options, start, route, work: Work::default() }.outcome()
+        SmoothDecay { model, options, start, route, slow, by_work: slow.is_some(), work }.outcome()
     } else {
         let method = Radau::<f64, 5>::new();
         let (units, loose) =
             (oscillation_units.min(MOST_UNITS), (1e3 * options.tolerance).clamp(1e-10, 1e-5));
         let route =
             Route { method, coarse: 35.0, bad_steps: 0.5, units, of_deviations: [loose, FINER * loose] };
-        SmoothDecay { model, options, start, route, work: Work::default() }.outcome()
+        SmoothDecay { model, options, start, route, slow, by_work: false, work }.outcome()
     }
 }
 
@@ -117,6 +155,10 @@ struct SmoothDecay<'m, 'o, M> {
     options: &'o Options,
     start: State<f64>,
     route: Route<M>,
+    /// Known where returns do not show how small deviations grow or die.
+    slow: Option<SlowPair>,
+    /// Whether changes of amplitude are taken from the work of friction.
+    by_work: bool,
     work: Work,
 }
 
@@ -135,13 +177,20 @@ struct Shrinking {
     /// The amplitudes of V/V_l − 1.
     from: f64,
     to: f64,
-    /// The time between them, and the second of them.
+    /// The time between them, and the two.
     duration: f64,
+    start: State<f64>,
     end: State<f64>,
 }
 
 impl<'m, M: Stepper<f64> + Clone> SmoothDecay<'m, '_, M> {
     fn outcome(mut self) -> Option<Outcome> {
+        if let Some(pair) = self.slow
+            && let Some(near) = pair.near_transition
+            && near.excess < 0.0
+        {
+            return self.small_cycle(&pair, near);
+        }
         let modes = self.modes()?;
         let requested = self.options.tolerance;
         let Route { units, coarse, .. } = self.route;
@@ -170,8 +219,25 @@ impl<'m, M: Stepper<f64> + Clone> SmoothDecay<'m, '_, M> {
         None
     }
 
-    /// The modes of small deviations at two tolerances, when all of them die out.
+    /// The small cycle, when the run ends on it.
+    fn small_cycle(mut self, pair: &SlowPair, near: NearTransition) -> Option<Outcome> {
+        let Route { units, coarse, .. } = self.route;
+        let coarse = (units * coarse * self.options.tolerance).clamp(TIGHTEST, LOOSEST);
+        let transient = self.transient(coarse, &pair.modes)?;
+        let ends_there = transient.last.is_some() && self.ends_in(&pair.modes, &transient, coarse);
+        let cycle = if ends_there { SmallCycle::find(self.model, &near)? } else { return None };
+        self.work += cycle.work;
+        let (cycle, errors) = cycle.with_multiplier_of(&pair.modes.oscillation);
+        let long_term = LongTerm::Cycle(cycle);
+        let tolerance = SmallCycle::LOCAL_TOLERANCE;
+        Some(Outcome::new(self.model, self.start[0], long_term, errors, self.work, tolerance))
+    }
+
+    /// The modes of small deviations at two tolerances, when none of them grows.
     fn modes(&mut self) -> Option<[Modes; 2]> {
+        if let Some(SlowPair { modes, .. }) = self.slow {
+            return (modes.oscillation.growth_rate <= 0.0).then_some([modes; 2]);
+        }
         let mut seen = |local_tolerance| {
             let modes = inertial_modes(self.model, &self.route.method, local_tolerance).ok()??;
             self.work += modes.work;
@@ -184,7 +250,8 @@ impl<'m, M: Stepper<f64> + Clone> SmoothDecay<'m, '_, M> {
     }
 
     fn run(&self, start: State<f64>, local_tolerance: f64) -> Option<Integrator<'m, f64, M>> {
-        let control = Control { local_tolerance, most_steps: self.options.most_steps.min(MOST_STEPS) };
+        let most_steps = if self.slow.is_some() { MOST_STEPS_OF_SLOW } else { MOST_STEPS };
+        let control = Control { local_tolerance, most_steps: self.options.most_steps.min(most_steps) };
         Integrator::new(self.model, self.route.method.clone(), start, control).ok()
     }
 
@@ -195,6 +262,7 @@ impl<'m, M: Stepper<f64> + Clone> SmoothDecay<'m, '_, M> {
         let mut history = History::new();
         let (mut so_far, mut returns, mut amplitude): (Option<Return<f64>>, _, _) = (None, 0, 0.0);
         for done in 1..=MOST_RETURNS {
+            let start = *run.state();
             let (next, end) = return_above(&mut run, NEAR).ok()?;
             let seen = so_far.as_ref().map(extremes);
             let orbit = so_far.map_or_else(|| next.clone(), |so_far| so_far.joined(next.clone()));
@@ -203,9 +271,9 @@ impl<'m, M: Stepper<f64> + Clone> SmoothDecay<'m, '_, M> {
             }
             let is_near = end == ReturnEnd::AtRest;
             let from = std::mem::replace(&mut amplitude, self.amplitude(run.state(), modes));
-            let last = Shrinking { from, to: amplitude, duration: next.duration, end: *run.state() };
+            let last = Shrinking { from, to: amplitude, duration: next.duration, start, end: *run.state() };
             history.push(next);
-            if is_near || is_led_by_pair && repeats(&history) {
+            if is_near || is_led_by_pair && (repeats(&history) || self.falls_evenly(&history)) {
                 self.work += run.work();
                 // A slider that no longer crosses V = V_l has its extremes behind it, or the search decides.
                 let is_complete = !(is_near && returns == done);
@@ -227,10 +295,46 @@ impl<'m, M: Stepper<f64> + Clone> SmoothDecay<'m, '_, M> {
         Some(whole)
     }
 
+    /// Whether the last two returns took the same small part of the amplitude, so that each is inside the one before.
+    fn falls_evenly(&mut self, history: &History<f64>) -> bool {
+        let [.., before, last] = history.returns.as_slice() else { return false };
+        let (Some(there), Some(here)) = (history.back(2), history.back(1)) else { return false };
+        if !self.by_work {
+            return false;
+        }
+        let mut fall = |[y, zeta]: [f64; 2], duration| self.log_ratio_by_work(&[0.0, y, zeta], duration);
+        let (Some(first), Some(second)) = (fall(there, before.duration), fall(here, last.duration)) else {
+            return false;
+        };
+        first < 0.0 && second < 0.0 && (first - second).abs() <= EVEN * second.abs()
+    }
+
+    fn log_ratio_by_work(&mut self, crossing: &State<f64>, duration: f64) -> Option<f64> {
+        let (log_ratio, work) = friction_work::log_ratio(self.model, crossing, duration).ok()?;
+        self.work += work;
+        Some(log_ratio)
+    }
+
+    /// The logarithm of what a return leaves of the amplitude.
+    fn log_ratio(&mut self, shrinking: &Shrinking) -> Option<f64> {
+        match self.slow {
+            None => Some(libm::log(shrinking.to / shrinking.from)),
+            Some(_) if self.by_work => self.log_ratio_by_work(&shrinking.start, shrinking.duration),
+            // Where η is small the imbalance at a crossing has fewer digits than the stress.
+            Some(_) => Some(libm::log(shrinking.end[2] / shrinking.start[2])),
+        }
+    }
+
     /// Whether a transient leads to the oscillation of small deviations.
     fn ends_in(&mut self, modes: &Modes, transient: &Transient, local_tolerance: f64) -> bool {
-        let Some(mut shrinking) = transient.last else { return true };
+        let near_transition = self.slow.and_then(|pair| pair.near_transition);
+        let Some(mut shrinking) = transient.last else {
+            // Near K = K_c a state this small may still lie outside an unstable cycle.
+            return near_transition.is_none_or(|near| near.attracts());
+        };
         let slow = modes.oscillation;
+        let inertia = if self.by_work { self.model.groups().inertial_parameter } else { 0.0 };
+        let least_change = LEAST_CHANGE / (1.0 + inertia);
         let permitted =
             (-OF_RATE * self.route.units * slow.growth_rate * slow.period).clamp(TIGHTEST, LOOSEST_OF_RATE);
         let mut before: Option<[f64; 2]> = None;
@@ -242,7 +346,19 @@ impl<'m, M: Stepper<f64> + Clone> SmoothDecay<'m, '_, M> {
                 shrinking = measured;
             }
             let amplitude = shrinking.from;
-            let part = libm::log(shrinking.to / amplitude) / (shrinking.duration * slow.growth_rate);
+            let Some(log_ratio) = self.log_ratio(&shrinking) else { return false };
+            if let Some(near) = near_transition {
+                if log_ratio.is_nan() || log_ratio > -least_change {
+                    return false;
+                }
+                let here = [amplitude, log_ratio / shrinking.duration];
+                if before.is_some_and(|before| near.describes(slow.growth_rate, before, here)) {
+                    return true;
+                }
+                before = Some(here);
+                continue;
+            }
+            let part = log_ratio / (shrinking.duration * slow.growth_rate);
             if part.is_nan() || part < LEAST_PART {
                 return false;
             }
@@ -264,10 +380,10 @@ impl<'m, M: Stepper<f64> + Clone> SmoothDecay<'m, '_, M> {
     fn two_returns(&mut self, start: State<f64>, local_tolerance: f64, modes: &Modes) -> Option<Shrinking> {
         let mut run = self.run(start, local_tolerance)?;
         crossing(&mut run)?;
-        let from = self.amplitude(run.state(), modes);
+        let (from, start) = (self.amplitude(run.state(), modes), *run.state());
         let duration = crossing(&mut run)?.duration;
         self.work += run.work();
-        Some(Shrinking { from, to: self.amplitude(run.state(), modes), duration, end: *run.state() })
+        Some(Shrinking { from, to: self.amplitude(run.state(), modes), duration, start, end: *run.state() })
     }
 
     /// The amplitude of V/V_l − 1 at a crossing, where ηV' = ζ − φ.

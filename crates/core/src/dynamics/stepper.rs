@@ -45,6 +45,11 @@ pub trait Stepper<R: Scalar> {
     /// The step polynomial of the last trial as an increment over its start: coefficients of θ, θ², …
     fn polynomial(&self) -> &[State<R>];
 
+    /// The unit of ζ in which its errors count like those of x and y.
+    fn stress_unit(&self) -> f64 {
+        1.0
+    }
+
     /// Right-hand sides evaluated so far.
     fn evaluations(&self) -> u64;
 

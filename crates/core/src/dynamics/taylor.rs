@@ -15,6 +15,7 @@ pub struct Taylor<R, const N: usize> {
     origin: Option<State<R>>,
     /// e^{−x}/η there.
     stiffness: f64,
+    stress_unit: f64,
     evaluations: u64,
 }
 
@@ -24,7 +25,21 @@ impl<R: Scalar, const N: usize> Taylor<R, N> {
     pub fn new() -> Self {
         const { assert!(N >= 4) };
         let zero = || std::array::from_fn(|_| std::array::from_fn(|_| R::from(0)));
-        Self { polynomial: zero(), series: zero(), origin: None, stiffness: 0.0, evaluations: 0 }
+        Self {
+            polynomial: zero(),
+            series: zero(),
+            origin: None,
+            stiffness: 0.0,
+            stress_unit: 1.0,
+            evaluations: 0,
+        }
+    }
+
+    /// The same with another unit of ζ for errors. An oscillation at √(K/M) moves ζ √(κη) times as far as ln V: in units of 1 the rounding errors
+    /// of a large ζ would be all that is permitted for ln V.
+    #[must_use]
+    pub fn with_stress_unit(self, stress_unit: f64) -> Self {
+        Self { stress_unit, ..self }
     }
 
     /// Makes the series belong to a state.
@@ -54,10 +69,11 @@ fn rough_log2(value: f64) -> f64 {
     f64::from(exponent) + excess + excess * (1.0 - excess) * 0.345
 }
 
-/// The largest component of a term.
+/// The largest component of a term, with ζ in its unit.
 #[inline(always)]
-fn size<R: Scalar>(term: &State<R>) -> f64 {
-    term.iter().fold(0.0f64, |largest, component| largest.max(component.to_f64().abs()))
+fn size<R: Scalar>(term: &State<R>, stress_unit: f64) -> f64 {
+    let [x, y, stress] = term.each_ref().map(|component| component.to_f64().abs());
+    x.max(y).max(stress / stress_unit)
 }
 
 impl<R: Scalar, const N: usize> Stepper<R> for Taylor<R, N> {
@@ -69,7 +85,8 @@ impl<R: Scalar, const N: usize> Stepper<R> for Taylor<R, N> {
         const PART: f64 = -0.15;
         self.expand(model, from)?;
         let permitted = rough_log2(weight.absolute) + PART;
-        let [last, second, third] = [1, 2, 3].map(|back| rough_log2(size(&self.series[N - 1 - back])));
+        let [last, second, third] =
+            [1, 2, 3].map(|back| rough_log2(size(&self.series[N - 1 - back], self.stress_unit)));
         let [by_last, by_second] = [(last, N - 1), (second, N - 2)].map(|(c, k)| (permitted - c) / k as f64);
         // The last terms bound the rest only where terms fall: by half from each to the next.
         let by_fall = (third - last) / 2.0 - 1.0;
@@ -93,7 +110,8 @@ impl<R: Scalar, const N: usize> Stepper<R> for Taylor<R, N> {
             }
         }
         // The last two terms bound the rest of a series that converges.
-        let largest = size(&self.polynomial[N - 2]).max(size(&self.polynomial[N - 3]));
+        let [last, second] = [2, 3].map(|back| size(&self.polynomial[N - back], self.stress_unit));
+        let largest = last.max(second);
         let [odd, even] = sums;
         let to: State<R> = std::array::from_fn(|c| odd[c].clone() + &even[c] + &from[c]);
         let finite = to.iter().all(Scalar::is_finite) && largest.is_finite();
@@ -102,6 +120,10 @@ impl<R: Scalar, const N: usize> Stepper<R> for Taylor<R, N> {
 
     fn polynomial(&self) -> &[State<R>] {
         &self.polynomial[..N - 1]
+    }
+
+    fn stress_unit(&self) -> f64 {
+        self.stress_unit
     }
 
     fn evaluations(&self) -> u64 {
