@@ -127,7 +127,9 @@ fn near_transition(model: &Model<f64>, exact: &Groups<Rational>) -> Option<NearT
 }
 
 /// A²/(K/K_c − 1) of the small cycle to leading order, by the first Lyapunov coefficient; infinite where that vanishes.
-fn square_amplitude(law: EvolutionLaw, groups: &Groups<f64>) -> f64 {
+///
+/// The expression that is proved stands on a higher floor, in `theory::hopf`; a test of the crate compares the two.
+pub(crate) fn square_amplitude(law: EvolutionLaw, groups: &Groups<f64>) -> f64 {
     let (eta, excess) = (groups.inertial_parameter, groups.effect_ratio - 1.0);
     let sum = 1.0 + eta;
     let second_harmonic = sum * sum + 4.0 * eta * eta * excess;

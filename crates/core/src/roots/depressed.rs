@@ -75,7 +75,7 @@ impl Depressed {
         let power = 3 * i64::from(of_linear) - 2 * i64::from(of_constant);
         // Two numbers of half to one, and a power of two beyond which the ratio is clear as well.
         let power = libm::exp2(power.clamp(-100, 100) as f64);
-        let ratio = 4.0 * linear.abs().powi(3) * power / (27.0 * constant * constant);
+        let ratio = 4.0 * linear.abs() * linear * linear * power / (27.0 * constant * constant);
         if ratio > 1.0 + CLEARLY {
             1
         } else if ratio < 1.0 - CLEARLY {

@@ -23,7 +23,7 @@ impl TwoRoots {
     }
 
     /// Q = N + r² + 2rX: the product of the distances of both roots from −r.
-    pub(super) fn from_pole<T: Number>(self, [first, second, rate]: &[T; 3]) -> T {
+    pub(super) fn pole_product<T: Number>(self, [first, second, rate]: &[T; 3]) -> T {
         let from_pole = *rate + *first;
         match self {
             Self::Pair => from_pole.squared() + *second,
@@ -77,7 +77,7 @@ impl<'v, T: Number> Terms<'v, T> {
     pub(super) fn of(kind: TwoRoots, variables: &'v [T; VARIABLES]) -> Self {
         let [first, second, rate, ..] = *variables;
         let [sum, product] = kind.sum_and_product(&[first, second, rate]);
-        let from_pole = kind.from_pole(&[first, second, rate]);
+        let from_pole = kind.pole_product(&[first, second, rate]);
         Self { variables, rate_square: rate.squared(), twice: rate * sum, product, from_pole }
     }
 
@@ -113,6 +113,10 @@ impl Changing {
     fn with(self, other: Self, value: Interval, slope: impl Fn(Interval, Interval) -> Interval) -> Self {
         Self { value, slopes: std::array::from_fn(|i| slope(self.slopes[i], other.slopes[i])) }
     }
+
+    fn times(self, other: Self) -> Self {
+        self.with(other, self.value * other.value, |one, two| one * other.value + two * self.value)
+    }
 }
 
 impl Add for Changing {
@@ -135,7 +139,7 @@ impl Mul for Changing {
     type Output = Self;
 
     fn mul(self, other: Self) -> Self {
-        self.with(other, self.value * other.value, |one, two| one * other.value + two * self.value)
+        self.times(other)
     }
 }
 

@@ -22,7 +22,7 @@ pub(super) fn point_with(
     let [a, b, d, k, m, s, v] = *values;
     let rate = roots_and_rate[2];
     let [sum, product] = kind.sum_and_product(roots_and_rate);
-    let from_pole = kind.from_pole(roots_and_rate);
+    let from_pole = kind.pole_product(roots_and_rate);
     let length = Interval { low: d.low.max(v.low / rate), high: d.high.min(v.high / rate) };
     let delta = Interval { low: length.low / s.high, high: length.high / s.low };
     let steep = rate * (rate + sum);
@@ -46,7 +46,7 @@ pub(super) fn point_with(
     };
     let lack = |q: f64| {
         let [low, high] = common(q);
-        Some((low / high).ln()).filter(|lack| !lack.is_nan())
+        Some(libm::log(low / high)).filter(|lack| !lack.is_nan())
     };
     let q = golden_section(lack, (range[0], range[1]), NEAR * (range[1] - range[0]))?;
     let ([low, high], [of_a, of_b]) = (common(q), shares(q));

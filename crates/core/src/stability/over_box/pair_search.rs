@@ -171,7 +171,7 @@ impl PairSearch<'_> {
             let product = positive(product)?;
             let [k, m, _] = self.machine(&place, product)?;
             let rate_square = rate.square();
-            let from_pole = place.kind.from_pole(&place.values);
+            let from_pole = place.kind.pole_product(&place.values);
             // N by a, and 2X by what remains of both equations without k.
             let of_a = a / delta + m * (rate_square + rate * sum);
             let product = common(product, k * rate_square / positive(of_a)?)?;
