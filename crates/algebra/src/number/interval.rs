@@ -134,16 +134,24 @@ impl Interval {
         if self.is_zero() && other.is_finite() || other.is_zero() && self.is_finite() {
             return Self::point(0.0);
         }
-        if self.low >= 0.0 && other.low >= 0.0 {
-            return Self::outward(self.low * other.low, self.high * other.high);
-        }
-        let products =
-            [self.low * other.low, self.low * other.high, self.high * other.low, self.high * other.high];
-        if products.iter().any(|product| product.is_nan()) {
-            return Self::LINE;
-        }
-        let [first, rest @ ..] = products;
-        Self::outward(rest.into_iter().fold(first, f64::min), rest.into_iter().fold(first, f64::max))
+        let (Self { low: a, high: b }, Self { low: c, high: d }) = (self, other);
+        // Which ends give the extremes, by where zero lies.
+        let (low, high) = if a >= 0.0 {
+            (if *c >= 0.0 { a * c } else { b * c }, if *d >= 0.0 { b * d } else { a * d })
+        } else if b <= 0.0 {
+            (if *d >= 0.0 { a * d } else { b * d }, if *c >= 0.0 { b * c } else { a * c })
+        } else if *c >= 0.0 {
+            (a * d, b * d)
+        } else if *d <= 0.0 {
+            (b * c, a * c)
+        } else {
+            let products = [a * d, b * c, a * c, b * d];
+            if products.iter().any(|product| product.is_nan()) {
+                return Self::LINE;
+            }
+            (products[0].min(products[1]), products[2].max(products[3]))
+        };
+        Self::outward(low, high)
     }
 
     /// The whole line where the divisor may be zero.
