@@ -23,7 +23,9 @@ pub(super) fn theorems(ledger: &Ledger, equations: &Equations) -> Option<String>
 const HEAD: &str = "Coq has accepted each of these theorems. A theorem named `formula_…` was written by the program from the formula \
                     before it. The others were written by hand; the sentences before them say what they state, and they stand with \
                     their variables, hypotheses and definitions at the end. The archive of the report has all proofs. `R` are the real \
-                    numbers and `C` the complex ones. `fst` and `snd` are the real and the imaginary part.\n";
+                    numbers and `C` the complex ones. `fst` and `snd` are the real and the imaginary part. `horner [c0; c1; …] s` is \
+                    c0 + c1 s + …. Of this polynomial `all_left` says that all complex roots lie left of the imaginary axis, `one_right` \
+                    that one lies right of it, and `all_real` that none has an imaginary part.\n";
 
 fn section(entry: &Entry, equations: &Equations) -> Option<String> {
     let generated = entry.stated.iter().flat_map(|stated| whole_statements(stated, equations)).map(|whole| {

@@ -38,6 +38,7 @@ mod counts;
 mod csv_promises;
 mod decimal_layouts;
 mod digit_for_digit;
+mod documented_times;
 mod doors;
 mod error_bars;
 mod estimated_errors;

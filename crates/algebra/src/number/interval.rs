@@ -109,19 +109,12 @@ impl Interval {
 // Products below the smallest number are rounded outwards, too: zero is a point only where it was one from the start. Then sums and
 // products with it are exact, and no later operation is one with subnormal numbers, which processors are slow at.
 impl Interval {
-    fn is_zero(&self) -> bool {
-        self.low == 0.0 && self.high == 0.0
-    }
+    const ZERO: Self = Self::point(0.0);
 
     #[inline]
     fn plus(self, other: &Self) -> Self {
-        if self.is_zero() {
-            return *other;
-        }
-        if other.is_zero() {
-            return self;
-        }
-        Self::outward(self.low + other.low, self.high + other.high)
+        let [low, high] = [self.low + other.low, self.high + other.high];
+        if self == Self::ZERO || *other == Self::ZERO { Self { low, high } } else { Self::outward(low, high) }
     }
 
     #[inline]
@@ -131,8 +124,8 @@ impl Interval {
 
     #[inline]
     fn times(self, other: &Self) -> Self {
-        if self.is_zero() && other.is_finite() || other.is_zero() && self.is_finite() {
-            return Self::point(0.0);
+        if self == Self::ZERO && other.is_finite() || *other == Self::ZERO && self.is_finite() {
+            return Self::ZERO;
         }
         let (Self { low: a, high: b }, Self { low: c, high: d }) = (self, other);
         // Which ends give the extremes, by where zero lies.

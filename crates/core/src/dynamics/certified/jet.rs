@@ -77,12 +77,14 @@ impl Jet {
     }
 
     /// The first derivatives.
-    pub const fn gradient(&self) -> [Interval; 2] {
+    pub fn gradient(&self) -> [Interval; 2] {
+        debug_assert!(self.degree >= 1, "first derivatives are known");
         [self.terms[1], self.terms[2]]
     }
 
     /// A bound of each second derivative.
     pub fn largest_second(&self) -> f64 {
+        debug_assert!(self.degree >= 2, "second derivatives are known");
         self.terms[3..6].iter().map(|c| 2.0 * c.magnitude()).fold(0.0, worse)
     }
 
