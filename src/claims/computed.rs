@@ -147,8 +147,3 @@ pub fn procedures() -> Procedures {
         shows: shows().map(|show| show.name).collect(),
     }
 }
-
-/// A procedure whose finding, or the reason why there is none, is its answer.
-pub(super) fn either(found: Result<Finding, Finding>) -> Finding {
-    found.unwrap_or_else(|undecided| undecided)
-}

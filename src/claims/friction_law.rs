@@ -1,31 +1,19 @@
 //! The friction law and its regularised form.
 
 use crate::claims::computed::Asked;
-use crate::claims::simulated_friction::in_simulations;
 use crate::claims::{Check, Finding};
-use crate::experiments::{Context, Need};
+use crate::experiments::Context;
 use crate::scene::cited;
-use slipmode_core::number::{Rational, nearest_f64};
+use slipmode_core::number::Rational;
 use slipmode_core::theory::regularised;
 
-pub(super) const CHECKS: &[Check] = &[
-    Check {
-        name: "difference-of-the-regularised-law",
-        is_of_runs: false,
-        roles: &[],
-        needs: &[],
-        decide: in_linear_analysis,
-    },
-    Check {
-        name: "regularised-law-in-runs",
-        is_of_runs: false,
-        roles: &[],
-        needs: &[Need::Simulations],
-        decide: |context, asked: Asked| {
-            in_simulations(context, asked.first(), nearest_f64(&reference_friction()))
-        },
-    },
-];
+pub(super) const CHECKS: &[Check] = &[Check {
+    name: "difference-of-the-regularised-law",
+    is_of_runs: false,
+    roles: &[],
+    needs: &[],
+    decide: in_linear_analysis,
+}];
 
 /// μ0 of the comparison, as the claim states it: 3/5.
 fn reference_friction() -> Rational {

@@ -8,6 +8,7 @@ mod boundary;
 mod by_hand;
 mod computed;
 mod criteria;
+mod criticality;
 mod error_bars;
 mod evidence;
 mod exchange;
@@ -19,18 +20,12 @@ mod friction_law;
 mod gate;
 mod ledger;
 mod linearisation;
-mod new_edge;
-mod new_method;
-mod new_peak;
-mod new_results;
 mod over_rows;
 mod planted_fault_tables;
 mod planted_faults;
 mod reading;
 mod resolved;
 mod rule;
-mod simulated;
-mod simulated_friction;
 mod theory_tables;
 mod zones;
 
@@ -89,8 +84,7 @@ fn checks() -> impl Iterator<Item = &'static Check> {
         frequency_turns::CHECKS,
         criteria::CHECKS,
         zones::CHECKS,
-        new_results::CHECKS,
-        simulated_friction::CHECKS,
+        criticality::CHECKS,
     ]
     .into_iter()
     .flatten()

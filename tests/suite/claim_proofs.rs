@@ -126,7 +126,7 @@ fn a_procedure_finds_its_equations_by_their_roles() {
 #[test]
 fn a_procedure_that_is_asked_about_something_unknown_decides_nothing() {
     for (name, of) in
-        [("error-series", "17"), ("number-of-slip-modes", "a < b"), ("peak-velocity-law", "ageing")]
+        [("error-series", "17"), ("number-of-slip-modes", "a < b"), ("zones-by-straight-lines", "ageing")]
     {
         let asked = format!(
             "check = \"{name}\"\nof = [\"{of}\"]\nequations = [\"8\", \"15\", \"16\", \"18\", \"20\"]"

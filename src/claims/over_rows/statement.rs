@@ -369,7 +369,7 @@ impl Reader<'_> {
         let in_name = |c: char| c.is_ascii_alphanumeric() || c == '_';
         let is_name = |word: &&str| word.starts_with(|c: char| c.is_ascii_alphabetic());
         let words = text.split(|c| !in_name(c)).filter(is_name);
-        let grammar = ["and", "or", "not", "implies", "iff", "abs", "sqrt"];
+        let grammar = ["and", "or", "not", "implies", "iff", "abs", "sqrt", "ln", "exp"];
         let mut unknown = words.filter(|word| {
             !grammar.contains(word) && !self.columns.contains(word) && !word.starts_with(PLACEHOLDER)
         });

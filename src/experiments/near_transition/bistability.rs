@@ -1,5 +1,6 @@
 //! The edge of bistability: the largest K/K_c at which a limit cycle coexists with stable sliding, and what start reaches it.
 
+use crate::experiments::near_transition::EdgeLaw;
 use slipmode_core::dynamics::certified::{Coexistence, Reason, certify_coexistence};
 use slipmode_core::dynamics::{
     Control, CycleFamily, Failure, Fold, Integrator, LongTerm, Member, Model, Options, Radau,
@@ -27,6 +28,8 @@ pub struct Edge {
     pub normal_stress_pa: f64,
     /// Width of the strip in log10 of the normal stress at that velocity.
     pub width_dex: f64,
+    /// The law of the edge as η → 0; none where it has no largest value.
+    pub law: Option<EdgeLaw>,
     /// The unstable cycle half-way to the edge; none when it was not reached.
     pub threshold: Option<Threshold>,
 }
@@ -97,6 +100,7 @@ pub(crate) fn edge(
         normal_stress_pa: stress,
         // At given V the product ησ is given, so that K/K_c is proportional to 1/(σ + ησ).
         width_dex: (1.0 + family.inertial_parameter) * libm::log10(over_critical),
+        law: EdgeLaw::new(family.effect_ratio, family.inertial_parameter),
         threshold: threshold(family, members, groups, [critical, 0.5 * excess]),
     }))
 }

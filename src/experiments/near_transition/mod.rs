@@ -2,6 +2,7 @@
 
 pub(crate) mod bistability;
 pub(crate) mod cycle_families;
+mod edge_law;
 pub(crate) mod figures;
 pub(crate) mod run;
 pub(crate) mod section;
@@ -9,6 +10,7 @@ pub(crate) mod tables;
 
 pub use bistability::{Edge, Threshold, place_on_transition};
 pub use cycle_families::{AmplitudeDeviation, CycleFamilyOutcome, FamilyCycle};
+pub use edge_law::EdgeLaw;
 pub use run::{NearRun, NearTransitionOutcome, near_transition};
 pub use section::NearTransitionSection;
 

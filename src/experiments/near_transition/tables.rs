@@ -136,6 +136,12 @@ fn edges(context: &Context) -> Option<Table> {
         .digits("edge_error", "± of the continuation", "", 1, |(_, edge)| edge.error)
         .digits("bracket_by_runs", "Confirmed by runs to a relative", "", 1, |(_, edge)| edge.bracket)
         .digits("edge_log_peak", "ln(V_peak/V_l) at the fold", "", 4, |(_, edge)| edge.log_peak)
+        .digits("law_excess", "K/K_c − 1 by the law as η → 0", "", 5, |(_, edge)| {
+            Some(edge.law?.excess[0])
+        })
+        .digits("law_error", "Its error", "", 1, |(_, edge)| Some(edge.law?.excess[1]))
+        .digits("peak_by_law", "ln(V_peak/V_l) by this law", "", 4, |(_, edge)| Some(edge.law?.log_peak[0]))
+        .digits("peak_error", "Its error", "", 1, |(_, edge)| Some(edge.law?.log_peak[1]))
         .digits("width_dex", "Width in σ", "dex", 3, |(_, edge)| edge.width_dex)
         .digits("half_way_excess", "Half-way: K/K_c − 1", "", 5, |(_, edge)| {
             Some(edge.threshold.as_ref()?.excess)

@@ -1,10 +1,12 @@
 //! The nonlinear slider on a (V, σ) grid (figs 3a, 5 and 6).
 
+mod deep_stick_slip;
 pub(crate) mod least_peak;
 pub(crate) mod least_peak_figures;
 pub(crate) mod map_figure;
 pub(crate) mod overshoot_figure;
 pub(crate) mod run;
+mod run_tables;
 pub(crate) mod section;
 pub(crate) mod tables;
 pub(crate) mod vibration_limit;
@@ -22,7 +24,8 @@ use slipmode_core::number::nearest_f64;
 
 impl Experiment for SimulationsSection {
     type Outcome = SimulationsOutcome;
-    const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
+    const TABLES: &'static [&'static [TableMaker]] =
+        &[tables::TABLES, deep_stick_slip::TABLES, run_tables::TABLES];
     const FIGURES: &'static [&'static [FigureMaker]] =
         &[least_peak_figures::FIGURES, map_figure::FIGURES, overshoot_figure::FIGURES];
 

@@ -68,9 +68,10 @@ impl RunCourse {
 
     /// Largest x − 2φ from the start on and on the cycle.
     #[must_use]
-    pub fn regularisation(&self) -> f64 {
-        let on_cycle = self.on_cycle.map_or(f64::NEG_INFINITY, |pass| pass.regularisation.value);
-        self.from_start.regularisation.value.max(on_cycle)
+    pub fn regularisation(&self) -> Estimate {
+        let start = self.from_start.regularisation;
+        let cycle = self.on_cycle.map(|pass| pass.regularisation);
+        cycle.filter(|cycle| cycle.value > start.value).unwrap_or(start)
     }
 }
 

@@ -3,7 +3,8 @@
 use std::f64::consts::{SQRT_2, TAU};
 
 use crate::experiments::shared::cells::{DigitColumns, Rounded};
-use crate::experiments::simulations::{SIDE_WIDTH, SimulatedPoint};
+use crate::experiments::simulations::deep_stick_slip::LawOfLeast;
+use crate::experiments::simulations::{LeastPeak, SIDE_WIDTH, SimulatedPoint};
 use crate::experiments::{Context, Need, SceneOutcome, TableMaker};
 use slipmode_core::dynamics::certified::Certificate;
 use slipmode_core::dynamics::{Behaviour, Estimate, Simulation};
@@ -25,17 +26,17 @@ const DIGITS: usize = 7;
 
 /// A point of a grid with its scene, its law, its run, where that has a result, and what is proved of it.
 #[derive(Clone, Copy)]
-struct GridPoint<'c> {
-    scene: &'c SceneOutcome,
-    law: EvolutionLaw,
-    velocity: f64,
-    stress: f64,
-    point: &'c SimulatedPoint,
-    run: Option<&'c Simulation>,
+pub(super) struct GridPoint<'c> {
+    pub scene: &'c SceneOutcome,
+    pub law: EvolutionLaw,
+    pub velocity: f64,
+    pub stress: f64,
+    pub point: &'c SimulatedPoint,
+    pub run: Option<&'c Simulation>,
     proof: Option<&'c Certificate>,
 }
 
-fn points<'c>(context: &'c Context) -> impl Iterator<Item = GridPoint<'c>> {
+pub(super) fn points<'c>(context: &'c Context) -> impl Iterator<Item = GridPoint<'c>> {
     let of_scene = |scene: &'c SceneOutcome| {
         let grids = scene.simulations.iter().flat_map(|found| &found.grids);
         grids.flat_map(move |&(law, ref grid)| {
@@ -60,7 +61,7 @@ const NO_CYCLE: &str = "none";
 const ROUNDING: f64 = 1e-14;
 
 impl GridPoint<'_> {
-    fn scene(&self) -> &str {
+    pub fn scene(&self) -> &str {
         &self.scene.scene.name
     }
 
@@ -209,29 +210,36 @@ fn disagreements(context: &Context) -> Option<Table> {
 
 fn least_peaks(context: &Context) -> Option<Table> {
     let note = "Minimised over one decade on either side of {inertial-upper}. Positions are log10 of the velocity over its velocity. The ends of the flat range and the changes of mode are located to 0.001 dex. The mode changes from stick-slip to harmonic vibration where the frequency of the limit cycle, or of small deviations by the exact theory, passes the threshold.";
-    let found = context.outcome.each(|scene| &scene.simulations);
-    let least_peaks = found.flat_map(|(_, found)| &found.least_peaks);
-    Table::of("least-peaks", "Velocity of the lowest peak, compared with {inertial-upper}", least_peaks)
+    let found = context.outcome.scenes.iter().flat_map(|scene| {
+        let peaks = scene.simulations.iter().flat_map(|found| &found.least_peaks);
+        peaks.map(move |least| (scene, least))
+    });
+    let least_peaks: Vec<_> =
+        found.map(|(scene, least)| (least, LawOfLeast::new(context, scene, least))).collect();
+
+    Table::of("least-peaks", "Velocity of the lowest peak, compared with {inertial-upper}", &least_peaks)
         .note(note)
-        .text("law", "Law", |least| least.law.as_str())
-        .digits("normal_stress_pa", "Normal stress σ", "Pa", 4, |least| least.normal_stress_pa)
+        .text("law", "Law", |(least, _): &(&LeastPeak, Option<LawOfLeast>)| least.law.as_str())
+        .digits("normal_stress_pa", "Normal stress σ", "Pa", 4, |(least, _)| least.normal_stress_pa)
         .named()
-        .digits("eq18_velocity_m_per_s", "Velocity of {inertial-upper}", "m/s", 4, |least| {
+        .digits("eq18_velocity_m_per_s", "Velocity of {inertial-upper}", "m/s", 4, |(least, _)| {
             least.eq18_velocity_m_per_s
         })
-        .digits("offset_dex", "Offset of the minimum from {inertial-upper}", "dex", 6, |least| {
+        .digits("offset_dex", "Offset of the minimum from {inertial-upper}", "dex", 6, |(least, _)| {
             least.offset_dex
         })
-        .digits("offset_error_dex", "Its error", "dex", 1, |least| least.offset_error_dex)
-        .digits("peak_at_eq18_over_least", "Peak at {inertial-upper} / lowest peak", "", 5, |least| {
+        .digits("offset_error_dex", "Its error", "dex", 1, |(least, _)| least.offset_error_dex)
+        .digits("peak_at_eq18_over_least", "Peak at {inertial-upper} / lowest peak", "", 5, |(least, _)| {
             least.peak_at_eq18_over_least
         })
-        .digits("curvature_per_dex2", "Curvature of ln(peak)", "1/dex²", 3, |least| least.curvature_per_dex2)
-        .digits("one_percent_from_dex", "Within 1 % from", "dex", 3, |least| least.flat[0][0])
-        .digits("one_percent_to_dex", "to", "dex", 3, |least| least.flat[0][1])
-        .digits("five_percent_from_dex", "Within 5 % from", "dex", 3, |least| least.flat[1][0])
-        .digits("five_percent_to_dex", "to", "dex", 3, |least| least.flat[1][1])
-        .digits("cycle_mode_change_dex", "Mode of the cycle changes", "dex", 6, |least| {
+        .digits("curvature_per_dex2", "Curvature of ln(peak)", "1/dex²", 3, |(least, _)| {
+            least.curvature_per_dex2
+        })
+        .digits("one_percent_from_dex", "Within 1 % from", "dex", 3, |(least, _)| least.flat[0][0])
+        .digits("one_percent_to_dex", "to", "dex", 3, |(least, _)| least.flat[0][1])
+        .digits("five_percent_from_dex", "Within 5 % from", "dex", 3, |(least, _)| least.flat[1][0])
+        .digits("five_percent_to_dex", "to", "dex", 3, |(least, _)| least.flat[1][1])
+        .digits("cycle_mode_change_dex", "Mode of the cycle changes", "dex", 6, |(least, _)| {
             least.cycle_mode_change_dex
         })
         .digits("cycle_mode_change_error_dex", "Its error", "dex", 1, |_| SIDE_WIDTH)
@@ -240,14 +248,21 @@ fn least_peaks(context: &Context) -> Option<Table> {
             "Period falls from 2 to 1.1 natural ones over",
             "dex",
             6,
-            |least| {
+            |(least, _)| {
                 let [slow, fast] = least.period_change_dex;
                 Some(fast? - slow?)
             },
         )
-        .digits("theory_mode_change_dex", "Mode by theory changes", "dex", 3, |least| {
+        .digits("theory_mode_change_dex", "Mode by theory changes", "dex", 3, |(least, _)| {
             least.theory_mode_change_dex
         })
+        .digits("stiffness_over_quasi_static", "K/K_c without inertia", "", 5, |(_, law)| {
+            Some(Rounded(law.as_ref()?.softness))
+        })
+        .digits("law_offset_dex", "Offset from the law of the lowest peak", "dex", 6, |(_, law)| {
+            Some(law.as_ref()?.offset_dex)
+        })
+        .digits("law_offset_error_dex", "Its error", "dex", 1, |(least, _)| least.offset_error_dex)
         .table()
         .into()
 }

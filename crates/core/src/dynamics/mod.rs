@@ -121,7 +121,7 @@ pub use kick::Kick;
 pub use long_term::{Cycle, Decay, LongTerm, Oscillation, long_term_behaviour};
 pub use model::{Balance, Model, State};
 pub use outcome::{Behaviour, Outcome, Simulation};
-pub use peak_law::{DEEP, DeepCycle, PeakLaw, drop_over_impedance};
+pub use peak_law::{DEEP, DeepCycle, PeakLaw, drop_over_impedance, least_loading};
 #[doc(hidden)]
 pub use profile::{Estimate, Profile};
 #[doc(hidden)]

@@ -65,10 +65,7 @@ impl PeakLaw {
     /// The power of the stick's duration in the strength: 0 with the slip law, and β/(β − 1) with the aging law, which heals.
     #[must_use]
     pub fn healing(&self) -> f64 {
-        match self.law {
-            EvolutionLaw::Slip => 0.0,
-            EvolutionLaw::Aging => self.effect_ratio / (self.effect_ratio - 1.0),
-        }
+        healing(self.law, self.effect_ratio)
     }
 
     /// The stress at which the stick ends, above the friction at V_peak.
@@ -133,11 +130,18 @@ impl PeakLaw {
     pub fn slope(&self, peak: f64) -> f64 {
         1.0 / (1.0 - (1.0 + self.healing()) / peak)
     }
+}
 
-    /// V_l/(2 V_18) where the peak is lowest, to first order in 1/A.
-    #[must_use]
-    pub fn least_loading(&self, peak: f64) -> f64 {
-        1.0 + (self.healing() - FRAC_PI_2) / peak
+/// V_l/(2 V_18) where the peak is lowest, to first order in 1/A.
+#[must_use]
+pub fn least_loading(law: EvolutionLaw, effect_ratio: f64, peak: f64) -> f64 {
+    1.0 + (healing(law, effect_ratio) - FRAC_PI_2) / peak
+}
+
+fn healing(law: EvolutionLaw, effect_ratio: f64) -> f64 {
+    match law {
+        EvolutionLaw::Slip => 0.0,
+        EvolutionLaw::Aging => effect_ratio / (effect_ratio - 1.0),
     }
 }
 

@@ -1,49 +1,21 @@
-//! What this project states of its own, decided like the claims of the paper.
+//! The kind of the transition along the loading velocity, by the sign of the first Lyapunov coefficient.
 
-use crate::claims::computed::{Asked, either};
+use crate::claims::computed::Asked;
 use crate::claims::reading::{Draft, of_readings};
-use crate::claims::{Check, Finding, new_edge, new_method, new_peak};
-use crate::experiments::{Context, Need};
+use crate::claims::{Check, Finding};
+use crate::experiments::Context;
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::format::round_digits;
 use slipmode_core::number::nearest_f64;
-use slipmode_core::theory::Role;
 use slipmode_core::theory::hopf::{self, degenerate_inertial_parameter};
 
-pub(super) const CHECKS: &[Check] = &[
-    Check {
-        name: "peak-velocity-law",
-        is_of_runs: true,
-        roles: &[Role::InertialUpper],
-        needs: &[Need::Simulations],
-        decide: |context, asked: Asked| {
-            let law = EvolutionLaw::ALL.into_iter().find(|law| law.as_str() == asked.first());
-            let unknown = || Finding::not_checked("There is no such evolution law.");
-            either(law.ok_or_else(unknown).and_then(|law| new_peak::decide(context, law)))
-        },
-    },
-    Check {
-        name: "weakening-from-peaks",
-        is_of_runs: true,
-        roles: &[Role::InertialUpper],
-        needs: &[Need::Simulations],
-        decide: |context, _| either(new_method::decide(context)),
-    },
-    Check {
-        name: "sign-of-the-lyapunov-coefficient",
-        is_of_runs: true,
-        roles: &hopf::EQUATIONS,
-        needs: &[],
-        decide: sign_of_lyapunov_coefficient,
-    },
-    Check {
-        name: "edge-of-bistability",
-        is_of_runs: true,
-        roles: &[Role::Friction, Role::AgingLaw, Role::Motion, Role::SteadyState],
-        needs: &[Need::NearTransition],
-        decide: |context, asked: Asked| either(new_edge::decide(context, asked)),
-    },
-];
+pub(super) const CHECKS: &[Check] = &[Check {
+    name: "sign-of-the-lyapunov-coefficient",
+    is_of_runs: true,
+    roles: &hopf::EQUATIONS,
+    needs: &[],
+    decide: sign_of_lyapunov_coefficient,
+}];
 
 /// Standard gravity, m/s².
 const GRAVITY: f64 = 9.80665;
