@@ -18,11 +18,6 @@ impl Asked<'_> {
     pub fn proved(self) -> Finding {
         self.proved.unwrap_or_else(|| Finding::from_proofs([]))
     }
-
-    /// The first thing that it is asked about; empty where nothing is.
-    pub fn first(&self) -> &str {
-        self.of.first().map_or("", String::as_str)
-    }
 }
 
 /// What the program does not compute of a proof that a report states.

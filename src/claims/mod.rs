@@ -27,7 +27,6 @@ mod reading;
 mod resolved;
 mod rule;
 mod theory_tables;
-mod zones;
 
 pub use by_hand::{ACCEPTED, Conclusion, LIBRARY, TIES, Tie, Tied, definitions, statement};
 use computed::Asked;
@@ -83,7 +82,6 @@ fn checks() -> impl Iterator<Item = &'static Check> {
         frequency::CHECKS,
         frequency_turns::CHECKS,
         criteria::CHECKS,
-        zones::CHECKS,
         criticality::CHECKS,
     ]
     .into_iter()

@@ -5,7 +5,6 @@
 //! - An approximate sentence may be off by a tolerance that is the same for all of them: [`Measure::tolerance`].
 //! - A qualitative sentence is decided as the weakest statement that its words cannot be denied to mean. The check names it.
 
-use slipmode_core::number::Ball;
 use slipmode_core::number::format::{Side, round_digits, rounded};
 
 use crate::claims::Finding;
@@ -45,11 +44,6 @@ impl Measure {
             Self::Place => (1.0, "dex"),
         }
     }
-}
-
-/// A certified deviation with its error.
-pub(super) fn enclosed(deviation: &Ball) -> (f64, f64) {
-    (deviation.to_f64(), deviation.radius().to_f64())
 }
 
 /// How far values or places are from those that a sentence names.

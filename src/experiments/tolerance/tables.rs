@@ -10,6 +10,7 @@ use slipmode_plot::table::Table;
 pub(crate) const TABLES: &[TableMaker] = &[
     TableMaker { id: "tolerance", needs: &[Need::Tolerance], make: tolerance },
     TableMaker { id: "convergence", needs: &[Need::Tolerance], make: convergence },
+    TableMaker { id: "worst-errors", needs: &[Need::Tolerance], make: worst_errors },
 ];
 
 fn tolerance(context: &Context) -> Option<Table> {
@@ -27,6 +28,31 @@ fn tolerance(context: &Context) -> Option<Table> {
         .digits("leading_order", "Leading order", "", ERROR_DIGITS, |(_, row)| &row.limit.leading)
         .digits("exact_over_leading", "exact/leading", "", ERROR_DIGITS, |(_, row)| {
             &row.limit.exact_over_leading
+        })
+        .table()
+        .into()
+}
+
+fn worst_errors(context: &Context) -> Option<Table> {
+    let note = "exact/asymptote − 1, of σ at the same V0 ({quasi-static-upper, quasi-static-lower}) and of V0 at the same σ ({inertial-upper, inertial-lower}): of the upper two at the V0 of their corner, of the lower two at the cusp, and of {inertial-lower} at the σ of its corner with {quasi-static-lower}.";
+    let scenes = context.outcome.scenes.iter();
+    let found = scenes.filter_map(|scene| Some((scene, &scene.tolerance.as_ref()?.corners)));
+    Table::of("worst-errors", "Largest errors of the asymptotes on their arcs", found)
+        .note(note)
+        .text("scene", "Scene", |(scene, _)| scene.scene.name.as_str())
+        .text("slider", "Slider", |(scene, _)| scene.slider_words())
+        .digits("quasi_static_upper", "{quasi-static-upper}", "", ERROR_DIGITS, |(_, corners)| {
+            Some(&corners.upper.as_ref()?.quasi_static)
+        })
+        .digits("quasi_static_lower", "{quasi-static-lower}", "", ERROR_DIGITS, |(_, corners)| {
+            &corners.cusp.quasi_static
+        })
+        .digits("inertial_upper", "{inertial-upper}", "", ERROR_DIGITS, |(_, corners)| {
+            Some(&corners.upper.as_ref()?.inertial)
+        })
+        .digits("inertial_lower", "{inertial-lower}", "", ERROR_DIGITS, |(_, corners)| &corners.cusp.inertial)
+        .digits("inertial_lower_at_corner", "at the corner", "", ERROR_DIGITS, |(_, corners)| {
+            &corners.lower_at_corner_normal_stress
         })
         .table()
         .into()

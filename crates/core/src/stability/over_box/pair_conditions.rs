@@ -50,12 +50,6 @@ impl Number for Interval {
     }
 }
 
-impl Number for Changing {
-    fn squared(self) -> Self {
-        Self { value: self.value.square(), ..self * self }
-    }
-}
-
 /// Two roots, r = V0/D_c, δ = D_c/σ, a, b, k, m and m N/k.
 pub(super) const VARIABLES: usize = 9;
 
@@ -96,50 +90,119 @@ impl<'v, T: Number> Terms<'v, T> {
     }
 }
 
-/// An enclosure of a function with those of its derivatives.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Changing {
-    value: Interval,
-    pub slopes: [Interval; VARIABLES],
+/// The derivatives of the conditions by each variable, enclosed.
+pub(super) struct Slopes<'v> {
+    terms: Terms<'v, Interval>,
+    /// Of r², 2rX, N and Q by the two roots and r.
+    of_terms: [[Interval; 3]; 4],
 }
 
-impl Changing {
-    /// A variable, by its place.
-    pub(super) fn variable(value: Interval, i: usize) -> Self {
-        let slope = |j: usize| Interval::point(f64::from(u8::from(i == j)));
-        Self { value, slopes: std::array::from_fn(slope) }
+impl<'v> Slopes<'v> {
+    pub(super) fn of(kind: TwoRoots, variables: &'v [Interval; VARIABLES]) -> Self {
+        let [first, second, rate, ..] = *variables;
+        let [zero, one] = [0.0, 1.0].map(Interval::point);
+        let of_terms = match kind {
+            TwoRoots::Pair => {
+                let from_pole = (rate + first) * 2.0;
+                [[rate * 2.0, zero, first * 2.0], [first * 2.0, one, zero], [from_pole, one, from_pole]]
+            }
+            TwoRoots::Real => {
+                let from_poles = [rate + second, rate + first];
+                [
+                    [rate, rate, first + second],
+                    [second, first, zero],
+                    [from_poles[0], from_poles[1], from_poles[0] + from_poles[1]],
+                ]
+            }
+        };
+        let [twice, product, from_pole] = of_terms;
+        let of_terms = [[zero, zero, rate * 2.0], twice, product, from_pole];
+        Self { terms: Terms::of(kind, variables), of_terms }
     }
 
-    fn with(self, other: Self, value: Interval, slope: impl Fn(Interval, Interval) -> Interval) -> Self {
-        Self { value, slopes: std::array::from_fn(|i| slope(self.slopes[i], other.slopes[i])) }
-    }
-
-    fn times(self, other: Self) -> Self {
-        self.with(other, self.value * other.value, |one, two| one * other.value + two * self.value)
-    }
-}
-
-impl Add for Changing {
-    type Output = Self;
-
-    fn add(self, other: Self) -> Self {
-        self.with(other, self.value + other.value, |one, two| one + two)
-    }
-}
-
-impl Sub for Changing {
-    type Output = Self;
-
-    fn sub(self, other: Self) -> Self {
-        self.with(other, self.value - other.value, |one, two| one - two)
-    }
-}
-
-impl Mul for Changing {
-    type Output = Self;
-
-    fn mul(self, other: Self) -> Self {
-        self.times(other)
+    /// The derivatives of a condition.
+    pub(super) fn condition(&self, which: usize) -> [Interval; VARIABLES] {
+        let zero = Interval::point(0.0);
+        let Terms { variables, rate_square, twice, product, from_pole } = self.terms;
+        let [_, _, _, delta, a, b, k, m, share] = *variables;
+        let steep = rate_square + twice;
+        // By r², 2rX, N and Q, and by the other variables.
+        let (by_terms, direct) = match which {
+            0 => {
+                let (mass, slack) = (delta * m, k - m * product);
+                (
+                    [delta * slack, -(mass * product), -(mass * steep + a), zero],
+                    [
+                        rate_square * k - m * steep * product,
+                        -product,
+                        zero,
+                        delta * rate_square,
+                        -(delta * steep * product),
+                        zero,
+                    ],
+                )
+            }
+            1 => {
+                let (scaled, slack) = (delta * from_pole, k - m * product);
+                (
+                    [zero, zero, -(scaled * m + b), delta * slack],
+                    [from_pole * slack, zero, -product, scaled, -(scaled * product), zero],
+                )
+            }
+            2 => {
+                let mass = delta * m;
+                (
+                    [b, -(from_pole * mass), zero, -(a + mass * twice)],
+                    [
+                        -(from_pole * m * twice),
+                        -from_pole,
+                        rate_square,
+                        zero,
+                        -(from_pole * delta * twice),
+                        zero,
+                    ],
+                )
+            }
+            3 => {
+                let spring = delta * k;
+                (
+                    [
+                        product * b,
+                        product * b - spring * from_pole,
+                        steep * b - a * from_pole,
+                        -(product * a + spring * twice),
+                    ],
+                    [
+                        -(k * twice * from_pole),
+                        -(product * from_pole),
+                        product * steep,
+                        -(delta * twice * from_pole),
+                        zero,
+                        zero,
+                    ],
+                )
+            }
+            _ => {
+                let rest = Interval::point(1.0) - share;
+                (
+                    [b * rest, -(b * share), zero, -(a * rest)],
+                    [
+                        zero,
+                        -(from_pole * rest),
+                        rate_square - share * steep,
+                        zero,
+                        zero,
+                        a * from_pole - b * steep,
+                    ],
+                )
+            }
+        };
+        let of_root = |i: usize| {
+            let each = by_terms.iter().zip(&self.of_terms).map(|(by_term, of_term)| *by_term * of_term[i]);
+            each.fold(zero, |sum, part| sum + part)
+        };
+        let [delta, a, b, k, m, share] = direct;
+        [of_root(0), of_root(1), of_root(2), delta, a, b, k, m, share]
     }
 }
 
@@ -196,7 +259,9 @@ mod tests {
     fn derivatives_agree_with_differences() {
         for (kind, roots) in [(TwoRoots::Pair, [-0.3, 0.7]), (TwoRoots::Real, [-0.3, -0.7])] {
             let at = [roots[0], roots[1], 1.1, 0.9, 0.01, 0.014, 0.005, 0.02, 2.0];
-            let found = all(kind, &std::array::from_fn(|i| Changing::variable(Interval::point(at[i]), i)));
+            let points = at.map(Interval::point);
+            let slopes = Slopes::of(kind, &points);
+            let found: [_; CONDITIONS] = std::array::from_fn(|which| slopes.condition(which));
             for i in 0..VARIABLES {
                 let step = 1e-6 * at[i].abs();
                 let moved = |sign: f64| {
@@ -208,7 +273,7 @@ mod tests {
                 for which in 0..CONDITIONS {
                     let difference = (above[which] - below[which]) / (2.0 * step);
                     // The difference errs by rounding over the step, and by its square.
-                    assert!((found[which].slopes[i].middle() - difference).abs() < 1e-8, "{which} {i}");
+                    assert!((found[which][i].middle() - difference).abs() < 1e-8, "{which} {i}");
                 }
             }
         }

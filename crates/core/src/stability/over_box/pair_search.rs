@@ -11,7 +11,7 @@
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
-use super::pair_conditions::{CONDITIONS, Changing, Terms, TwoRoots, VARIABLES};
+use super::pair_conditions::{CONDITIONS, Slopes, Terms, TwoRoots, VARIABLES};
 use super::pair_point::point_with;
 use super::ranges::Sought;
 use super::root_discs::{Quantity, RootDiscs, Values, cubic};
@@ -192,9 +192,9 @@ impl PairSearch<'_> {
         let [_, product] = place.kind.sum_and_product(&place.values);
         let [k, m, share] = self.machine(&place, positive(product)?)?;
         let mut variables = [first, second, rate, self.delta(rate)?, a, b, k, m, share];
-        let changing = std::array::from_fn(|i| Changing::variable(variables[i], i));
-        let terms = Terms::of(place.kind, &changing);
-        let slopes: [_; CONDITIONS] = std::array::from_fn(|which| terms.condition(which).slopes);
+        let of_place = variables;
+        let slopes = Slopes::of(place.kind, &of_place);
+        let slopes: [_; CONDITIONS] = std::array::from_fn(|which| slopes.condition(which));
         for _ in 0..CUTS {
             let end = self.end(&place);
             variables[leading] = Interval::point(end);
@@ -266,8 +266,7 @@ fn extreme(
         if is_point || !is_changed {
             break;
         }
-        let changing = std::array::from_fn(|i| Changing::variable(corner[i], i));
-        slopes = Terms::of(kind, &changing).condition(which).slopes;
+        slopes = Slopes::of(kind, &corner).condition(which);
     }
     let mut change = Interval::point(0.0);
     let middle = std::array::from_fn(|i| {
