@@ -26,6 +26,7 @@ mod pair_point;
 mod pair_search;
 mod polynomials;
 mod ranges;
+mod ranked;
 mod root_discs;
 mod shares;
 mod tensor;

@@ -1,7 +1,5 @@
 //! What is zero where two numbers are roots of eq 8, with its derivatives.
 
-use std::ops::{Add, Mul, Sub};
-
 use crate::number::Interval;
 
 /// How two roots are known.
@@ -15,38 +13,20 @@ pub(super) enum TwoRoots {
 
 impl TwoRoots {
     /// 2X and N of such two values and r.
-    pub(super) fn sum_and_product<T: Number>(self, [first, second, _]: &[T; 3]) -> [T; 2] {
+    pub(super) fn sum_and_product(self, [first, second, _]: &[Interval; 3]) -> [Interval; 2] {
         match self {
-            Self::Pair => [*first + *first, first.squared() + *second],
+            Self::Pair => [*first + *first, first.square() + *second],
             Self::Real => [*first + *second, *first * *second],
         }
     }
 
     /// Q = N + r² + 2rX: the product of the distances of both roots from −r.
-    pub(super) fn pole_product<T: Number>(self, [first, second, rate]: &[T; 3]) -> T {
+    pub(super) fn pole_product(self, [first, second, rate]: &[Interval; 3]) -> Interval {
         let from_pole = *rate + *first;
         match self {
-            Self::Pair => from_pole.squared() + *second,
+            Self::Pair => from_pole.square() + *second,
             Self::Real => from_pole * (*rate + *second),
         }
-    }
-}
-
-/// What numbers and enclosures can do.
-pub(super) trait Number: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {
-    /// The square, which is not negative.
-    fn squared(self) -> Self;
-}
-
-impl Number for f64 {
-    fn squared(self) -> Self {
-        self * self
-    }
-}
-
-impl Number for Interval {
-    fn squared(self) -> Self {
-        self.square()
     }
 }
 
@@ -57,26 +37,26 @@ pub(super) const VARIABLES: usize = 9;
 pub(super) const CONDITIONS: usize = 5;
 
 /// What the conditions have in common.
-pub(super) struct Terms<'v, T> {
-    variables: &'v [T; VARIABLES],
+pub(super) struct Terms<'v> {
+    variables: &'v [Interval; VARIABLES],
     /// r² and 2rX.
-    rate_square: T,
-    twice: T,
+    rate_square: Interval,
+    twice: Interval,
     /// N and Q.
-    product: T,
-    from_pole: T,
+    product: Interval,
+    from_pole: Interval,
 }
 
-impl<'v, T: Number> Terms<'v, T> {
-    pub(super) fn of(kind: TwoRoots, variables: &'v [T; VARIABLES]) -> Self {
+impl<'v> Terms<'v> {
+    pub(super) fn of(kind: TwoRoots, variables: &'v [Interval; VARIABLES]) -> Self {
         let [first, second, rate, ..] = *variables;
         let [sum, product] = kind.sum_and_product(&[first, second, rate]);
         let from_pole = kind.pole_product(&[first, second, rate]);
-        Self { variables, rate_square: rate.squared(), twice: rate * sum, product, from_pole }
+        Self { variables, rate_square: rate.square(), twice: rate * sum, product, from_pole }
     }
 
     /// The equation for a; that for b; both without k, without m, and without δ.
-    pub(super) fn condition(&self, which: usize) -> T {
+    pub(super) fn condition(&self, which: usize) -> Interval {
         let [_, _, _, delta, a, b, k, m, share] = *self.variables;
         let Self { rate_square, twice, product, from_pole, .. } = *self;
         let steep = rate_square + twice;
@@ -92,7 +72,7 @@ impl<'v, T: Number> Terms<'v, T> {
 
 /// The derivatives of the conditions by each variable, enclosed.
 pub(super) struct Slopes<'v> {
-    terms: Terms<'v, Interval>,
+    terms: Terms<'v>,
     /// Of r², 2rX, N and Q by the two roots and r.
     of_terms: [[Interval; 3]; 4],
 }
@@ -101,99 +81,53 @@ impl<'v> Slopes<'v> {
     pub(super) fn of(kind: TwoRoots, variables: &'v [Interval; VARIABLES]) -> Self {
         let [first, second, rate, ..] = *variables;
         let [zero, one] = [0.0, 1.0].map(Interval::point);
-        let of_terms = match kind {
+        let [twice, n, q] = match kind {
             TwoRoots::Pair => {
                 let from_pole = (rate + first) * 2.0;
-                [[rate * 2.0, zero, first * 2.0], [first * 2.0, one, zero], [from_pole, one, from_pole]]
+                let twice = [rate * 2.0, zero, first * 2.0];
+                [twice, [first * 2.0, one, zero], [from_pole, one, from_pole]]
             }
             TwoRoots::Real => {
-                let from_poles = [rate + second, rate + first];
-                [
-                    [rate, rate, first + second],
-                    [second, first, zero],
-                    [from_poles[0], from_poles[1], from_poles[0] + from_poles[1]],
-                ]
+                let (of_first, of_second) = (rate + first, rate + second);
+                let q = [of_second, of_first, of_first + of_second];
+                [[rate, rate, first + second], [second, first, zero], q]
             }
         };
-        let [twice, product, from_pole] = of_terms;
-        let of_terms = [[zero, zero, rate * 2.0], twice, product, from_pole];
-        Self { terms: Terms::of(kind, variables), of_terms }
+        Self { terms: Terms::of(kind, variables), of_terms: [[zero, zero, rate * 2.0], twice, n, q] }
     }
 
-    /// The derivatives of a condition.
+    /// The derivatives of a condition, with n = N, q = Q and t = 2rX.
     pub(super) fn condition(&self, which: usize) -> [Interval; VARIABLES] {
         let zero = Interval::point(0.0);
-        let Terms { variables, rate_square, twice, product, from_pole } = self.terms;
+        let Terms { variables, rate_square: r2, twice: t, product: n, from_pole: q } = self.terms;
         let [_, _, _, delta, a, b, k, m, share] = *variables;
-        let steep = rate_square + twice;
-        // By r², 2rX, N and Q, and by the other variables.
-        let (by_terms, direct) = match which {
-            0 => {
-                let (mass, slack) = (delta * m, k - m * product);
-                (
-                    [delta * slack, -(mass * product), -(mass * steep + a), zero],
-                    [
-                        rate_square * k - m * steep * product,
-                        -product,
-                        zero,
-                        delta * rate_square,
-                        -(delta * steep * product),
-                        zero,
-                    ],
-                )
-            }
-            1 => {
-                let (scaled, slack) = (delta * from_pole, k - m * product);
-                (
-                    [zero, zero, -(scaled * m + b), delta * slack],
-                    [from_pole * slack, zero, -product, scaled, -(scaled * product), zero],
-                )
-            }
-            2 => {
-                let mass = delta * m;
-                (
-                    [b, -(from_pole * mass), zero, -(a + mass * twice)],
-                    [
-                        -(from_pole * m * twice),
-                        -from_pole,
-                        rate_square,
-                        zero,
-                        -(from_pole * delta * twice),
-                        zero,
-                    ],
-                )
-            }
+        let (steep, slack, mass) = (r2 + t, k - m * n, delta * m);
+        // By r², t, n and q, and by the other variables.
+        let (by_terms, by_others) = match which {
+            0 => (
+                [delta * slack, -(mass * n), -(mass * steep + a), zero],
+                [r2 * k - m * steep * n, -n, zero, delta * r2, -(delta * steep * n), zero],
+            ),
+            1 => (
+                [zero, zero, -(mass * q + b), delta * slack],
+                [q * slack, zero, -n, delta * q, -(delta * q * n), zero],
+            ),
+            2 => (
+                [b, -(q * mass), zero, -(a + mass * t)],
+                [-(q * m * t), -q, r2, zero, -(q * delta * t), zero],
+            ),
             3 => {
-                let spring = delta * k;
+                let (spring, tq) = (delta * k, t * q);
                 (
-                    [
-                        product * b,
-                        product * b - spring * from_pole,
-                        steep * b - a * from_pole,
-                        -(product * a + spring * twice),
-                    ],
-                    [
-                        -(k * twice * from_pole),
-                        -(product * from_pole),
-                        product * steep,
-                        -(delta * twice * from_pole),
-                        zero,
-                        zero,
-                    ],
+                    [n * b, n * b - spring * q, steep * b - a * q, -(n * a + spring * t)],
+                    [-(k * tq), -(n * q), n * steep, -(delta * tq), zero, zero],
                 )
             }
             _ => {
                 let rest = Interval::point(1.0) - share;
                 (
                     [b * rest, -(b * share), zero, -(a * rest)],
-                    [
-                        zero,
-                        -(from_pole * rest),
-                        rate_square - share * steep,
-                        zero,
-                        zero,
-                        a * from_pole - b * steep,
-                    ],
+                    [zero, -(q * rest), r2 - share * steep, zero, zero, a * q - b * steep],
                 )
             }
         };
@@ -201,7 +135,7 @@ impl<'v> Slopes<'v> {
             let each = by_terms.iter().zip(&self.of_terms).map(|(by_term, of_term)| *by_term * of_term[i]);
             each.fold(zero, |sum, part| sum + part)
         };
-        let [delta, a, b, k, m, share] = direct;
+        let [delta, a, b, k, m, share] = by_others;
         [of_root(0), of_root(1), of_root(2), delta, a, b, k, m, share]
     }
 }
@@ -213,7 +147,7 @@ mod tests {
     use crate::number::split_mix::SplitMix64;
     use crate::roots::bounded_roots;
 
-    fn all<T: Number>(kind: TwoRoots, at: &[T; VARIABLES]) -> [T; CONDITIONS] {
+    fn all(kind: TwoRoots, at: &[Interval; VARIABLES]) -> [Interval; CONDITIONS] {
         let terms = Terms::of(kind, at);
         std::array::from_fn(|which| terms.condition(which))
     }
@@ -267,7 +201,7 @@ mod tests {
                 let moved = |sign: f64| {
                     let mut moved = at;
                     moved[i] += sign * step;
-                    all(kind, &moved)
+                    all(kind, &moved.map(Interval::point)).map(Interval::middle)
                 };
                 let (above, below) = (moved(1.0), moved(-1.0));
                 for which in 0..CONDITIONS {

@@ -21,8 +21,9 @@ pub(super) fn point_with(
 ) -> Option<[f64; 7]> {
     let [a, b, d, k, m, s, v] = *values;
     let rate = roots_and_rate[2];
-    let [sum, product] = kind.sum_and_product(roots_and_rate);
-    let from_pole = kind.pole_product(roots_and_rate);
+    let enclosed = roots_and_rate.map(Interval::point);
+    let [sum, product] = kind.sum_and_product(&enclosed).map(Interval::middle);
+    let from_pole = kind.pole_product(&enclosed).middle();
     let length = Interval { low: d.low.max(v.low / rate), high: d.high.min(v.high / rate) };
     let delta = Interval { low: length.low / s.high, high: length.high / s.low };
     let steep = rate * (rate + sum);

@@ -8,12 +8,12 @@
 //! A pair X ± i√w is known by X and w. Of three real roots the upper two are known by themselves: where they lie decades apart, half of their
 //! sum says nothing of the larger one.
 
-use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 use super::pair_conditions::{CONDITIONS, Slopes, Terms, TwoRoots, VARIABLES};
 use super::pair_point::point_with;
 use super::ranges::Sought;
+use super::ranked::Ranked;
 use super::root_discs::{Quantity, RootDiscs, Values, cubic};
 use crate::number::Interval;
 
@@ -57,14 +57,14 @@ impl PairSearch<'_> {
     pub(super) fn bound(&self, attained: f64, gap: f64) -> f64 {
         let outward = |value: f64| if self.is_greatest { value } else { -value };
         let attained = outward(attained);
-        let ranked = |place: Place| Ranked { rank: outward(self.bound_over(&place)), place };
-        let mut open: BinaryHeap<Ranked> = self.whole().map(ranked).collect();
+        let ranked = |place: Place| Ranked { rank: outward(self.bound_over(&place)), of: place };
+        let mut open: BinaryHeap<_> = self.whole().map(ranked).collect();
         for _ in 0..MOST_PLACES {
             if open.peek().is_none_or(|first| first.rank <= attained + gap) {
                 break;
             }
             let Some(first) = open.pop() else { break };
-            let halves = first.place.halves().into_iter();
+            let halves = first.of.halves().into_iter();
             let left = halves.filter_map(|half| self.cut(self.narrowed(half)?)).map(ranked);
             open.extend(left.filter(|half| half.rank > attained));
         }
@@ -73,10 +73,10 @@ impl PairSearch<'_> {
 
     /// Whether a point of the box is below the ceiling.
     pub(super) fn has_points(&self) -> Sought {
-        let ranked = |place: Place| Ranked { rank: -self.bound_over(&place), place };
-        let mut open: BinaryHeap<Ranked> = self.whole().map(ranked).collect();
+        let ranked = |place: Place| Ranked { rank: -self.bound_over(&place), of: place };
+        let mut open: BinaryHeap<_> = self.whole().map(ranked).collect();
         for _ in 0..MOST_PLACES_FOR_A_POINT {
-            let Some(Ranked { place, .. }) = open.pop() else { return Sought::Nowhere };
+            let Some(Ranked { of: place, .. }) = open.pop() else { return Sought::Nowhere };
             for half in place.halves().into_iter().filter_map(|half| self.cut(self.narrowed(half)?)) {
                 let middle = half.values.map(Interval::middle);
                 let point = point_with(self.values, half.kind, &middle, self.ceiling);
@@ -208,7 +208,9 @@ impl PairSearch<'_> {
                 // No cut is deeper than this one, which is without the other variables' effect.
                 let deepest = (Interval::point(value.high.max(-value.low)) / steepest).high;
                 if deepest > f64::max(cut, LEAST_CUT * width) {
-                    let distance = distance_from_zero(place.kind, &variables, slopes, which, value.low > 0.0);
+                    let is_positive = value.low > 0.0;
+                    let nearest = extreme(place.kind, &variables, slopes, which, !is_positive);
+                    let distance = if is_positive { nearest.low } else { -nearest.high };
                     cut = cut.max((Interval::point(distance) / steepest).low);
                 }
             }
@@ -227,18 +229,6 @@ impl PairSearch<'_> {
         }
         Some(place)
     }
-}
-
-/// How far a condition is from zero for certain, on the side of its value in the middle; not positive where it may be zero.
-fn distance_from_zero(
-    kind: TwoRoots,
-    variables: &[Interval; VARIABLES],
-    slopes: &[Interval; VARIABLES],
-    which: usize,
-    is_positive: bool,
-) -> f64 {
-    let nearest = extreme(kind, variables, slopes, which, !is_positive);
-    if is_positive { nearest.low } else { -nearest.high }
 }
 
 /// The least or the greatest value of a condition, enclosed.
@@ -344,30 +334,4 @@ fn between(interval: Interval) -> f64 {
     let Interval { low, high } = interval;
     let is_far = low * high > 0.0 && (low.abs() > 4.0 * high.abs() || high.abs() > 4.0 * low.abs());
     if is_far { (low.abs().sqrt() * high.abs().sqrt()).copysign(low) } else { interval.middle() }
-}
-
-/// A place by its end at which the search looks.
-struct Ranked {
-    rank: f64,
-    place: Place,
-}
-
-impl PartialEq for Ranked {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-
-impl Eq for Ranked {}
-
-impl PartialOrd for Ranked {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Ranked {
-    fn cmp(&self, other: &Self) -> Ordering {
-        self.rank.total_cmp(&other.rank)
-    }
 }

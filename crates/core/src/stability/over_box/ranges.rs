@@ -4,13 +4,13 @@
 //! parameter has one sign over a part, the greatest value over the part is at the parameter's end. Discs about the roots give derivatives
 //! and bounds where roots are apart, conditions on coefficients ([`growth`]) where they meet. All arithmetic is that of 64-bit intervals.
 
-use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 use super::corners::{A, B, D, K, M, Point, S, V};
 use super::growth;
 use super::pair::Pair;
 use super::pair_search::PairSearch;
+use super::ranked::Ranked;
 use super::root_discs::{Quantity, RootDiscs, Values};
 use super::{OverBox, ParameterBox};
 use crate::number::search::golden_section;
@@ -18,8 +18,8 @@ use crate::number::{Interval, Rational};
 
 /// A search ends when the enclosure's end is as near to a value that is attained, relative to it.
 const TOLERANCE: f64 = 1e-9;
-/// The most parts that a search for a real and for an imaginary part halves.
-const MOST_PARTS: [usize; 2] = [1 << 6, 1 << 6];
+/// The most parts that a search halves.
+const MOST_PARTS: usize = 1 << 6;
 /// Where a search over seven parameters does not end, one over the roots goes on to this share of the attained values' distance.
 const NEAR: f64 = 4e-3;
 /// The most levels that are compared with a least value.
@@ -282,14 +282,8 @@ struct Search {
     goal: Option<Interval>,
 }
 
-/// A part that was examined.
-struct Examined {
-    part: Part,
-    /// No value is greater.
-    bound: f64,
-    /// The parameter to halve; none where all are certain.
-    axis: Option<usize>,
-}
+/// A part that was examined, with the parameter to halve, none where all are certain; no value is greater than its rank.
+type Examined = Ranked<(Part, Option<usize>)>;
 
 impl Search {
     const fn new(quantity: Quantity, side: Side, goal: Option<Interval>) -> Self {
@@ -339,19 +333,18 @@ impl Search {
 
     fn run(mut self, whole: Part) -> Option<Extreme> {
         let first = self.examine(whole, f64::INFINITY)?;
-        self.visit_corners(&first.part);
+        self.visit_corners(&first.of.0);
         let mut open = BinaryHeap::from([first]);
         let mut bound = f64::NEG_INFINITY;
-        let most_parts = MOST_PARTS[usize::from(self.quantity == Quantity::Imaginary)];
-        for _ in 0..if self.goal.is_some() { MOST_COMPARED } else { most_parts } {
+        for _ in 0..if self.goal.is_some() { MOST_COMPARED } else { MOST_PARTS } {
             let Some(most) = open.peek() else { break };
-            if self.goal.is_some_and(|goal| most.bound.max(bound) < goal.low || self.attained >= goal.high) {
+            if self.goal.is_some_and(|goal| most.rank.max(bound) < goal.low || self.attained >= goal.high) {
                 break;
             }
-            if most.bound <= self.attained + TOLERANCE * self.attained.abs() {
+            if most.rank <= self.attained + TOLERANCE * self.attained.abs() {
                 break;
             }
-            let Some(Examined { part, bound: of_part, axis }) = open.pop() else { break };
+            let Some(Ranked { rank: of_part, of: (part, axis) }) = open.pop() else { break };
             let halves = axis.and_then(|axis| part.halves(axis));
             let Some(halves) = halves else {
                 bound = bound.max(of_part);
@@ -359,12 +352,12 @@ impl Search {
             };
             for half in halves {
                 let examined = self.examine(half, of_part)?;
-                if examined.bound > self.attained {
+                if examined.rank > self.attained {
                     open.push(examined);
                 }
             }
         }
-        let bound = open.peek().map_or(bound, |most| bound.max(most.bound));
+        let bound = open.peek().map_or(bound, |most| bound.max(most.rank));
         if self.goal.is_none() && bound > self.attained + TOLERANCE * self.attained.abs() {
             self.climb(&whole);
         }
@@ -457,7 +450,7 @@ impl Search {
             });
             let wide = (0..7).filter(|i| part.is_wide(*i));
             let axis = wide.max_by(|i, j| effects[*i].total_cmp(&effects[*j]).then(j.cmp(i)));
-            return Some(Examined { part, bound, axis });
+            return Some(Ranked { rank: bound, of: (part, axis) });
         }
     }
 }
@@ -513,25 +506,5 @@ impl Part {
         low.upper[axis] = middle;
         high.lower[axis] = middle;
         Some([low, high])
-    }
-}
-
-impl PartialEq for Examined {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-
-impl Eq for Examined {}
-
-impl PartialOrd for Examined {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Examined {
-    fn cmp(&self, other: &Self) -> Ordering {
-        self.bound.total_cmp(&other.bound)
     }
 }
