@@ -9,7 +9,7 @@ use std::path::PathBuf;
 use clap::Args;
 use slipmode::csv::{read_peak_table, read_step_record};
 use slipmode::experiments::fit::{fit_picture, peak_picture};
-use slipmode::fitting::{Fits, Given, StepRecord, fit_peaks};
+use slipmode::fitting::{FitGiven, Fits, StepRecord, fit_peaks};
 use slipmode::scene::{CsvProblem, Quantity, of_word};
 use slipmode_core::friction::{EvolutionLaw, OperatingPoint};
 use slipmode_core::number::format::shortest;
@@ -83,7 +83,7 @@ const BOTH: &str = "both";
 /// What was requested, valid.
 struct Request {
     laws: Vec<EvolutionLaw>,
-    given: Given,
+    given: FitGiven,
     normal_stress_pa: Option<f64>,
     loading_velocity_m_per_s: Option<f64>,
 }
@@ -148,7 +148,7 @@ impl Options {
             return arguments.finish(None);
         };
         let request = word.map(|_| Request {
-            given: Given {
+            given: FitGiven {
                 law: laws[0],
                 stiffness_pa_per_m: stiffness,
                 mass_per_area_kg_per_m2: mass,

@@ -111,7 +111,7 @@ struct Folder<'f> {
 
 /// What is wrong with the blocks.
 #[derive(Default)]
-struct Found {
+struct BlockFaults {
     /// The shards of blocks that are not there.
     missing: BTreeSet<u64>,
     missing_blocks: u64,
@@ -164,9 +164,10 @@ impl<'f> Folder<'f> {
     }
 
     /// Joins all blocks, and finds everything that is wrong with them.
-    fn join(&self, shards: u64, mut whole: Whole) -> Result<(Found, Whole), Failure> {
+    fn join(&self, shards: u64, mut whole: Whole) -> Result<(BlockFaults, Whole), Failure> {
         let stray = |name: &String| naming(self.place, name, "is not the name of a block: a copy?");
-        let mut found = Found { foreign: self.strays.iter().map(stray).collect(), ..Found::default() };
+        let mut found =
+            BlockFaults { foreign: self.strays.iter().map(stray).collect(), ..BlockFaults::default() };
         let blocks = self.origin.blocks;
         if let Some(last) = self.present.last().filter(|last| **last >= blocks) {
             let beyond = format!("is beyond the {blocks} blocks of this sweep");

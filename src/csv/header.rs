@@ -10,7 +10,7 @@ use crate::scene::{
 use crate::csv::name::Unit;
 use crate::csv::row_work::RowWork;
 use crate::csv::rows::Row;
-use crate::csv::wanted::{Assigned, ErrorPlace, Place, Wanted, assign};
+use crate::csv::wanted::{Assigned, ColumnPlace, ErrorPlace, Wanted, assign};
 
 /// The column that `--keep-going` appends last.
 pub const ERROR_COLUMN: &str = "error";
@@ -244,7 +244,7 @@ impl<const N: usize> Header<[Option<usize>; N]> {
         let Assigned { values, errors, others } = assigned;
         let position = |index: usize| values.get(index)?.as_ref().map(|(position, _)| *position);
         let positions = std::array::from_fn(position);
-        let unit = |place: Option<Place>| place.and_then(|(_, unit)| unit);
+        let unit = |place: Option<ColumnPlace>| place.and_then(|(_, unit)| unit);
         let unread = others.into_iter().filter(|index| !(beyond.reads)(&names[*index])).collect();
         let units = values.into_iter().map(unit).collect();
         Self { names, positions, units, errors, unread, remarks: Vec::new() }

@@ -18,7 +18,7 @@ pub struct Wanted {
 }
 
 /// Where a column of values stands, and the size of its unit in SI, unless it is that of SI.
-pub type Place = (usize, Option<Rational>);
+pub type ColumnPlace = (usize, Option<Rational>);
 
 /// Where a column of errors stands, and its unit. Without a unit, the errors are in that of the values.
 pub type ErrorPlace = (usize, Unit);
@@ -27,7 +27,7 @@ pub type ErrorPlace = (usize, Unit);
 #[derive(Debug, Clone)]
 pub struct Assigned {
     /// The columns of values, in the order of what is wanted.
-    pub values: Vec<Option<Place>>,
+    pub values: Vec<Option<ColumnPlace>>,
     /// The columns of errors.
     pub errors: Vec<Option<ErrorPlace>>,
     /// The columns that give none of these.
@@ -193,8 +193,8 @@ fn place(
     meanings: &[Meaning],
     index: usize,
     wanted: &Wanted,
-) -> Result<Option<Place>, ColumnFault> {
-    let is_in_si = |place: &Place| is_named(&names[place.0], wanted.key);
+) -> Result<Option<ColumnPlace>, ColumnFault> {
+    let is_in_si = |place: &ColumnPlace| is_named(&names[place.0], wanted.key);
     let mut places = of_meaning(meanings, |meaning| match meaning {
         Meaning::Values(of, unit) if *of == index => Some(unit.clone()),
         _ => None,
@@ -300,7 +300,7 @@ mod tests {
         if faults.is_empty() { Ok(found) } else { Err(faults.swap_remove(0)) }
     }
 
-    fn place(quantity: Quantity, names: &[&str]) -> Result<Place, ColumnFault> {
+    fn place(quantity: Quantity, names: &[&str]) -> Result<ColumnPlace, ColumnFault> {
         found(quantity, names).map(|found| found.values[0].clone().expect("a place"))
     }
 

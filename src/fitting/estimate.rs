@@ -5,7 +5,7 @@ use rayon::prelude::*;
 
 use super::least_squares::{LONG, Minimum, SHORT, covariance, minimise};
 use super::parameter::{Parameter, Point};
-use super::problem::{FitProblem, Given};
+use super::problem::{FitGiven, FitProblem};
 use super::profile::{ProfilePoint, Profiler};
 use super::record::StepRecord;
 use super::residuals::Residuals;
@@ -34,7 +34,7 @@ pub struct Estimate {
 #[derive(Debug, Clone)]
 pub struct Fit {
     /// What was known.
-    pub given: Given,
+    pub given: FitGiven,
     /// The fitted parameters.
     pub estimates: Vec<Estimate>,
     /// Where they are, with what was given, as coordinates of the search.
@@ -118,9 +118,9 @@ impl Fits {
     ///
     /// # Errors
     /// When no law has a fit: why the first one has none.
-    pub fn of(record: &StepRecord, laws: &[EvolutionLaw], given: &Given) -> Result<Self, FitFailure> {
+    pub fn of(record: &StepRecord, laws: &[EvolutionLaw], given: &FitGiven) -> Result<Self, FitFailure> {
         let found: Vec<Result<Fit, FitFailure>> =
-            laws.par_iter().map(|law| fit(record, &Given { law: *law, ..*given })).collect();
+            laws.par_iter().map(|law| fit(record, &FitGiven { law: *law, ..*given })).collect();
         let failure = found.iter().find_map(|found| found.as_ref().err()).cloned();
         let mut fits: Vec<Fit> = found.into_iter().flatten().collect();
         fits.sort_by(|one, other| one.cost.total_cmp(&other.cost));
@@ -159,7 +159,7 @@ const LEAST_SAMPLES: f64 = 1.0;
 ///
 /// # Errors
 /// When no parameters follow the record, its sign is reversed, or it does not determine them.
-fn fit(record: &StepRecord, given: &Given) -> Result<Fit, FitFailure> {
+fn fit(record: &StepRecord, given: &FitGiven) -> Result<Fit, FitFailure> {
     let problem = FitProblem::new(record, given);
     let best = best_minimum(problem, &given.free());
     let cost = best.as_ref().map_or(f64::INFINITY, |best| best.cost);
@@ -391,8 +391,8 @@ mod tests {
         }
     }
 
-    fn given(law: EvolutionLaw) -> Given {
-        Given { law, stiffness_pa_per_m: None, mass_per_area_kg_per_m2: None, has_drift: false }
+    fn given(law: EvolutionLaw) -> FitGiven {
+        FitGiven { law, stiffness_pa_per_m: None, mass_per_area_kg_per_m2: None, has_drift: false }
     }
 
     #[test]

@@ -25,7 +25,7 @@ pub use peaks::{
     EFFECT_RATIOS, LEAST_ROWS, PeakComparison, PeakFailure, PeakFit, PeakFits, PeakGiven, PeakRow, fit_peaks,
     hidden_part,
 };
-pub use problem::Given;
+pub use problem::FitGiven;
 pub use profile::ProfilePoint;
 pub use record::{Load, Measured, Response, StepRecord};
 pub use record_faults::{Column, RecordFault};

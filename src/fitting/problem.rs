@@ -7,7 +7,7 @@ use slipmode_core::friction::EvolutionLaw;
 
 /// What is known and what is fitted.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Given {
+pub struct FitGiven {
     /// The evolution law.
     pub law: EvolutionLaw,
     /// K, Pa/m; fitted where it is absent.
@@ -18,7 +18,7 @@ pub struct Given {
     pub has_drift: bool,
 }
 
-impl Given {
+impl FitGiven {
     /// The parameters that are fitted.
     #[must_use]
     pub fn free(&self) -> Vec<Parameter> {
@@ -67,7 +67,7 @@ pub struct FitProblem<'r> {
     /// The record.
     pub record: &'r StepRecord,
     /// What is known.
-    pub given: &'r Given,
+    pub given: &'r FitGiven,
     /// The logarithms of D_c between which it is sought.
     distances: [f64; 2],
 }
@@ -83,7 +83,7 @@ pub struct Evaluated {
 
 impl<'r> FitProblem<'r> {
     /// What is sought for a record.
-    pub fn new(record: &'r StepRecord, given: &'r Given) -> Self {
+    pub fn new(record: &'r StepRecord, given: &'r FitGiven) -> Self {
         let [shortest, longest] = record.ways_m();
         let distances = [RESOLVED[0] * shortest, RESOLVED[1] * longest].map(libm::log);
         Self { record, given, distances }

@@ -66,7 +66,7 @@ pub use question::Question;
 pub use range::{AllowedRange, parse_whole};
 pub(crate) use range::{has_between_digits, not_a_number};
 pub use report_plan::{Chapter, ReportPlan};
-pub use sections::{Place, Rectangle};
+pub use sections::{PlanePoint, Rectangle};
 pub use sentence::{Change, Kind, Sentence, Source, filled};
 pub use shortened::{LONGEST_MESSAGE, first_lines, shortened, with_short_quotations};
 pub(crate) use uncertain::UNITS_DIFFER;

@@ -34,7 +34,7 @@ impl Rectangle {
 
 /// A point of the (V, σ) plane.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Place {
+pub struct PlanePoint {
     /// V, m/s.
     pub loading_velocity_m_per_s: Rational,
     /// σ, Pa.
@@ -74,13 +74,13 @@ impl Section<'_> {
     }
 
     /// A list of places.
-    pub(crate) fn places(&mut self, key: &'static str) -> Option<Vec<Place>> {
+    pub(crate) fn places(&mut self, key: &'static str) -> Option<Vec<PlanePoint>> {
         self.required(key, PLACES)?.list(|member| {
             let mut section = member.section()?;
             let [velocity, stress] = ["loading_velocity_m_per_s", "normal_stress_pa"]
                 .map(|key| section.decimal(key, AllowedRange::PHYSICAL));
             section.finish();
-            Some(Place { loading_velocity_m_per_s: velocity?, normal_stress_pa: stress? })
+            Some(PlanePoint { loading_velocity_m_per_s: velocity?, normal_stress_pa: stress? })
         })
     }
 

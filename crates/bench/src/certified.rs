@@ -63,7 +63,7 @@ impl Cost {
 /// When the build or a measured command fails, or a file cannot be read or written.
 pub fn run() -> Result<(), String> {
     let place =
-        Place { program: process::build_dist()?, folder: repository::root().join("target/certified") };
+        GridPlace { program: process::build_dist()?, folder: repository::root().join("target/certified") };
     fs::create_dir_all(&place.folder).map_err(|error| format!("{}: {error}", place.folder.display()))?;
     let mut text = String::from(HEADER);
     for law in EvolutionLaw::ALL {
@@ -93,12 +93,12 @@ fn write(path: &Path, text: &str) -> Result<(), String> {
 }
 
 /// The program and the folder in which it runs.
-struct Place {
+struct GridPlace {
     program: PathBuf,
     folder: PathBuf,
 }
 
-impl Place {
+impl GridPlace {
     /// The row of one point.
     fn measured(&self, header: &str, point: &str) -> Result<String, String> {
         write(&self.folder.join("one.csv"), &format!("{header}\n{point}\n"))?;

@@ -1,7 +1,7 @@
 //! The paper's slider, and places in its plane of velocity and stress.
 
 use slipmode::experiments::shared::cells::Digits;
-use slipmode::scene::Place;
+use slipmode::scene::PlanePoint;
 use slipmode_core::dynamics::Model;
 use slipmode_core::friction::{EvolutionLaw, Slider};
 use slipmode_core::number::{Rational, nearest_f64, parse_decimal};
@@ -19,8 +19,8 @@ pub(crate) fn decimal(text: &str) -> Rational {
 }
 
 /// V_l in m/s and σ in Pa, as written.
-pub(crate) fn place([loading_velocity_m_per_s, normal_stress_pa]: [&str; 2]) -> Place {
-    Place {
+pub(crate) fn place([loading_velocity_m_per_s, normal_stress_pa]: [&str; 2]) -> PlanePoint {
+    PlanePoint {
         loading_velocity_m_per_s: decimal(loading_velocity_m_per_s),
         normal_stress_pa: decimal(normal_stress_pa),
     }
@@ -32,7 +32,7 @@ pub(crate) fn exactly(value: f64) -> Rational {
 }
 
 /// The slider at a place of the plane.
-pub(crate) fn model_at(parameters: &Slider<Rational>, place: &Place, law: EvolutionLaw) -> Model<f64> {
+pub(crate) fn model_at(parameters: &Slider<Rational>, place: &PlanePoint, law: EvolutionLaw) -> Model<f64> {
     let (velocity, stress) = (place.loading_velocity_m_per_s.clone(), place.normal_stress_pa.clone());
     Model::new(parameters.at(stress, velocity).groups().map(nearest_f64), law)
 }
@@ -46,6 +46,6 @@ pub(crate) fn place_columns() -> [Column; 2] {
 }
 
 /// Their cells.
-pub(crate) fn place_cells(place: &Place) -> [Cell; 2] {
+pub(crate) fn place_cells(place: &PlanePoint) -> [Cell; 2] {
     [&place.normal_stress_pa, &place.loading_velocity_m_per_s].map(|value| nearest_f64(value).cell(4))
 }

@@ -26,7 +26,7 @@ const USUAL_BLOCK: u64 = 1 << 18;
 const SHARD_S: f64 = 300.0;
 
 /// The program and the folder in which it runs.
-struct Place {
+struct SweepPlace {
     program: PathBuf,
     folder: PathBuf,
 }
@@ -37,7 +37,7 @@ struct Place {
 /// When the build or a measured command fails, or a file cannot be written.
 pub fn run() -> Result<(), String> {
     let place =
-        Place { program: process::build_dist()?, folder: repository::root().join("target/sweep-cost") };
+        SweepPlace { program: process::build_dist()?, folder: repository::root().join("target/sweep-cost") };
     let _ = fs::remove_dir_all(&place.folder);
     fs::create_dir_all(&place.folder).map_err(|error| place.cannot(&error))?;
     let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
@@ -51,7 +51,7 @@ pub fn run() -> Result<(), String> {
     fs::remove_dir_all(&place.folder).map_err(|error| place.cannot(&error))
 }
 
-impl Place {
+impl SweepPlace {
     fn cannot(&self, error: &std::io::Error) -> String {
         format!("{}: {error}", self.folder.display())
     }
@@ -76,7 +76,7 @@ impl Place {
 }
 
 /// Peak memory of sweep and merge against points: rows that are kept, and rows that are summed up.
-fn memory(place: &Place) -> Result<String, String> {
+fn memory(place: &SweepPlace) -> Result<String, String> {
     let mut text = String::from(
         "| blocks hold | points | sweep, CPU s | sweep, peak MiB | merge, CPU s | merge, peak MiB |\n|---|---|---|---|---|---|\n",
     );
@@ -110,13 +110,13 @@ fn memory(place: &Place) -> Result<String, String> {
 const RUNS: usize = 3;
 
 /// The wall time of a run that finds no block.
-fn fresh(place: &Place, points: u64, block: u64, options: &str) -> Result<f64, String> {
+fn fresh(place: &SweepPlace, points: u64, block: u64, options: &str) -> Result<f64, String> {
     place.scene(points, block, true)?;
     Ok(place.sweep(options)?.wall_s)
 }
 
 /// The least wall time of some fresh runs.
-fn fastest(place: &Place, points: u64, block: u64, options: &str) -> Result<f64, String> {
+fn fastest(place: &SweepPlace, points: u64, block: u64, options: &str) -> Result<f64, String> {
     let mut least = f64::INFINITY;
     for _ in 0..RUNS {
         least = least.min(fresh(place, points, block, options)?);
@@ -125,7 +125,7 @@ fn fastest(place: &Place, points: u64, block: u64, options: &str) -> Result<f64,
 }
 
 /// Wall time with one thread and with two, asked in turn so that both meet the same machine.
-fn scaling(place: &Place) -> Result<String, String> {
+fn scaling(place: &SweepPlace) -> Result<String, String> {
     const POINTS: u64 = 40 * USUAL_BLOCK;
     let (mut one, mut two) = (f64::INFINITY, f64::INFINITY);
     for _ in 0..RUNS {
@@ -139,7 +139,7 @@ fn scaling(place: &Place) -> Result<String, String> {
 }
 
 /// What a shard takes besides its points: the start, and each block's heading, digest and sync.
-fn overhead(place: &Place) -> Result<String, String> {
+fn overhead(place: &SweepPlace) -> Result<String, String> {
     const BLOCKS: u64 = 1000;
     const POINTS: u64 = 1_000_000;
     let start = fastest(place, 1, 1, "--threads 1")?;

@@ -3,8 +3,8 @@
 use slipmode_core::number::Rational;
 
 use super::claim::{At, Base, Claim};
-use super::evaluate::{NEAR, Place, is_zero};
-use super::number::{Found, Number};
+use super::evaluate::{EvaluatedAt, NEAR, is_zero};
+use super::number::{Evaluated, Number};
 use super::truth::{Compared, Said};
 use super::value::Value;
 
@@ -133,7 +133,7 @@ impl Claim {
         &self,
         base: &Base,
         variable: usize,
-        ask: &impl Fn(&mut Place) -> Found<bool>,
+        ask: &impl Fn(&mut EvaluatedAt) -> Evaluated<bool>,
     ) -> Vec<Base> {
         let with = |value: &Rational| {
             let mut moved = base.clone();

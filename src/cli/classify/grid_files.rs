@@ -15,7 +15,7 @@ use slipmode_core::stability::batch::{GridCell, GridKernel, SignPair};
 use slipmode_core::stability::boundary::BoundaryCurve;
 use slipmode_core::stability::{Classification, InertialThreshold, SlipMode, classify, classify_quickly};
 
-use crate::cli::classify::rows::{Classified, ClassifyRows, Found};
+use crate::cli::classify::rows::{Classified, ClassifyRows, RowFound};
 use crate::cli::failure::Failure;
 use crate::cli::output::{Output, machine_write};
 
@@ -72,7 +72,7 @@ impl<'g> GridFiles<'g> {
                 for column in first..columns.min(first.saturating_add(POINTS_TOGETHER)) {
                     let velocity = velocities.at(column);
                     text.extend_from_slice(format!("{},{}", shortest(velocity), shortest(stress)).as_bytes());
-                    let found = Found::Point(self.classified(velocity, stress));
+                    let found = RowFound::Point(self.classified(velocity, stress));
                     work.append(&Classified { found, derived: None, warnings: Vec::new() }, &mut text);
                     text.push(b'\n');
                 }

@@ -26,14 +26,14 @@ pub struct ClassifyRows<const DERIVED: bool> {
 
 /// What a row is: a point, or all points within error bars.
 #[derive(Debug)]
-pub enum Found {
+pub enum RowFound {
     /// Without error bars.
     Point(Classification),
     /// With error bars.
     Box(Box<BoxFound>),
 }
 
-impl Found {
+impl RowFound {
     /// What is found within error bars; none for a threshold that is not allowed there.
     pub fn over(region: &ParameterBox, threshold: &InertialThreshold) -> Option<Self> {
         let over = over_box(region, threshold)?;
@@ -55,7 +55,7 @@ pub struct BoxFound {
 #[derive(Debug)]
 pub struct Classified {
     /// What it is.
-    pub found: Found,
+    pub found: RowFound,
     /// What follows for a point, where it is wanted.
     pub derived: Option<Derived>,
     /// Values that look like another unit's.
@@ -116,9 +116,9 @@ impl<const DERIVED: bool> RowWork for ClassifyRows<DERIVED> {
         if values.iter().all(Uncertain::is_certain) {
             let found = classify(&parameters, &self.threshold);
             let derived = DERIVED.then(|| Derived::of(&parameters, &found));
-            return Ok(Classified { found: Found::Point(found), derived, warnings });
+            return Ok(Classified { found: RowFound::Point(found), derived, warnings });
         }
-        let found = Uncertain::region(values).and_then(|region| Found::over(&region, &self.threshold));
+        let found = Uncertain::region(values).and_then(|region| RowFound::over(&region, &self.threshold));
         let needs = || Problem::Needs(format!("--inertial-threshold with {OVER_BOX}"));
         let found = found.ok_or_else(|| vec![cells.fault(None, needs())])?;
         Ok(Classified { found, derived: None, warnings })
@@ -137,19 +137,19 @@ impl<const DERIVED: bool> RowWork for ClassifyRows<DERIVED> {
                     .or_else(|| Some(Derived::of(&cells.parameters().ok()?, &found)))
             });
             let warnings = slider_warnings(point.map(Dd::hi));
-            Ok(Classified { found: Found::Point(found), derived: derived.flatten(), warnings })
+            Ok(Classified { found: RowFound::Point(found), derived: derived.flatten(), warnings })
         };
         cells.iter().zip(points).map(row).collect()
     }
 
     fn append(&self, Classified { found, derived, warnings }: &Classified, out: &mut Vec<u8>) -> Remark {
         match found {
-            Found::Point(found) => append_point(found, out),
-            Found::Box(found) => append_box(found, out),
+            RowFound::Point(found) => append_point(found, out),
+            RowFound::Box(found) => append_box(found, out),
         }
         match (found, derived) {
             (_, Some(derived)) => push_cells(&derived::COLUMNS, derived, out),
-            (Found::Box(found), None) if DERIVED => {
+            (RowFound::Box(found), None) if DERIVED => {
                 let [_, _, frequency] = found.ranges.enclosures();
                 push_ranges(
                     [frequency, Some(outward(&found.over.critical_stiffness_pa_per_m)), None, None],

@@ -7,7 +7,7 @@ use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::format::shortest;
 use slipmode_core::stability::{NearestPlace, classify, classify_quickly};
 
-use crate::cli::classify::rows::{Classified, ClassifyRows, Found};
+use crate::cli::classify::rows::{Classified, ClassifyRows, RowFound};
 use crate::cli::simulate::rows::SimulateRows;
 use crate::cli::sweep::asymptote_rows::AsymptoteRows;
 use crate::cli::sweep::boundary_rows::BoundaryRows;
@@ -26,10 +26,10 @@ impl PointWork for ClassifyRows<false> {
                 .unwrap_or_else(|| classify(&source.exact(point), &self.threshold))
         };
         let region = source.region(point);
-        let found = region.and_then(|region| Found::over(&region, &self.threshold));
+        let found = region.and_then(|region| RowFound::over(&region, &self.threshold));
         // The scene's units are checked once, not at each point.
         Classified {
-            found: found.unwrap_or_else(|| Found::Point(at_point())),
+            found: found.unwrap_or_else(|| RowFound::Point(at_point())),
             derived: None,
             warnings: Vec::new(),
         }

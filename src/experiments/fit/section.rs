@@ -1,6 +1,6 @@
 //! `[fit]`: a record of velocity steps, and what is known of the machine.
 
-use crate::fitting::Given;
+use crate::fitting::FitGiven;
 use crate::scene::section::{Entry, ReadSection};
 use crate::scene::{AllowedRange, Quantity};
 use slipmode_core::friction::EvolutionLaw;
@@ -46,8 +46,8 @@ impl ReadSection for FitSection {
 impl FitSection {
     /// What is known.
     #[must_use]
-    pub fn given(&self) -> Given {
-        Given {
+    pub fn given(&self) -> FitGiven {
+        FitGiven {
             law: self.laws[0],
             stiffness_pa_per_m: self.stiffness_pa_per_m.as_ref().map(nearest_f64),
             mass_per_area_kg_per_m2: self.mass_per_area_kg_per_m2.as_ref().map(nearest_f64),

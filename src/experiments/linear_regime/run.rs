@@ -17,7 +17,7 @@ use crate::experiments::linear_regime::LinearRegimeSection;
 use crate::experiments::linear_regime::modes::{BITS, Direction, Mode, ROOT_DIGITS};
 use crate::experiments::linear_regime::snapshots::{projected_rate, rate_of_snapshots, snapshots};
 use crate::experiments::linear_regime::{SteadyRun, steady_sliding};
-use crate::scene::Place;
+use crate::scene::PlanePoint;
 use slipmode_core::dynamics::{Failure, Model, Radau};
 use slipmode_core::friction::{EvolutionLaw, Groups, Slider};
 use slipmode_core::number::{Dd, Rational, nearest_f64};
@@ -110,7 +110,7 @@ pub struct LinearRegimeOutcome {
 
 /// One start that is to be run with all amplitudes.
 struct Case<'p> {
-    point: &'p Place,
+    point: &'p PlanePoint,
     groups: Groups<Rational>,
     slip_mode: SlipMode,
     law: EvolutionLaw,
@@ -139,11 +139,11 @@ pub fn linear_regime(
 
 fn cases<'p>(
     parameters: &Slider<Rational>,
-    point: &'p Place,
+    point: &'p PlanePoint,
     section: &LinearRegimeSection,
     threshold: &InertialThreshold,
 ) -> Vec<Case<'p>> {
-    let Place { loading_velocity_m_per_s: velocity, normal_stress_pa: stress } = point;
+    let PlanePoint { loading_velocity_m_per_s: velocity, normal_stress_pa: stress } = point;
     let parameters = parameters.at(stress.clone(), velocity.clone());
     let groups = parameters.groups();
     let slip_mode = classify(&parameters, threshold).slip_mode;

@@ -1,7 +1,7 @@
 //! `[linear_regime]`: small disturbances at a few points (V, σ).
 
 use crate::scene::section::{Entry, ReadSection};
-use crate::scene::{AllowedRange, Place};
+use crate::scene::{AllowedRange, PlanePoint};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::Rational;
 
@@ -9,7 +9,7 @@ use slipmode_core::number::Rational;
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct LinearRegimeSection {
     /// The points.
-    pub points: Vec<Place>,
+    pub points: Vec<PlanePoint>,
     /// The evolution laws, each once.
     pub laws: Vec<EvolutionLaw>,
     /// Sizes of the start, each once.

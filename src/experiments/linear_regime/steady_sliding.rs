@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use crate::experiments::linear_regime::LinearRegimeSection;
-use crate::scene::Place;
+use crate::scene::PlanePoint;
 use slipmode_core::dynamics::{Control, Failure, Integrator, Model, Radau, Start, State, trajectory};
 use slipmode_core::friction::{EvolutionLaw, Slider};
 use slipmode_core::number::{Rational, nearest_f64};
@@ -58,14 +58,14 @@ pub fn steady_sliding(
     parameters: &Slider<Rational>,
     section: &LinearRegimeSection,
 ) -> Vec<Result<SteadyRun, Failure>> {
-    let cases: Vec<(&Place, EvolutionLaw)> =
+    let cases: Vec<(&PlanePoint, EvolutionLaw)> =
         section.points.iter().flat_map(|point| section.laws.iter().map(move |&law| (point, law))).collect();
     cases.par_iter().map(|&(point, law)| run_case(parameters, point, law)).collect()
 }
 
 fn run_case(
     parameters: &Slider<Rational>,
-    Place { loading_velocity_m_per_s: velocity, normal_stress_pa: stress }: &Place,
+    PlanePoint { loading_velocity_m_per_s: velocity, normal_stress_pa: stress }: &PlanePoint,
     law: EvolutionLaw,
 ) -> Result<SteadyRun, Failure> {
     let groups = parameters.at(stress.clone(), velocity.clone()).groups();
@@ -117,7 +117,7 @@ mod tests {
         let parameters = paper();
         let section = LinearRegimeSection {
             points: ["2e4", "1e6"]
-                .map(|stress| Place {
+                .map(|stress| PlanePoint {
                     loading_velocity_m_per_s: decimal("1e-5"),
                     normal_stress_pa: decimal(stress),
                 })

@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use crate::experiments::map::run::exactly;
-use crate::experiments::onset::search::{Given, Line};
+use crate::experiments::onset::search::{GivenCoordinate, Line};
 use crate::experiments::onset::theory::{DIGITS, inertial_velocity, stable_boundary, stable_boundary_stress};
 use crate::experiments::onset::{Located, OnsetSection, SeenOnset, Swing};
 use crate::experiments::simulations::run::options;
@@ -127,7 +127,7 @@ fn onset_at(
     let ball = |value: &Rational| Ball::from_rational(value, bits);
     let asymptote_velocity = asymptote.value(&parameters.map(ball), &ball(stress));
     let tolerance = nearest_f64(&section.tolerance);
-    let line = |law| Line { parameters, given: Given::NormalStress(stress), law, tolerance };
+    let line = |law| Line { parameters, given: GivenCoordinate::NormalStress(stress), law, tolerance };
     let (from, at) = (asymptote_velocity.to_f64(), boundary.to_f64());
     let visible = nearest_f64(&section.visible);
     let first = section.laws.first().map(|&law| line(law));
@@ -162,7 +162,7 @@ fn stress_onset(
     let at = boundary_pa.to_f64();
     let from = quasi_static_lower_normal_stress_pa(&parameters.map(nearest_f64));
     let (tolerance, visible) = (nearest_f64(&section.tolerance), nearest_f64(&section.visible));
-    let line = |law| Line { parameters, given: Given::LoadingVelocity(velocity), law, tolerance };
+    let line = |law| Line { parameters, given: GivenCoordinate::LoadingVelocity(velocity), law, tolerance };
     Some(StressOnset {
         loading_velocity_m_per_s: velocity.clone(),
         seen: section.laws.par_iter().map(|&law| line(law).search(from, at, visible)).collect(),

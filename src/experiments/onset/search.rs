@@ -39,7 +39,7 @@ pub struct SeenOnset {
 
 /// What is given on a line; the other of the two varies along it, and its logarithm is the place on the line.
 #[derive(Debug, Clone, Copy)]
-pub(crate) enum Given<'p> {
+pub(crate) enum GivenCoordinate<'p> {
     NormalStress(&'p Rational),
     LoadingVelocity(&'p Rational),
 }
@@ -48,7 +48,7 @@ pub(crate) enum Given<'p> {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Line<'p> {
     pub parameters: &'p Slider<Rational>,
-    pub given: Given<'p>,
+    pub given: GivenCoordinate<'p>,
     pub law: EvolutionLaw,
     pub tolerance: f64,
 }
@@ -80,8 +80,8 @@ impl Line<'_> {
     fn model(&self, place: f64) -> Model<f64> {
         let value = exactly(libm::exp(place));
         let point = match self.given {
-            Given::NormalStress(stress) => self.parameters.at(stress.clone(), value),
-            Given::LoadingVelocity(velocity) => self.parameters.at(value, velocity.clone()),
+            GivenCoordinate::NormalStress(stress) => self.parameters.at(stress.clone(), value),
+            GivenCoordinate::LoadingVelocity(velocity) => self.parameters.at(value, velocity.clone()),
         };
         Model::new(point.groups().map(nearest_f64), self.law)
     }

@@ -67,11 +67,11 @@ impl Seen<'_> {
 }
 
 /// A place on a line that the runs of one law show.
-type Place = fn(&SeenOnset) -> Option<Located>;
+type OnsetPlace = fn(&SeenOnset) -> Option<Located>;
 
 /// The columns of where oscillation exists and where it is visible.
 fn seen_columns<'c, R: Copy>(table: TableRows<R>, seen: impl Fn(R) -> Seen<'c>) -> TableRows<R> {
-    let places: [(&str, &str, Place); 3] = [
+    let places: [(&str, &str, OnsetPlace); 3] = [
         ("simulated", "Oscillation in simulations", |seen| seen.exists),
         ("second_rise", "Second rise visible", |seen| seen.second_rise),
         ("undershoot", "Undershoot visible", |seen| seen.undershoot),

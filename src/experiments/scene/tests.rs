@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::experiments::boundary::BoundarySection;
-use crate::scene::Place;
+use crate::scene::PlanePoint;
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::parse_decimal;
 
@@ -68,7 +68,7 @@ fn every_section_is_read() {
     assert_eq!(point.loading_velocity_m_per_s, Rational::from((3, 10_000)));
     assert_eq!(point.duration_s, Rational::from((2, 5)));
     let linear = scene.linear_regime.unwrap();
-    let place = Place {
+    let place = PlanePoint {
         loading_velocity_m_per_s: Rational::from((1, 100_000)),
         normal_stress_pa: Rational::from(1000),
     };

@@ -45,7 +45,7 @@ fn words<T>(
     fields_at: impl Fn(f64, &T) -> Vec<String>,
 ) -> Readout {
     let (velocities, stresses) = (&grid.loading_velocity_m_per_s, &grid.normal_stress_pa);
-    let places: Vec<Place<'_>> = boundary.iter().map(Place::of).collect();
+    let places: Vec<BoundaryPlace<'_>> = boundary.iter().map(BoundaryPlace::of).collect();
     let mut fields: Vec<Vec<String>> = Vec::new();
     for row in chosen(stresses.len()) {
         for column in chosen(velocities.len()) {
@@ -86,12 +86,12 @@ fn chosen(count: usize) -> impl Iterator<Item = usize> {
 }
 
 /// A point of the boundary on the logarithmic plane.
-struct Place<'b> {
+struct BoundaryPlace<'b> {
     point: &'b BoundaryPoint,
     logarithms: (f64, f64),
 }
 
-impl<'b> Place<'b> {
+impl<'b> BoundaryPlace<'b> {
     fn of(point: &'b BoundaryPoint) -> Self {
         let (velocity, stress) = (point.loading_velocity_m_per_s.to_f64(), point.normal_stress_pa.to_f64());
         Self { point, logarithms: (libm::log10(velocity), libm::log10(stress)) }
@@ -99,9 +99,9 @@ impl<'b> Place<'b> {
 }
 
 /// The asymptote that is nearest at the boundary's nearest point, and its error there in percent; nothing without a boundary.
-fn nearest(places: &[Place<'_>], velocity: f64, stress: f64) -> [String; 2] {
+fn nearest(places: &[BoundaryPlace<'_>], velocity: f64, stress: f64) -> [String; 2] {
     let here = (libm::log10(velocity), libm::log10(stress));
-    let distance = |place: &Place<'_>| {
+    let distance = |place: &BoundaryPlace<'_>| {
         let (dx, dy) = (place.logarithms.0 - here.0, place.logarithms.1 - here.1);
         dx * dx + dy * dy
     };

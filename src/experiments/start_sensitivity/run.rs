@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use crate::experiments::start_sensitivity::StartSensitivitySection;
-use crate::scene::Place;
+use crate::scene::PlanePoint;
 use slipmode_core::dynamics::{
     Control, Failure, Integrator, Model, Options, Radau, ReturnEnd, Simulation, Start, Stepper, increment,
     next_return, simulate,
@@ -69,7 +69,7 @@ pub fn start_sensitivity(
     section: &StartSensitivitySection,
     threshold: &InertialThreshold,
 ) -> Vec<StartGroup> {
-    let cases: Vec<(&Place, EvolutionLaw)> =
+    let cases: Vec<(&PlanePoint, EvolutionLaw)> =
         section.points.iter().flat_map(|point| section.laws.iter().map(move |&law| (point, law))).collect();
     cases.par_iter().map(|&(point, law)| group(parameters, section, threshold, point, law)).collect()
 }
@@ -78,7 +78,7 @@ fn group(
     parameters: &Slider<Rational>,
     section: &StartSensitivitySection,
     threshold: &InertialThreshold,
-    Place { loading_velocity_m_per_s: velocity, normal_stress_pa: stress }: &Place,
+    PlanePoint { loading_velocity_m_per_s: velocity, normal_stress_pa: stress }: &PlanePoint,
     law: EvolutionLaw,
 ) -> StartGroup {
     let point = parameters.at(stress.clone(), velocity.clone());
@@ -157,7 +157,7 @@ mod tests {
         let decimal = |text| parse_decimal(text).unwrap();
         let parameters = paper();
         let section = StartSensitivitySection {
-            points: vec![Place {
+            points: vec![PlanePoint {
                 loading_velocity_m_per_s: decimal(velocity),
                 normal_stress_pa: decimal(stress),
             }],

@@ -2,7 +2,7 @@
 
 use crate::experiments::linear_regime::section::product;
 use crate::scene::section::{Entry, ReadSection};
-use crate::scene::{AllowedRange, Place};
+use crate::scene::{AllowedRange, PlanePoint};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::Rational;
 
@@ -10,7 +10,7 @@ use slipmode_core::number::Rational;
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct StartSensitivitySection {
     /// V (m/s) and σ (Pa) of each point.
-    pub points: Vec<Place>,
+    pub points: Vec<PlanePoint>,
     /// The evolution laws, each once.
     pub laws: Vec<EvolutionLaw>,
     /// Permitted relative error of peak velocity and period.

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use super::returns::{METHODS, MOST_STEPS, MeasuredReturn, reference_return};
 use crate::paper::{model_at, paper, place};
 use crate::scheme::{OriginalScheme, highest};
-use slipmode::scene::Place;
+use slipmode::scene::PlanePoint;
 use slipmode_core::dynamics::{Control, Model, State};
 use slipmode_core::friction::{EvolutionLaw, Slider};
 use slipmode_core::number::Rational;
@@ -38,7 +38,7 @@ pub struct WorkPoint {
 #[derive(Debug, Clone, PartialEq)]
 pub struct WorkCase {
     /// Where.
-    pub place: Place,
+    pub place: PlanePoint,
     /// Method by method from loose to tight; a method that does not finish has no point.
     pub points: Vec<WorkPoint>,
 }
@@ -50,7 +50,7 @@ pub fn work_precision() -> Vec<WorkCase> {
     PLACES.par_iter().filter_map(|&written| work_case(&parameters, place(written))).collect()
 }
 
-fn work_case(parameters: &Slider<Rational>, place: Place) -> Option<WorkCase> {
+fn work_case(parameters: &Slider<Rational>, place: PlanePoint) -> Option<WorkCase> {
     let model = model_at(parameters, &place, EvolutionLaw::Slip);
     let (section, exact) = reference_return(&model)?;
     let tolerances = [3, 4, 5, 6, 7, 8, 9, 10, 11, 12].map(|digits| libm::exp10(-f64::from(digits)));

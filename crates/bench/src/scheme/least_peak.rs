@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::long_term::{AFFORDABLE_STEPS, converged_cycle, scheme_peak, steps_needed};
 use crate::paper::{exactly, model_at};
-use slipmode::scene::Place;
+use slipmode::scene::PlanePoint;
 use slipmode_core::friction::{EvolutionLaw, Slider};
 use slipmode_core::number::{Rational, nearest_f64};
 use slipmode_core::stability::asymptote::inertial_upper_velocity_m_per_s;
@@ -62,7 +62,7 @@ fn at_stress(
         .map(|&offset| {
             let velocity = eq18 * libm::exp10(offset);
             let place =
-                Place { loading_velocity_m_per_s: exactly(velocity), normal_stress_pa: exactly(stress) };
+                PlanePoint { loading_velocity_m_per_s: exactly(velocity), normal_stress_pa: exactly(stress) };
             let model = model_at(parameters, &place, law);
             let cycle = converged_cycle(&model)?;
             Some((model, cycle, std::f64::consts::LN_10 * offset))

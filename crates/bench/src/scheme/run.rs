@@ -6,7 +6,7 @@ use super::least_peak::{SchemeLeastPeak, least_peaks_of_scheme};
 use super::long_term::{AFFORDABLE_STEPS, SchemePeak, converged_cycle, scheme_peak, steps_needed};
 use super::stability::{SchemeMapRow, SchemeTransition, map_rows, transitions};
 use crate::paper::{decimal, model_at, paper, place};
-use slipmode::scene::{LogAxis, Place, Rectangle};
+use slipmode::scene::{LogAxis, PlanePoint, Rectangle};
 use slipmode_core::dynamics::Failure;
 use slipmode_core::friction::{EvolutionLaw, Slider};
 use slipmode_core::number::Rational;
@@ -69,7 +69,7 @@ pub struct SchemeStep {
 #[derive(Debug, Clone, PartialEq)]
 pub struct SchemeSeries {
     /// Where.
-    pub place: Place,
+    pub place: PlanePoint,
     /// The evolution law.
     pub law: EvolutionLaw,
     /// ln(V_peak/V_l) of our limit cycle.
@@ -107,9 +107,9 @@ impl SchemeStep {
 pub fn original_scheme(asked: &Asked) -> SchemeOutcome {
     let (parameters, rectangle) = (&paper(), asked.rectangle());
     let places = asked.places.iter().map(|&written| place(written));
-    let cases: Vec<(Place, EvolutionLaw)> =
+    let cases: Vec<(PlanePoint, EvolutionLaw)> =
         places.flat_map(|place| EvolutionLaw::ALL.map(|law| (place.clone(), law))).collect();
-    let along = |(place, law): &(Place, EvolutionLaw)| series(parameters, place, *law, asked.steps);
+    let along = |(place, law): &(PlanePoint, EvolutionLaw)| series(parameters, place, *law, asked.steps);
     SchemeOutcome {
         series: cases.par_iter().filter_map(along).collect(),
         transition: transitions(parameters, &rectangle.loading_velocity_m_per_s, asked.steps),
@@ -120,7 +120,7 @@ pub fn original_scheme(asked: &Asked) -> SchemeOutcome {
 
 fn series(
     parameters: &Slider<Rational>,
-    place: &Place,
+    place: &PlanePoint,
     law: EvolutionLaw,
     fractions: &[f64],
 ) -> Option<SchemeSeries> {

@@ -14,7 +14,7 @@ use rug::Float;
 
 use super::long_term::{converged_cycle, scheme_peak, steps_needed};
 use crate::paper::{exactly, model_at};
-use slipmode::scene::{LogAxis, Place, Rectangle};
+use slipmode::scene::{LogAxis, PlanePoint, Rectangle};
 use slipmode_core::friction::{EvolutionLaw, Groups, Slider};
 use slipmode_core::number::{Rational, nearest_f64};
 
@@ -206,7 +206,7 @@ fn map_row(
         .par_iter()
         .filter_map(|&(velocity, stress)| {
             let place =
-                Place { loading_velocity_m_per_s: exactly(velocity), normal_stress_pa: exactly(stress) };
+                PlanePoint { loading_velocity_m_per_s: exactly(velocity), normal_stress_pa: exactly(stress) };
             let model = model_at(parameters, &place, law);
             let cycle = converged_cycle(&model)?;
             if steps_needed(&model, &cycle, fraction) > MAP_STEPS {

@@ -92,7 +92,7 @@ pub(super) struct Search<'m, 'o, M> {
 }
 
 /// A long-term behaviour with its errors.
-type Found = (LongTerm<f64>, Errors);
+type LongTermFound = (LongTerm<f64>, Errors);
 
 impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
     /// A search that goes on from what a cheaper method left.
@@ -143,7 +143,7 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
         Outcome::new(self.model, start, long_term, errors, self.work, local_tolerance)
     }
 
-    fn attempt(&mut self) -> Result<Found, Failure> {
+    fn attempt(&mut self) -> Result<LongTermFound, Failure> {
         if let Some((cycle, tolerance)) = self.known.clone() {
             match self.refined(cycle, tolerance) {
                 // A cycle that another method found need not be one of this method's map.
@@ -167,7 +167,7 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
     }
 
     /// A run that is not cut short by Newton's iteration.
-    fn followed(&mut self) -> Result<Found, Failure> {
+    fn followed(&mut self) -> Result<LongTermFound, Failure> {
         match self.long_term_at(self.levels.coarse)? {
             LongTerm::Decay(decay) => self.decay(decay),
             LongTerm::Cycle(cycle) => self.refined(cycle, self.levels.coarse),
@@ -195,7 +195,7 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
     }
 
     /// A decay, run again at a tenth of the tolerance.
-    fn decay(&mut self, mut coarse: Decay<f64>) -> Result<Found, Failure> {
+    fn decay(&mut self, mut coarse: Decay<f64>) -> Result<LongTermFound, Failure> {
         let finer = FINER * self.levels.coarse;
         let mut fine = match self.long_term_at(finer)? {
             LongTerm::Decay(decay) => decay,
@@ -225,7 +225,7 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
     }
 
     /// A cycle brought to its accuracy.
-    fn refined(&mut self, found: Cycle<f64>, tolerance: f64) -> Result<Found, Failure> {
+    fn refined(&mut self, found: Cycle<f64>, tolerance: f64) -> Result<LongTermFound, Failure> {
         let coarse = self.levels.coarse;
         let fine = FINER * coarse;
         let accuracy = Accuracy { coarse, fine, floor: fine, requested: self.options.tolerance };

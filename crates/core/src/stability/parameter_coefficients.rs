@@ -9,7 +9,7 @@ use crate::stability::{Arc, ArcFrame};
 
 /// What is given.
 #[derive(Debug, Clone)]
-pub(super) enum Given {
+pub(super) enum GivenValue {
     /// g = η/κ.
     VelocitySquared(Rational),
     /// The V0 of the corner of the arc's asymptotes: g d² = A²/4 on the upper arc, g A² = 1/(4A²) on the lower one.
@@ -22,7 +22,7 @@ pub(super) enum Given {
     InertialError(Rational),
 }
 
-impl Given {
+impl GivenValue {
     /// The coefficients by ascending power.
     pub(super) fn coefficients(&self, arc: Arc, frame: &ArcFrame<Ball>, precision_bits: u32) -> Vec<Ball> {
         let (q, sum) = (&frame.root_ratio, &frame.sum);

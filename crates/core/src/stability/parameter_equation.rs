@@ -16,7 +16,7 @@ use rug::Rational;
 
 use crate::number::Ball;
 use crate::stability::cusp::cusp_abscissa;
-use crate::stability::parameter_coefficients::Given;
+use crate::stability::parameter_coefficients::GivenValue;
 use crate::stability::{Arc, ArcFrame, Asymptote};
 use slipmode_algebra::{enclose_root, horner};
 
@@ -25,31 +25,31 @@ use slipmode_algebra::{enclose_root, horner};
 pub(crate) struct ParameterEquation {
     effect_ratio: Rational,
     arc: Arc,
-    given: Given,
+    given: GivenValue,
 }
 
 impl ParameterEquation {
     /// η/κ = (V0/D_c)²·M/K is given.
     pub(crate) fn at_velocity(effect_ratio: &Rational, arc: Arc, velocity_squared: Rational) -> Self {
-        Self { effect_ratio: effect_ratio.clone(), arc, given: Given::VelocitySquared(velocity_squared) }
+        Self { effect_ratio: effect_ratio.clone(), arc, given: GivenValue::VelocitySquared(velocity_squared) }
     }
 
     /// The V0 is that of the corner 15∩18 or 16∩20.
     pub(crate) fn at_corner_velocity(effect_ratio: &Rational, arc: Arc) -> Self {
-        Self { effect_ratio: effect_ratio.clone(), arc, given: Given::CornerVelocity }
+        Self { effect_ratio: effect_ratio.clone(), arc, given: GivenValue::CornerVelocity }
     }
 
     /// κ = K D_c/(a σ) is given.
     pub(crate) fn at_stiffness(effect_ratio: &Rational, arc: Arc, stiffness_group: Rational) -> Self {
-        Self { effect_ratio: effect_ratio.clone(), arc, given: Given::StiffnessGroup(stiffness_group) }
+        Self { effect_ratio: effect_ratio.clone(), arc, given: GivenValue::StiffnessGroup(stiffness_group) }
     }
 
     /// The asymptote is off by the relative amount ±`tolerance`, with the sign of its leading error.
     pub(crate) fn at_error(effect_ratio: &Rational, asymptote: Asymptote, tolerance: Rational) -> Self {
         let given = if asymptote.is_quasi_static() {
-            Given::QuasiStaticError(tolerance)
+            GivenValue::QuasiStaticError(tolerance)
         } else {
-            Given::InertialError(tolerance)
+            GivenValue::InertialError(tolerance)
         };
         Self { effect_ratio: effect_ratio.clone(), arc: asymptote.arc(), given }
     }
@@ -79,12 +79,12 @@ impl ParameterEquation {
     /// Eq 15 bounds the upper arc: κ < (√β − 1)², that is 1 + β − κ > 2√β; any velocity occurs.
     fn upper_has_solution(&self) -> bool {
         match &self.given {
-            Given::StiffnessGroup(kappa) => {
+            GivenValue::StiffnessGroup(kappa) => {
                 let rest = Rational::from(&self.effect_ratio + 1_u32) - kappa;
                 rest > 0 && rest.square() > Rational::from(&self.effect_ratio * 4_u32)
             }
             // Eq 18 is too large by a factor: the error −1 is reached nowhere.
-            Given::InertialError(tolerance) => *tolerance < 1,
+            GivenValue::InertialError(tolerance) => *tolerance < 1,
             _ => true,
         }
     }
@@ -92,7 +92,7 @@ impl ParameterEquation {
     /// Whether the branch between eq 16 and the cusp has κ low enough: κ < (√β + 1)²; any velocity below the cusp's occurs.
     fn quasi_static_branch_has_solution(&self) -> bool {
         match &self.given {
-            Given::StiffnessGroup(kappa) => {
+            GivenValue::StiffnessGroup(kappa) => {
                 let rest = Rational::from(kappa - 1_u32) - &self.effect_ratio;
                 rest <= 0 || rest.square() < Rational::from(&self.effect_ratio * 4_u32)
             }
@@ -146,7 +146,7 @@ impl ParameterEquation {
     ///
     /// With d² and A² for eqs 15 and 16, (d² − κ)(A² − κ) = (1 + β − κ)² − 4β exactly, and neither factor exceeds A² ≤ 2 + 2β or κ.
     fn lost_bits(&self) -> u32 {
-        let Given::StiffnessGroup(kappa) = &self.given else { return 0 };
+        let GivenValue::StiffnessGroup(kappa) = &self.given else { return 0 };
         let rest = Rational::from(&self.effect_ratio + 1_u32) - kappa;
         let gap = rest.square() - Rational::from(&self.effect_ratio * 4_u32);
         if gap == 0 {

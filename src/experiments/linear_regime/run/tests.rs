@@ -8,8 +8,8 @@ fn decimal(text: &str) -> Rational {
     parse_decimal(text).unwrap()
 }
 
-fn place([velocity, stress]: [&str; 2]) -> Place {
-    Place { loading_velocity_m_per_s: decimal(velocity), normal_stress_pa: decimal(stress) }
+fn place([velocity, stress]: [&str; 2]) -> PlanePoint {
+    PlanePoint { loading_velocity_m_per_s: decimal(velocity), normal_stress_pa: decimal(stress) }
 }
 
 fn section(points: &[[&str; 2]], amplitudes: &[&str]) -> LinearRegimeSection {

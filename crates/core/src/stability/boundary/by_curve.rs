@@ -7,7 +7,7 @@ use crate::number::{Ball, Real, bits_for_digits};
 use crate::stability::boundary::section_line::SectionLine;
 use crate::stability::boundary::{BoundaryPoint, Crossing, Mark, Section};
 use crate::stability::cusp::cusp_abscissa;
-use crate::stability::double_root::{Constants, Found, Work};
+use crate::stability::double_root::{Constants, DoubleRoot, Work};
 use crate::stability::{Arc, ArcFrame};
 
 /// Bits beyond the digits requested: the forms of `arc_point` lose four or five, square roots and logarithms two more.
@@ -158,7 +158,7 @@ impl BoundaryCurve {
     #[must_use]
     pub fn work(&self, section: &Section) -> Vec<Option<Work>> {
         let line = SectionLine::new(self, section);
-        let quickly = |found: Found| {
+        let quickly = |found: DoubleRoot| {
             let work = found.work();
             self.constants.parameter(found, line.given, &line.value).map(|_| Some(work))
         };

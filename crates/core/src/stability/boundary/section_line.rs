@@ -5,7 +5,7 @@ use crate::number::{Ball, Field, Real};
 use crate::stability::Arc;
 use crate::stability::boundary::by_curve::GUARD_BITS;
 use crate::stability::boundary::{BoundaryCurve, Section};
-use crate::stability::double_root::{Found, Given};
+use crate::stability::double_root::{DoubleRoot, GivenGroup};
 use crate::stability::parameter_equation::ParameterEquation;
 
 /// Bits that a coordinate of a section has beyond the digits requested.
@@ -15,7 +15,7 @@ const COORDINATE_BITS: u32 = 4;
 pub(super) struct SectionLine<'c> {
     curve: &'c BoundaryCurve,
     section: &'c Section,
-    pub(super) given: Given,
+    pub(super) given: GivenGroup,
     /// κ or g.
     pub(super) value: Ball,
     /// σ or V0.
@@ -25,13 +25,15 @@ pub(super) struct SectionLine<'c> {
 impl<'c> SectionLine<'c> {
     pub(super) fn new(curve: &'c BoundaryCurve, section: &'c Section) -> Self {
         let (given, coordinate) = match section {
-            Section::AtNormalStress(stress) => (Given::StiffnessGroup, stress),
-            Section::AtVelocity(velocity) => (Given::VelocitySquared, velocity),
+            Section::AtNormalStress(stress) => (GivenGroup::StiffnessGroup, stress),
+            Section::AtVelocity(velocity) => (GivenGroup::VelocitySquared, velocity),
         };
         let coordinate = Ball::from_rational(coordinate, curve.section_bits);
         let value = match given {
-            Given::StiffnessGroup => curve.section_stress_scale_pa.clone() / &coordinate,
-            Given::VelocitySquared => (coordinate.clone() / &curve.section_velocity_scale_m_per_s).square(),
+            GivenGroup::StiffnessGroup => curve.section_stress_scale_pa.clone() / &coordinate,
+            GivenGroup::VelocitySquared => {
+                (coordinate.clone() / &curve.section_velocity_scale_m_per_s).square()
+            }
         };
         Self { curve, section, given, value, coordinate }
     }
@@ -39,7 +41,7 @@ impl<'c> SectionLine<'c> {
     /// Every crossing: from its double root, or from its λ for an arc on which the former gives no answer.
     pub(super) fn each<T>(
         &self,
-        quickly: impl Fn(Found) -> Option<T>,
+        quickly: impl Fn(DoubleRoot) -> Option<T>,
         generally: impl Fn(Arc, Ball) -> T,
     ) -> Vec<T> {
         let curve = self.curve;
@@ -75,11 +77,11 @@ impl<'c> SectionLine<'c> {
     pub(super) fn position(&self, unknown: &Ball) -> OperatingPoint<Ball> {
         let (curve, given) = (self.curve, self.coordinate.clone());
         match self.given {
-            Given::StiffnessGroup => OperatingPoint {
+            GivenGroup::StiffnessGroup => OperatingPoint {
                 normal_stress_pa: given,
                 loading_velocity_m_per_s: unknown.sqrt() * &curve.section_velocity_scale_m_per_s,
             },
-            Given::VelocitySquared => OperatingPoint {
+            GivenGroup::VelocitySquared => OperatingPoint {
                 normal_stress_pa: unknown.clone() * &curve.section_stress_scale_pa,
                 loading_velocity_m_per_s: given,
             },
@@ -90,8 +92,8 @@ impl<'c> SectionLine<'c> {
     pub(super) fn unknown(&self, arc: Arc, parameter: &Ball) -> Ball {
         let frame = &self.curve.frame;
         match self.given {
-            Given::StiffnessGroup => frame.velocity_squared(arc, parameter),
-            Given::VelocitySquared => frame.place(arc, parameter).0,
+            GivenGroup::StiffnessGroup => frame.velocity_squared(arc, parameter),
+            GivenGroup::VelocitySquared => frame.place(arc, parameter).0,
         }
     }
 }

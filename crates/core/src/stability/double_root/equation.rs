@@ -5,7 +5,7 @@ use crate::stability::Arc;
 
 /// Which group is given; the value is passed separately, in the number type of the moment.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(in crate::stability) enum Given {
+pub(in crate::stability) enum GivenGroup {
     /// κ = K D_c/(aσ): the line has one σ.
     StiffnessGroup,
     /// g = η/κ = (V0/D_c)²·M/K: the line has one V0.
@@ -22,7 +22,7 @@ pub(in crate::stability) enum Given {
 /// F is 2u²(κ(r) − κ) for given κ, and ±∂κ/∂r times r(e−r)u(1+gr²)/κ for given g.
 pub(super) fn coefficients<R: Field>(
     arc: Arc,
-    given: Given,
+    given: GivenGroup,
     value: &R,
     effect_ratio: &R,
     excess: &R,
@@ -30,19 +30,19 @@ pub(super) fn coefficients<R: Field>(
     let twice = |x: &R| x.clone() + x;
     let one = || R::from(1);
     match (arc, given) {
-        (Arc::Upper, Given::StiffnessGroup) => {
+        (Arc::Upper, GivenGroup::StiffnessGroup) => {
             let double = twice(value);
             vec![-double.clone(), excess.clone() - twice(&double), twice(excess) - double, R::from(-1)]
         }
-        (Arc::Upper, Given::VelocitySquared) => {
+        (Arc::Upper, GivenGroup::VelocitySquared) => {
             let product = excess.clone() * value;
             vec![-excess.clone(), R::from(2), product.clone() + one(), twice(&product), -value.clone()]
         }
-        (Arc::Lower, Given::StiffnessGroup) => {
+        (Arc::Lower, GivenGroup::StiffnessGroup) => {
             let double = twice(effect_ratio);
             vec![effect_ratio.clone(), double.clone() + effect_ratio, double + one() - twice(value), one()]
         }
-        (Arc::Lower, Given::VelocitySquared) => {
+        (Arc::Lower, GivenGroup::VelocitySquared) => {
             let product = effect_ratio.clone() * value;
             let fourfold = twice(&twice(&product));
             vec![
@@ -77,8 +77,8 @@ mod tests {
                 let r = place.double_root.clone();
                 let x = if arc == Arc::Upper { r.clone() } else { -(r.clone() + 1_u32) };
                 for (given, value) in [
-                    (Given::StiffnessGroup, &place.stiffness_group),
-                    (Given::VelocitySquared, &place.velocity_squared),
+                    (GivenGroup::StiffnessGroup, &place.stiffness_group),
+                    (GivenGroup::VelocitySquared, &place.velocity_squared),
                 ] {
                     let all = coefficients(arc, given, value, &effect_ratio, &excess);
                     let sum = all.iter().rev().fold(Rational::new(), |sum, c| sum * &x + c);

@@ -11,7 +11,7 @@
 
 use std::cmp::Ordering;
 
-use super::Given;
+use super::GivenGroup;
 use super::enclosure::{Enclosure, Loss};
 use super::equation::coefficients;
 use super::start::{Start, root_between, values};
@@ -56,7 +56,7 @@ struct Short {
 
 /// A double root of the boundary, enclosed to half the digits, and the unknown group to all of them.
 #[derive(Debug, Clone)]
-pub(in crate::stability) struct Found {
+pub(in crate::stability) struct DoubleRoot {
     /// The arc.
     pub(in crate::stability) arc: Arc,
     /// g at given κ; 1/κ at given g.
@@ -65,7 +65,7 @@ pub(in crate::stability) struct Found {
     start: Start,
 }
 
-impl Found {
+impl DoubleRoot {
     /// What it took.
     pub(in crate::stability) fn work(&self) -> Work {
         Work {
@@ -79,7 +79,7 @@ impl Found {
 /// One group given, in the number types of the search.
 struct Line<'c> {
     constants: &'c Constants,
-    given: Given,
+    given: GivenGroup,
     value: &'c Ball,
     short: Dd,
 }
@@ -112,10 +112,10 @@ impl Constants {
     pub(in crate::stability) fn found(
         &self,
         arc: Arc,
-        given: Given,
+        given: GivenGroup,
         value: &Ball,
         bits: u32,
-    ) -> Option<Vec<Found>> {
+    ) -> Option<Vec<DoubleRoot>> {
         let line = Line { constants: self, given, value, short: double_double(value) };
         let branches = match arc {
             Arc::Upper => line.upper_branch()?.into_iter().collect(),
@@ -125,16 +125,21 @@ impl Constants {
     }
 
     /// λ of a point, from (d − r)(1 + r + √β) = 2rηu² on the upper arc and (x − √β)(x + √β) = 2ηx²(1 + x) on the lower one.
-    pub(in crate::stability) fn parameter(&self, found: Found, given: Given, value: &Ball) -> Option<Ball> {
-        let Found { arc, unknown, enclosure, start } = found;
+    pub(in crate::stability) fn parameter(
+        &self,
+        found: DoubleRoot,
+        given: GivenGroup,
+        value: &Ball,
+    ) -> Option<Ball> {
+        let DoubleRoot { arc, unknown, enclosure, start } = found;
         let precision = value.precision_bits();
         let line = Line { constants: self, given, value, short: double_double(value) };
         let coefficients = line.coefficients(arc);
         let root = enclosure.refined(Loss::of(&start), &coefficients, precision - LAST_BITS)?;
         let root = root.with_precision(precision);
         let inertial = match given {
-            Given::StiffnessGroup => value.clone() * unknown,
-            Given::VelocitySquared => value.clone() / unknown,
+            GivenGroup::StiffnessGroup => value.clone() * unknown,
+            GivenGroup::VelocitySquared => value.clone() / unknown,
         };
         let twice = inertial.clone() + inertial;
         let (one, q) = (Ball::from(1), &self.root_ratio);
@@ -169,7 +174,7 @@ impl Line<'_> {
 
     /// Whether κ is below (√β ∓ 1)², that of eq 15 or 16; at given g there is no such condition.
     fn is_below_the_end(&self, arc: Arc) -> Option<bool> {
-        if self.given == Given::VelocitySquared {
+        if self.given == GivenGroup::VelocitySquared {
             return Some(true);
         }
         let Constants { excess, root_ratio, short, .. } = self.constants;
@@ -192,11 +197,11 @@ impl Line<'_> {
         let sum = root_ratio + 1.0;
         let (end, value) = (excess.hi() / sum, self.short.hi());
         let start = match self.given {
-            Given::StiffnessGroup => end * (2.0 * value / (end * end * sum)).min(1.0),
-            Given::VelocitySquared => end.signum() * end.abs().min(1.0 / value.sqrt()),
+            GivenGroup::StiffnessGroup => end * (2.0 * value / (end * end * sum)).min(1.0),
+            GivenGroup::VelocitySquared => end.signum() * end.abs().min(1.0 / value.sqrt()),
         };
         // F is negative at 0 for given κ; at given g it has the sign of −e there.
-        let is_negative_at_zero = self.given == Given::StiffnessGroup || end > 0.0;
+        let is_negative_at_zero = self.given == GivenGroup::StiffnessGroup || end > 0.0;
         let ends = if is_negative_at_zero { (0.0, end) } else { (end, 0.0) };
         let start = root_between(&self.f64_coefficients(Arc::Upper), ends, start);
         Some(Some(Branch { start, rises: true }))
@@ -215,8 +220,8 @@ impl Line<'_> {
         let mut starts = [0.0; 2];
         if depth < -WELL_SEPARATED {
             let farthest = match self.given {
-                Given::StiffnessGroup => 2.0 * (self.short.hi() - effect_ratio.hi()) - 1.0,
-                Given::VelocitySquared => 1.0 / self.short.hi().sqrt(),
+                GivenGroup::StiffnessGroup => 2.0 * (self.short.hi() - effect_ratio.hi()) - 1.0,
+                GivenGroup::VelocitySquared => 1.0 / self.short.hi().sqrt(),
             };
             starts[0] = root_between(&coefficients, (cusp, root_ratio), root_ratio);
             starts[1] = root_between(&coefficients, (cusp, farthest), farthest);
@@ -235,7 +240,7 @@ impl Line<'_> {
     }
 
     /// The certain root of a branch and the unknown there.
-    fn found(&self, arc: Arc, branch: &Branch, bits: u32) -> Option<Found> {
+    fn found(&self, arc: Arc, branch: &Branch, bits: u32) -> Option<DoubleRoot> {
         let start = Start::polished(&self.double_double_coefficients(arc), branch.start)?;
         let loss = Loss::of(&start);
         let goal = self.half_of_the_bits(arc, &start, bits + SPARE_BITS)?;
@@ -244,7 +249,7 @@ impl Line<'_> {
         let Constants { effect_ratio, excess, .. } = self.constants;
         let unknown = unknown((arc, self.given), self.value, (effect_ratio, excess), &enclosure)?;
         let reached = unknown.relative_radius_log2() <= -f64::from(bits);
-        reached.then_some(Found { arc, unknown, enclosure, start })
+        reached.then_some(DoubleRoot { arc, unknown, enclosure, start })
     }
 
     /// Relative bits of x whose square gives the unknown that many: estimated, as the enclosure says what was reached.
@@ -256,13 +261,13 @@ impl Line<'_> {
             Arc::Lower => (x + 1.0, x, effect_ratio.hi() + x),
         };
         let inertia = match self.given {
-            Given::VelocitySquared => value * root * root,
+            GivenGroup::VelocitySquared => value * root * root,
             // 1 + gr² = h/κ.
-            Given::StiffnessGroup => root * rest / (next * value) - 1.0,
+            GivenGroup::StiffnessGroup => root * rest / (next * value) - 1.0,
         };
         let denominator = match self.given {
-            Given::VelocitySquared => root * rest * next * (1.0 + inertia),
-            Given::StiffnessGroup => value * root * next * next * inertia,
+            GivenGroup::VelocitySquared => root * rest * next * (1.0 + inertia),
+            GivenGroup::StiffnessGroup => value * root * next * next * inertia,
         };
         let change = libm::log2((start.slope * x * x / denominator).abs());
         let half = (f64::from(bits) + change.max(-f64::from(bits))) / 2.0;

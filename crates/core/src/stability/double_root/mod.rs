@@ -21,6 +21,6 @@ mod start;
 mod unknown;
 mod work;
 
-pub(super) use equation::Given;
-pub(super) use line::{Constants, Found};
+pub(super) use equation::GivenGroup;
+pub(super) use line::{Constants, DoubleRoot};
 pub use work::Work;

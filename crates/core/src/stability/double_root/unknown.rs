@@ -8,7 +8,7 @@
 //! up to the sign of F on the lower arc. F is zero at the double root. Between the centre of a ball of radius ϱ around the root and the root
 //! itself |F| ≤ ϱ·max|F′|, so that the unknown at the centre is off by at most ϱ²·max|F′| over the smallest denominator.
 
-use super::Given;
+use super::GivenGroup;
 use super::enclosure::Enclosure;
 use crate::number::{Ball, Field};
 use crate::stability::Arc;
@@ -42,7 +42,7 @@ impl Factors {
 
 /// g at given κ; 1/κ at given g.
 pub(super) fn unknown(
-    (arc, given): (Arc, Given),
+    (arc, given): (Arc, GivenGroup),
     value: &Ball,
     (effect_ratio, excess): (&Ball, &Ball),
     found: &Enclosure,
@@ -53,13 +53,13 @@ pub(super) fn unknown(
     let [root, next, rest] = factors.exponents_within(distance_log2)?;
     let error_log2 = 2 * distance_log2 + found.slope.exponent_above();
     match given {
-        Given::StiffnessGroup => {
+        GivenGroup::StiffnessGroup => {
             let square = factors.root.square();
             let load = factors.root * &factors.rest / (factors.next * value);
             let group = (load - Ball::from(1)) / square;
             Some(group.widened(error_log2 - value.exponent_below()? - 3 * root - 2 * next))
         }
-        Given::VelocitySquared => {
+        GivenGroup::VelocitySquared => {
             let load = value.clone() * factors.root.square() + Ball::from(1);
             let inverse = load * &factors.next / (factors.root * &factors.rest);
             // 1 + gr² is at least 1. A relative change of κ below 1/2 is doubled at most by exp and the inverse.

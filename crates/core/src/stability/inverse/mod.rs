@@ -166,7 +166,7 @@ fn of_ratio(
     move |cubic| Rational::from(&cubic[power] * &factor)
 }
 
-type Found = Result<Vec<(Root, SolutionKind)>, Undecided>;
+type RootsFound = Result<Vec<(Root, SolutionKind)>, Undecided>;
 
 fn of_pair(roots: Vec<Root>) -> Vec<(Root, SolutionKind)> {
     roots.into_iter().map(|root| (root, SolutionKind::ComplexPair)).collect()
@@ -177,7 +177,7 @@ fn of_pair(roots: Vec<Root>) -> Vec<(Root, SolutionKind)> {
 /// About s = g the cubic is A h³ + B′h² + C′h + E′. The other roots lie not to the right of a root h = 0 when B′, C′ ≥ 0
 /// (Routh-Hurwitz), and a pair h = ±iω with a third root not to its right means B′C′ = AE′ with B′ ≥ 0 and C′ > 0.
 /// Where B′ = 0 as well, h = 0 is a root.
-fn at_growth_rate(family: &Family, rate: &Rational) -> Found {
+fn at_growth_rate(family: &Family, rate: &Rational) -> RootsFound {
     let coefficient = |index: usize| family.along(1, move |_, cubic| shifted(cubic, rate)[index].clone());
     let (linear, quadratic) = (coefficient(1), coefficient(2));
     let mut found = Vec::new();
@@ -195,7 +195,7 @@ fn at_growth_rate(family: &Family, rate: &Rational) -> Found {
 }
 
 /// Where eq 8 has a double root r. On the lower arc all roots are below s = −V0/D_c, where eq 8 then rises and is convex.
-fn on_boundary(family: &Family, parameters: &Parameters<Rational>, unknown: Unknown) -> Found {
+fn on_boundary(family: &Family, parameters: &Parameters<Rational>, unknown: Unknown) -> RootsFound {
     let coefficient = |index: usize| -> UnivariatePolynomial {
         let at_state = |value: &Rational, cubic: &[Rational; 4]| {
             shifted(cubic, &-family::at(parameters, unknown, value).rate_per_s())[index].clone()

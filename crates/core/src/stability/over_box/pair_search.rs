@@ -41,7 +41,7 @@ pub(super) struct PairSearch<'v> {
 
 /// Values of two roots, as their kind says, and of r.
 #[derive(Debug, Clone, Copy)]
-struct Place {
+struct RootPlace {
     kind: TwoRoots,
     values: [Interval; 3],
 }
@@ -57,7 +57,7 @@ impl PairSearch<'_> {
     pub(super) fn bound(&self, attained: f64, gap: f64) -> f64 {
         let outward = |value: f64| if self.is_greatest { value } else { -value };
         let attained = outward(attained);
-        let ranked = |place: Place| Ranked { rank: outward(self.bound_over(&place)), of: place };
+        let ranked = |place: RootPlace| Ranked { rank: outward(self.bound_over(&place)), of: place };
         let mut open: BinaryHeap<_> = self.whole().map(ranked).collect();
         for _ in 0..MOST_PLACES {
             if open.peek().is_none_or(|first| first.rank <= attained + gap) {
@@ -73,7 +73,7 @@ impl PairSearch<'_> {
 
     /// Whether a point of the box is below the ceiling.
     pub(super) fn has_points(&self) -> Sought {
-        let ranked = |place: Place| Ranked { rank: -self.bound_over(&place), of: place };
+        let ranked = |place: RootPlace| Ranked { rank: -self.bound_over(&place), of: place };
         let mut open: BinaryHeap<_> = self.whole().map(ranked).collect();
         for _ in 0..MOST_PLACES_FOR_A_POINT {
             let Some(Ranked { of: place, .. }) = open.pop() else { return Sought::Nowhere };
@@ -96,7 +96,7 @@ impl PairSearch<'_> {
     }
 
     /// k, m and m N/k: the third root, −r k/(m N), is below the ceiling, and below the other two where these are real.
-    fn machine(&self, place: &Place, product: Interval) -> Option<[Interval; 3]> {
+    fn machine(&self, place: &RootPlace, product: Interval) -> Option<[Interval; 3]> {
         let [.., k, m, _, _] = *self.values;
         let mut machine = [k, m, m / k * product];
         let ceiling = match place.kind {
@@ -118,13 +118,13 @@ impl PairSearch<'_> {
     }
 
     /// The end of that variable at which the search looks.
-    fn end(&self, place: &Place) -> f64 {
+    fn end(&self, place: &RootPlace) -> f64 {
         let leading = place.values[self.leading()];
         if self.is_greatest { leading.high } else { leading.low }
     }
 
     /// A value that the quantity does not pass over a place.
-    fn bound_over(&self, place: &Place) -> f64 {
+    fn bound_over(&self, place: &RootPlace) -> f64 {
         let [first, second, rate] = place.values;
         let value = match (self.quantity, place.kind) {
             (Quantity::Imaginary, _) => second.square_root(),
@@ -140,7 +140,7 @@ impl PairSearch<'_> {
 
     /// All places: a pair is slower than the slider on its spring alone, the third root is negative, and no root is beyond twice the
     /// greatest of c2/c3, √(|c1|/c3) and ∛(c0/c3). Real roots have no imaginary part.
-    fn whole(&self) -> impl Iterator<Item = Place> {
+    fn whole(&self) -> impl Iterator<Item = RootPlace> {
         let [.., d, k, m, _, v] = *self.values;
         let [c0, c1, c2, c3] = cubic(self.values);
         let size = |coefficient: Interval| (coefficient / c3).high.max(-(coefficient / c3).low).next_up();
@@ -148,7 +148,8 @@ impl PairSearch<'_> {
         let within = Interval { low: -reach, high: reach };
         let pair =
             [Interval { low: -0.5 * size(c2), high: reach }, Interval { low: 0.0, high: (k / m).high }];
-        let of_kind = |kind, [first, second]: [Interval; 2]| Place { kind, values: [first, second, v / d] };
+        let of_kind =
+            |kind, [first, second]: [Interval; 2]| RootPlace { kind, values: [first, second, v / d] };
         let real = (self.quantity == Quantity::Real).then(|| of_kind(TwoRoots::Real, [within; 2]));
         [of_kind(TwoRoots::Pair, pair)].into_iter().chain(real).filter_map(|place| self.narrowed(place))
     }
@@ -160,7 +161,7 @@ impl PairSearch<'_> {
     }
 
     /// The part of a place that the ceiling and each equation alone leave; none where no numbers of it are roots.
-    fn narrowed(&self, mut place: Place) -> Option<Place> {
+    fn narrowed(&self, mut place: RootPlace) -> Option<RootPlace> {
         let [a, b, ..] = *self.values;
         let delta = self.delta(place.values[RATE])?;
         place.values[FIRST] = common(place.values[FIRST], at_most(self.ceiling))?;
@@ -185,7 +186,7 @@ impl PairSearch<'_> {
     /// The part of a place that the five conditions leave, cut at the end at which the search looks; none where nothing is left.
     ///
     /// A condition that has one sign at this end keeps it as far inside as its derivative allows.
-    fn cut(&self, mut place: Place) -> Option<Place> {
+    fn cut(&self, mut place: RootPlace) -> Option<RootPlace> {
         let [a, b, ..] = *self.values;
         let leading = self.leading();
         let [first, second, rate] = place.values;
@@ -281,7 +282,7 @@ fn positive(interval: Interval) -> Option<Interval> {
     common(interval, Interval { low: 0.0, high: f64::INFINITY })
 }
 
-impl Place {
+impl RootPlace {
     /// The part where the first of two real roots is the larger one.
     fn in_order(mut self) -> Option<Self> {
         if self.kind == TwoRoots::Real {

@@ -36,7 +36,7 @@ const ABOVE: Corner = Corner::high(&[K, M, V]);
 const BELOW: Corner = Corner::high(&[S]);
 
 /// A point with the mode, or none if no point of the box has it; the largest share of the box in which it could be if this is undecided.
-type Found = Result<Option<Point>, Rational>;
+type PointFound = Result<Option<Point>, Rational>;
 
 /// A sign that a polynomial has to have.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -70,12 +70,12 @@ impl Sign {
 #[derive(Clone)]
 struct Way<T> {
     conditions: Vec<(Tensor<T>, Sign)>,
-    at: Place,
+    at: TestedAt,
 }
 
 /// Where: at a corner of K, M, V0, σ, or next to K = K_c between an unstable and a stable one.
 #[derive(Clone, Copy)]
-enum Place {
+enum TestedAt {
     Corner(Corner),
     Transition { unstable: Corner, stable: Corner },
 }
@@ -126,7 +126,7 @@ impl<'a> Search<'a> {
     }
 
     /// Searches the box for a mode of a complex pair, or for a stick-slip. 64-bit bounds exclude most of what can be excluded.
-    pub(super) fn run(&mut self, mode: SlipMode) -> Found {
+    pub(super) fn run(&mut self, mode: SlipMode) -> PointFound {
         self.effort.searches += 1;
         let ways = self.ways(mode, &self.rough);
         self.search(mode, ways, MOST_ROUGH_PARTS).or_else(|_| {
@@ -135,7 +135,7 @@ impl<'a> Search<'a> {
         })
     }
 
-    fn search<T: Coefficient>(&mut self, mode: SlipMode, ways: Vec<Way<T>>, most_parts: usize) -> Found {
+    fn search<T: Coefficient>(&mut self, mode: SlipMode, ways: Vec<Way<T>>, most_parts: usize) -> PointFound {
         let region = self.filtered.region;
         let axes: Vec<usize> = (0..AXES).filter(|axis| region.is_wide(SUBDIVIDED[*axis])).collect();
         let whole = Part {
@@ -202,7 +202,7 @@ impl<'a> Search<'a> {
             .get_or_init(|| lines(corner).frequency(threshold).into_bernstein())
             .clone();
         let frequency = if is_above { (negated(frequency), Inside) } else { (frequency, NotNegative) };
-        let mut ways = vec![Way { conditions: vec![of_transition, frequency], at: Place::Corner(corner) }];
+        let mut ways = vec![Way { conditions: vec![of_transition, frequency], at: TestedAt::Corner(corner) }];
         // On K = K_c the side of the threshold has three forms: without K, without M V0² and without σ. A form decides where
         // what it leaves out is what reaches K = K_c; the other two are necessary there.
         let forms = [
@@ -214,7 +214,10 @@ impl<'a> Search<'a> {
         let mut crossing = |unstable_at: Corner, stable_at: Corner| {
             let mut conditions = vec![unstable(unstable_at), stable(stable_at)];
             conditions.extend(forms.iter().cloned());
-            ways.push(Way { conditions, at: Place::Transition { unstable: unstable_at, stable: stable_at } });
+            ways.push(Way {
+                conditions,
+                at: TestedAt::Transition { unstable: unstable_at, stable: stable_at },
+            });
         };
         let end = |corner: Corner, parameters: &[usize], high: bool| {
             if high {
@@ -256,8 +259,8 @@ impl<T: Coefficient> Part<T> {
             };
             let has_mode = |point: &Point| filtered.mode(point) == mode;
             let found = match way.at {
-                Place::Corner(corner) => Some(with_effects(corner)).filter(has_mode),
-                Place::Transition { unstable, stable } => {
+                TestedAt::Corner(corner) => Some(with_effects(corner)).filter(has_mode),
+                TestedAt::Transition { unstable, stable } => {
                     let ends = [with_effects(unstable), with_effects(stable)];
                     filtered.between(ends, |state| state.transition < 0, |point, _| has_mode(point))
                 }
