@@ -47,7 +47,7 @@ def options(values, count=7, without=""):
 
 
 def test_the_schemas_are_schemas():
-    assert len(SCHEMAS) == 18
+    assert len(SCHEMAS) == 19
     for schema in SCHEMAS.values():
         jsonschema.Draft202012Validator.check_schema(schema)
 
@@ -62,6 +62,8 @@ def test_answers_for_random_sliders_have_the_schemas(spread):
         answers += check(f"boundary{bars}", ["boundary", *five, "--points", "2"])
         ratio = "boundary-error-bars" if spread else "boundary-frequency-ratio"
         answers += check(ratio, ["boundary", *five, "--points", "2", "--frequency-ratio", "0.6"])
+        if not spread:
+            answers += check("boundary-damping-ratio", ["boundary", *five, "--points", "2", "--damping-ratio", "0.3"])
         answers += check(f"tolerance{bars}", ["tolerance", *five, "-e", "0.2"])
         question = ["--for", "loading-velocity", "--boundary"]
         answers += check(f"solve{bars}", ["solve", *six, *question])

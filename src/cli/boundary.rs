@@ -1,4 +1,4 @@
-//! `slipmode boundary`: the exact boundary max Im(s) = 0, or the line of a given ω/ω_n, as CSV: along the line, or at one velocity or
+//! `slipmode boundary`: the exact boundary max Im(s) = 0, or the line of a given ω/ω_n or damping ratio, as CSV: along the line, or at one velocity or
 //! normal stress.
 
 mod over_box;
@@ -13,10 +13,12 @@ use slipmode::experiments::pictures::boundary_picture;
 use slipmode::scene::{Limits, Problem, Quantity};
 use slipmode_core::friction::Slider;
 use slipmode_core::number::format::exact_text;
-use slipmode_core::number::{Ball, Rational};
+use slipmode_core::number::{Ball, Rational, parse_decimal};
 use slipmode_core::stability::boundary::{BoundaryCurve, BoundaryPoint, Section};
 use slipmode_core::stability::inverse::Undecided;
-use slipmode_core::stability::{FrequencyLine, FrequencyLinePoint, InertialThreshold, ParameterBox};
+use slipmode_core::stability::{
+    DampingRatio, InertialThreshold, PairLine, PairLinePoint, PairRatio, ParameterBox,
+};
 use slipmode_plot::table::Table;
 
 use crate::cli::answer::Answer;
@@ -41,8 +43,8 @@ const DIGIT_BYTES: u64 = 25;
 /// Points on each arc, and their digits, that draw the boundary beside another line.
 const DRAWN_POINTS: usize = 200;
 const DRAWN_DIGITS: u32 = 20;
-/// What is said where the line of a given ω/ω_n has no point.
-const NO_POINT_OF_LINE: &str = "oscillations have this ω/ω_n nowhere there";
+/// What is said where the line of a given ω/ω_n or damping ratio has no point.
+const NO_POINT_OF_LINE: &str = "oscillations have this ratio nowhere there";
 /// Digits beyond those printed, so that the last one is certain.
 const GUARD_DIGITS: u32 = 2;
 
@@ -59,6 +61,11 @@ pub struct Options {
     /// R is a decimal or a square root such as sqrt(1/2), the default of --inertial-threshold. With error bars R² is at least 1/5. Asymptotes are eqs 18 and 20 times 1/√(1 − R²).
     #[arg(long, value_name = "R", allow_hyphen_values = true)]
     frequency_ratio: Option<String>,
+    /// The line on which oscillations have this damping ratio, −Re(s)/|s|, −1 < Z < 1, in place of the boundary
+    ///
+    /// Z is a decimal other than 0; oscillations grow where it is negative. Asymptotes are eqs 18 and 20 times 1/|Z|, and the limits of σ as V0 → 0, called eq15 and eq16 because they are these for Z = -1 and 1.
+    #[arg(long, value_name = "Z", allow_hyphen_values = true, conflicts_with = "frequency_ratio")]
+    damping_ratio: Option<String>,
     /// Points on each arc, in addition to the marked ones (cusp and corners); with error bars, loading velocities [default: 200]
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     points: Option<String>,
@@ -89,8 +96,8 @@ pub struct Options {
 /// What was requested, valid.
 struct Request {
     slider: Slider<Rational>,
-    /// The line of this ω/ω_n; none for the boundary.
-    frequency_ratio: Option<InertialThreshold>,
+    /// The line of this ratio; none for the boundary.
+    pair_ratio: Option<PairRatio>,
     points: usize,
     digits: u32,
     at: [Option<Rational>; 2],
@@ -121,11 +128,14 @@ pub fn run(options: &Options) -> Result<(), Failure> {
 }
 
 /// An answer to these inputs, with the line where it is not the boundary.
-fn answer_to(inputs: Value, frequency_ratio: Option<&InertialThreshold>) -> Answer {
+fn answer_to(inputs: Value, ratio: Option<&PairRatio>) -> Answer {
     let answer = Answer::to(inputs);
-    match frequency_ratio {
+    match ratio {
         None => answer,
-        Some(ratio) => answer.with("frequency_over_natural_squared", exact_text(ratio.squared_ratio())),
+        Some(PairRatio::Frequency(ratio)) => {
+            answer.with("frequency_over_natural_squared", exact_text(ratio.squared_ratio()))
+        }
+        Some(PairRatio::Damping(ratio)) => answer.with("damping_ratio", exact_text(ratio.value())),
     }
 }
 
@@ -177,6 +187,19 @@ fn frequency_ratio(options: &Options, arguments: &mut Arguments) -> Option<Optio
     arguments.number("--frequency-ratio", text, inertial_threshold).map(Some)
 }
 
+/// The same of either ratio.
+fn pair_ratio(options: &Options, arguments: &mut Arguments) -> Option<Option<PairRatio>> {
+    match &options.damping_ratio {
+        None => Some(frequency_ratio(options, arguments)?.map(PairRatio::Frequency)),
+        Some(text) => arguments.number("--damping-ratio", text, damping_ratio).map(Some),
+    }
+}
+
+fn damping_ratio(text: &str) -> Result<PairRatio, Problem> {
+    let ratio = parse_decimal(text).ok().and_then(DampingRatio::new).map(PairRatio::Damping);
+    ratio.ok_or_else(|| Problem::OutOfRange { allowed: "-1 < value < 1, and not 0".into() })
+}
+
 /// Notes options that single points have no use for, and a picture without a file.
 fn refuse_beside_single_points(options: &Options, arguments: &mut Arguments) {
     if options.has_single_points() {
@@ -200,7 +223,7 @@ impl Request {
         let needs = "CSV: the numbers of --json have 64 bits";
         arguments.refuse_value("--digits", options.digits.as_deref().filter(|_| options.json), needs);
         let at = coordinates(options, arguments);
-        let frequency_ratio = frequency_ratio(options, arguments);
+        let pair_ratio = pair_ratio(options, arguments);
         refuse_beside_single_points(options, arguments);
         let points = given.unwrap_or(DEFAULT_POINTS);
         if let Some(problem) =
@@ -213,18 +236,18 @@ impl Request {
             points: usize::try_from(points).ok()?,
             digits: u32::try_from(digits?).ok()?,
             at: at?,
-            frequency_ratio: frequency_ratio?,
+            pair_ratio: pair_ratio?,
         })
     }
 
     /// What is said where the line has no point.
     fn nothing(&self) -> &'static str {
-        if self.frequency_ratio.is_some() { NO_POINT_OF_LINE } else { "the boundary has no point there" }
+        if self.pair_ratio.is_some() { NO_POINT_OF_LINE } else { "the boundary has no point there" }
     }
 
     /// Computes the points: a table, and an object with the inputs and the points under the names of the columns.
     fn compute(&self) -> Result<Found<'_>, Failure> {
-        let (found, boundary) = match &self.frequency_ratio {
+        let (found, boundary) = match &self.pair_ratio {
             None => {
                 let points = self.points(|digits| Ok(self.of_boundary(digits)));
                 points.map(|points| (self.stated(&points), Some(points)))
@@ -236,14 +259,14 @@ impl Request {
         }
         .map_err(|undecided| Failure::Check(format!("error: {undecided}")))?;
         let (answer, table) = found;
-        let picture = move || picture(&self.slider, boundary, (None, self.frequency_ratio.as_ref()));
+        let picture = move || picture(&self.slider, boundary, (None, self.pair_ratio.as_ref()));
         Ok(Found { answer, table, picture: Box::new(picture) })
     }
 
     fn stated<P: Point>(&self, points: &[P]) -> (Answer, Table) {
         let mut table = Table::new("boundary", "Boundary", P::columns());
         points.iter().for_each(|point| table.push(point.row(self.digits as usize)));
-        let answer = answer_to(slider_json(&self.slider), self.frequency_ratio.as_ref());
+        let answer = answer_to(slider_json(&self.slider), self.pair_ratio.as_ref());
         (answer.list("points", points.iter().map(P::part)), table)
     }
 
@@ -270,8 +293,8 @@ impl Request {
         }
     }
 
-    fn of_ratio(&self, ratio: &InertialThreshold, digits: u32) -> Result<Vec<FrequencyLinePoint>, Undecided> {
-        let line = FrequencyLine::new(&self.slider, ratio, digits);
+    fn of_ratio(&self, ratio: &PairRatio, digits: u32) -> Result<Vec<PairLinePoint>, Undecided> {
+        let line = PairLine::new(&self.slider, ratio, digits);
         let sections = self.sections();
         if sections.is_empty() {
             return Ok(line.sample(self.points, END_ERROR));
@@ -298,7 +321,7 @@ impl Request {
 fn picture(
     slider: &Slider<Rational>,
     points: Option<Vec<BoundaryPoint>>,
-    more: (Option<&ParameterBox>, Option<&InertialThreshold>),
+    more: (Option<&ParameterBox>, Option<&PairRatio>),
 ) -> Result<String, Failure> {
     let ranges = Ranges::around(slider).map_err(Failure::Refused)?;
     let points =

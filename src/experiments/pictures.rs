@@ -3,7 +3,7 @@
 use crate::experiments::map::figures::zero_areas;
 use crate::experiments::shared::Grid;
 use crate::experiments::shared::axes::{
-    asymptote_lines, axes, boundary_lines, cusp_mark, frequency_line, transition_line,
+    asymptote_lines, axes, boundary_lines, cusp_mark, pair_line, transition_line,
 };
 use crate::experiments::shared::bands::{FINE, band_lines};
 use crate::experiments::trajectories::curves::{extent, linear_axis, stress_unit};
@@ -13,7 +13,7 @@ use crate::experiments::zones::figures::present_zones;
 use slipmode_core::friction::Slider;
 use slipmode_core::number::Rational;
 use slipmode_core::stability::boundary::BoundaryPoint;
-use slipmode_core::stability::{InertialThreshold, ParameterBox, SlipMode};
+use slipmode_core::stability::{InertialThreshold, PairRatio, ParameterBox, SlipMode};
 use slipmode_plot::figure::{Axis, Caption, Line, Panel, Panels, Reference, Series, Zone, ZoneMap};
 
 /// Height of one chart of a trajectory, in canvas units.
@@ -25,12 +25,12 @@ const SLOWEST: f64 = 1e-30;
 
 /// The exact boundary with its asymptotes and the transition, over a rectangle of loading velocities and normal stresses.
 ///
-/// With error bars, the bands are below the lines of the middle values. With a threshold, the line of its ω/ω_n is drawn too.
+/// With error bars, the bands are below the lines of the middle values. With a ratio, its line is drawn too.
 #[must_use]
 pub fn boundary_picture(
     slider: &Slider<Rational>,
     points: &[BoundaryPoint],
-    (error_bars, threshold): (Option<&ParameterBox>, Option<&InertialThreshold>),
+    (error_bars, ratio): (Option<&ParameterBox>, Option<&PairRatio>),
     velocity: (f64, f64),
     stress: (f64, f64),
 ) -> String {
@@ -43,7 +43,7 @@ pub fn boundary_picture(
         style: QUIET_STYLE,
     };
     let bands = error_bars.map_or_else(Vec::new, |region| band_lines(region, &x, &y, FINE));
-    let of_ratio = threshold.map(|threshold| frequency_line(slider, threshold));
+    let of_ratio = ratio.map(|ratio| pair_line(slider, ratio));
     let lines = bands.into_iter().chain(theory_lines(slider, points, &x, &y)).chain(of_ratio).collect();
     let map = ZoneMap {
         caption: Caption::new("boundary", "Exact boundary of oscillation", description),
@@ -67,7 +67,7 @@ pub fn mode_picture(
 ) -> Option<String> {
     let (x, y) = axes(modes)?;
     let description = "Slip modes over loading velocity and normal stress, with the exact boundary of oscillation, its asymptotes, the transition to unstable sliding, and the line between inertial and non-inertial oscillation.";
-    let line = frequency_line(slider, threshold);
+    let line = pair_line(slider, &PairRatio::Frequency(threshold.clone()));
     let zones = present_zones(modes.values.iter().copied(), modes.loading_velocity_m_per_s.len(), &x, &y);
     let map = ZoneMap {
         caption: Caption::new("slip-modes", "Slip modes", description),

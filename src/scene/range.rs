@@ -33,6 +33,9 @@ impl AllowedRange {
     /// Sizes of small disturbances: above them nothing is linear, below them double-double arithmetic has no digits left.
     pub const AMPLITUDE: Self = Self { lower: "1e-15", upper: "0.1", ends_included: true };
 
+    /// Stiffnesses over a critical one above which steady sliding is stable.
+    pub const ABOVE_ONE: Self = Self { lower: "1", upper: MOST, ends_included: false };
+
     /// The values of b/a of [`crate::fitting::EFFECT_RATIOS`].
     pub const EFFECT_RATIO: Self = Self { lower: "1.2", upper: "5", ends_included: true };
 

@@ -102,7 +102,7 @@ fn inputs_hundreds_of_decades_apart_get_the_working_digits_they_take() {
 const LINE_COLUMNS: &str = "transition_sign,real_part,normal_stress_pa,loading_velocity_m_per_s,asymptote,asymptote_value,\
     relative_error,log10_distance";
 
-fn frequency_line(more: &[&str]) -> Vec<Vec<String>> {
+fn pair_line(more: &[&str]) -> Vec<Vec<String>> {
     let text = Workplace::new().run(["boundary"].iter().chain(&SLIDER).chain(more).copied()).expect_success();
     let mut lines = text.lines();
     assert_eq!(lines.next(), Some(LINE_COLUMNS));
@@ -111,7 +111,7 @@ fn frequency_line(more: &[&str]) -> Vec<Vec<String>> {
 
 #[test]
 fn the_line_of_a_frequency_ratio_has_the_points_asked_for_and_its_crossing_of_the_transition() {
-    let rows = frequency_line(&["--frequency-ratio", "sqrt(1/2)", "--points", "9", "--digits", "12"]);
+    let rows = pair_line(&["--frequency-ratio", "sqrt(1/2)", "--points", "9", "--digits", "12"]);
     assert_eq!(rows.len(), 10);
     let crossing = rows.iter().find(|row| row[0] == "0").unwrap();
     // η = 1 on K = K_c: V0 = V_c/√2 and σ = σ_c/2.
@@ -124,7 +124,7 @@ fn classify_calls_an_oscillation_inertial_above_the_line_of_its_threshold() {
     let place = Workplace::new();
     for ratio in ["0.3", "0.9"] {
         let at = ["--frequency-ratio", ratio, "--at-normal-stress", "3e4", "--digits", "30"];
-        for row in frequency_line(&at) {
+        for row in pair_line(&at) {
             let cut = &row[3][..row[3].len() - 1];
             let modes = [format!("{cut}0"), format!("{}9", bumped(cut))].map(|velocity| {
                 let point = ["classify", "--json", "--inertial-threshold", ratio].into_iter().chain(SLIDER);
@@ -149,6 +149,36 @@ fn a_frequency_ratio_that_no_oscillation_has_is_refused() {
     let low = ["boundary", "--frequency-ratio", "0.4", "-a", "0.004±0.001", "-b", "0.006"];
     let arguments = low.iter().chain(&["-d", "1e-5", "-k", "1e7", "-m", "1000"]);
     Workplace::new().run(arguments.copied()).expect_refusal(&["--frequency-ratio = 0.4", "sqrt(1/5)"]);
+}
+
+#[test]
+fn on_the_line_of_a_damping_ratio_the_roots_have_it() {
+    let place = Workplace::new();
+    for (ratio, expected) in [("0.05", 0.05), ("-0.05", -0.05), ("0.9", 0.9)] {
+        let rows = pair_line(&["--damping-ratio", ratio, "--points", "5"]);
+        assert_eq!(rows.len(), 5);
+        for row in rows {
+            let point = ["classify", "--json", "-s", &row[2], "-v", &row[3]];
+            let found: serde_json::Value =
+                serde_json::from_str(&place.run(point.into_iter().chain(SLIDER)).expect_success()).unwrap();
+            let of = |key: &str| found[key].as_f64().unwrap();
+            let (real, imaginary) = (of("max_real_per_s"), of("max_imaginary_per_s"));
+            let found = -real / real.hypot(imaginary);
+            // The point has 20 digits, the roots 64 bits.
+            assert!((found / expected - 1.0).abs() < 1e-12, "{row:?} {found}");
+        }
+    }
+}
+
+#[test]
+fn a_damping_ratio_that_no_oscillation_has_and_error_bars_with_it_are_refused() {
+    for ratio in ["0", "1", "-1", "1.5", "strong", "nan", "1e-1000000"] {
+        let arguments = ["boundary", "--damping-ratio", ratio].into_iter().chain(SLIDER);
+        Workplace::new().run(arguments).expect_refusal(&["--damping-ratio", "-1 < value < 1, and not 0"]);
+    }
+    let bars = ["boundary", "--damping-ratio", "0.4", "-a", "0.004±0.001", "-b", "0.006"];
+    let arguments = bars.iter().chain(&["-d", "1e-5", "-k", "1e7", "-m", "1000"]);
+    Workplace::new().run(arguments.copied()).expect_refusal(&["--damping-ratio = 0.4", "without error bars"]);
 }
 
 #[test]

@@ -123,9 +123,9 @@ fn what_cannot_be_read_is_refused_with_its_file() {
 }
 
 #[test]
-fn the_line_of_a_frequency_ratio_is_where_the_roots_of_eq_8_have_it() {
+fn the_lines_of_a_frequency_ratio_and_of_a_damping_ratio_are_where_the_roots_of_eq_8_have_it() {
     let cases = if std::env::var_os("SLIPMODE_SLOW").is_some() { "200" } else { "30" };
-    let program = "tests/independent/frequency_line.py";
+    let program = "tests/independent/pair_lines.py";
     let Some(ended) = run(program, &[env!("CARGO_BIN_EXE_slipmode"), cases]) else { return };
     assert_eq!((ended.code, ended.stderr.as_str()), (0, ""), "{}", ended.stdout);
     assert_eq!(ended.stdout.trim_end(), format!("{cases} cases, 0 contradictions"));

@@ -127,6 +127,7 @@ const COMMANDS: &[Command] = &[
             ("--points", &["--points", "5"]),
             ("--digits", &["--digits", "6"]),
             ("--frequency-ratio", &["--frequency-ratio", "0.7"]),
+            ("--damping-ratio", &["--damping-ratio", "0.2"]),
             ("--at-velocity", &["--at-velocity", "1e-3"]),
             ("--at-normal-stress", &["--at-normal-stress", "1e3"]),
             ("--max-points", &["--max-points", "3"]),

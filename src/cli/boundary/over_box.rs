@@ -8,7 +8,7 @@ use slipmode_core::friction::Slider;
 use slipmode_core::number::format::{exact_text, round_digits};
 use slipmode_core::number::{Rational, Wide, nearest_f64, parse_decimal};
 use slipmode_core::stability::inverse::{SolutionRange, Target, Unknown};
-use slipmode_core::stability::{InertialThreshold, ParameterBox, is_allowed_over_box};
+use slipmode_core::stability::{InertialThreshold, PairRatio, ParameterBox, is_allowed_over_box};
 use slipmode_plot::table::{Cell, Column, Table};
 
 use crate::cli::answer::Answer;
@@ -57,6 +57,8 @@ impl Request {
         let limit = limit_on_points(options, arguments);
         let given = arguments.whole("--points", options.points.as_deref(), 2..=limit);
         let places = coordinates(options, arguments);
+        let needs = "values without error bars";
+        arguments.refuse_value("--damping-ratio", options.damping_ratio.as_deref(), needs);
         let frequency_ratio = match frequency_ratio(options, arguments) {
             Some(Some(ratio)) if !is_allowed_over_box(&ratio) => {
                 let problem = Problem::OutOfRange { allowed: OVER_BOX.to_string() };
@@ -102,8 +104,7 @@ impl Request {
             }
         };
         let inputs = ranges_json(&self.region, &[Quantity::NormalStress, Quantity::LoadingVelocity]);
-        let answer =
-            answer_to(inputs, self.frequency_ratio.as_ref()).list("ranges", rows.iter().map(Row::part));
+        let answer = answer_to(inputs, self.ratio().as_ref()).list("ranges", rows.iter().map(Row::part));
         Ok(Found { answer, table: table(&rows), picture: Box::new(|| self.picture()) })
     }
 
@@ -124,8 +125,12 @@ impl Request {
         self.region.middle().slider
     }
 
+    fn ratio(&self) -> Option<PairRatio> {
+        self.frequency_ratio.clone().map(PairRatio::Frequency)
+    }
+
     fn picture(&self) -> Result<String, Failure> {
-        picture(&self.middle(), None, (Some(&self.region), self.frequency_ratio.as_ref()))
+        picture(&self.middle(), None, (Some(&self.region), self.ratio().as_ref()))
     }
 }
 

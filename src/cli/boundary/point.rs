@@ -1,10 +1,8 @@
 //! The points of the lines that `boundary` computes, as the command states them.
 
-use slipmode::experiments::boundary::{
-    boundary_columns, boundary_row, frequency_line_columns, frequency_line_row,
-};
+use slipmode::experiments::boundary::{boundary_columns, boundary_row, pair_line_columns, pair_line_row};
 use slipmode_core::number::Ball;
-use slipmode_core::stability::FrequencyLinePoint;
+use slipmode_core::stability::PairLinePoint;
 use slipmode_core::stability::boundary::BoundaryPoint;
 use slipmode_plot::table::{Cell, Column};
 
@@ -56,13 +54,13 @@ impl Point for BoundaryPoint {
     }
 }
 
-impl Point for FrequencyLinePoint {
+impl Point for PairLinePoint {
     fn columns() -> Vec<Column> {
-        frequency_line_columns()
+        pair_line_columns()
     }
 
     fn row(&self, digits: usize) -> Vec<Cell> {
-        frequency_line_row(self, digits)
+        pair_line_row(self, digits)
     }
 
     fn numbers(&self) -> Vec<(&'static str, &Ball)> {

@@ -76,9 +76,9 @@ impl Kicks {
             ["Pa", "change of stress/(a sigma)", "stress_change_pa"]
         };
         let scale = self.units[usize::from(!kick.is_of_velocity())];
-        let largest = relative(kick, kick.largest());
+        let largest = kick.change(kick.largest());
         let answer = Answer::default().with("kick", kick.as_str()).with("largest_ratio", largest);
-        let Some([decays, leaves]) = ends.map(|ends| ends.map(|size| relative(kick, size))) else {
+        let Some([decays, leaves]) = ends.map(|ends| ends.map(|size| kick.change(size))) else {
             let shown = |value| round_digits(value, SHOWN_DIGITS);
             return answer
                 .with("ratio", Value::Null)
@@ -106,7 +106,7 @@ impl Kicks {
         let least = |of_velocity: bool| {
             let scale = self.units[usize::from(!of_velocity)];
             let sizes = all.iter().filter(|(kick, _)| kick.is_of_velocity() == of_velocity);
-            let sizes = sizes.filter_map(|&(kick, ends)| Some(scale * relative(kick, ends?[1]).abs()));
+            let sizes = sizes.filter_map(|&(kick, ends)| Some(scale * kick.change(ends?[1]).abs()));
             sizes.reduce(f64::min)
         };
         let kicks = [(false, "stress", "Pa"), (true, "velocity", "m/s")].map(|(of_velocity, what, unit)| {
@@ -118,10 +118,4 @@ impl Kicks {
         }
         format!("Noise ends steady sliding if it contains a sudden change {}.", kicks.join(", or "))
     }
-}
-
-/// V/V0 - 1, or the change of stress over aσ.
-fn relative(kick: Kick, size: f64) -> f64 {
-    let signed = kick.sign() * size;
-    if kick.is_of_velocity() { libm::expm1(signed) } else { signed }
 }

@@ -7,7 +7,7 @@ pub(crate) mod tables;
 
 pub use run::{BoundaryOutcome, END_ERROR, boundary_outcome};
 pub use section::BoundarySection;
-pub use tables::{boundary_columns, boundary_row, frequency_line_columns, frequency_line_row, vanishes};
+pub use tables::{boundary_columns, boundary_row, pair_line_columns, pair_line_row, vanishes};
 
 use crate::experiments::{Experiment, FigureMaker, Setting, TableMaker, Work};
 

@@ -5,7 +5,7 @@ use rug::Float;
 use crate::experiments::{Context, Need, TableMaker};
 use slipmode_core::number::Ball;
 use slipmode_core::number::format::{certain_digits, round_float};
-use slipmode_core::stability::FrequencyLinePoint;
+use slipmode_core::stability::PairLinePoint;
 use slipmode_core::stability::boundary::BoundaryPoint;
 use slipmode_plot::table::{Cell, Column, Table};
 
@@ -54,16 +54,16 @@ pub fn boundary_row(point: &BoundaryPoint, digits: usize) -> Vec<Cell> {
     ]
 }
 
-/// The columns of a line of given ω/ω_n.
+/// The columns of a line of given ω/ω_n or damping ratio.
 #[must_use]
-pub fn frequency_line_columns() -> Vec<Column> {
+pub fn pair_line_columns() -> Vec<Column> {
     vec![
         Column::number("transition_sign", "Sign of K − K_c", ""),
         Column::number("real_part", "Re(s) in V0/D_c", ""),
         Column::number("normal_stress_pa", "Normal stress σ", "Pa"),
         Column::number("loading_velocity_m_per_s", "Loading velocity V0", "m/s"),
         Column::text("asymptote", "Nearest asymptote"),
-        Column::number("asymptote_value", "Its value", "m/s"),
+        Column::number("asymptote_value", "Its value", "m/s or Pa"),
         Column::number("relative_error", "exact/asymptote − 1", ""),
         Column::number("log10_distance", "log10 distance", ""),
     ]
@@ -71,7 +71,7 @@ pub fn frequency_line_columns() -> Vec<Column> {
 
 /// One row of such a line, with at most `digits` certain digits of each number.
 #[must_use]
-pub fn frequency_line_row(point: &FrequencyLinePoint, digits: usize) -> Vec<Cell> {
+pub fn pair_line_row(point: &PairLinePoint, digits: usize) -> Vec<Cell> {
     vec![
         Cell::number(point.transition_sign.to_string()),
         of_order_one(&point.real_part, digits),

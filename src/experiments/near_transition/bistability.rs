@@ -3,8 +3,8 @@
 use crate::experiments::near_transition::EdgeLaw;
 use slipmode_core::dynamics::certified::{Coexistence, Reason, certify_coexistence};
 use slipmode_core::dynamics::{
-    Control, CycleFamily, Failure, Fold, Integrator, LongTerm, Member, Model, Options, Radau,
-    long_term_behaviour, simulate_model, start_threshold,
+    Control, CycleFamily, Failure, Fold, Integrator, LongTerm, Member, Model, Radau, Start, State,
+    long_term_behaviour, start_threshold,
 };
 use slipmode_core::friction::{Groups, Slider, critical_stiffness_group};
 use slipmode_core::number::format::round_digits;
@@ -129,11 +129,16 @@ pub fn place_on_transition(parameters: &Slider<Rational>, inertial_parameter: f6
 fn confirms(family: &CycleFamily, fold: &Fold, critical: f64, step: f64) -> bool {
     let periodic = |shift: f64| {
         let model = model(family, fold.member.stiffness_group + critical * shift);
-        let mut run = Integrator::new(&model, Radau::<f64, 5>::new(), fold.member.orbit.end, CONTROL)?;
-        long_term_behaviour(&mut run, TARGET, MOST_RETURNS)
-            .map(|long_term| matches!(long_term, LongTerm::Cycle(_)))
+        ends_on_cycle(&model, fold.member.orbit.end)
     };
     periodic(-step) == Ok(true) && periodic(step) == Ok(false)
+}
+
+/// Whether the run from a state ends on a limit cycle, and not in steady sliding.
+pub(super) fn ends_on_cycle(model: &Model<f64>, start: State<f64>) -> Result<bool, Failure> {
+    let mut run = Integrator::new(model, Radau::<f64, 5>::new(), start, CONTROL)?;
+    long_term_behaviour(&mut run, TARGET, MOST_RETURNS)
+        .map(|long_term| matches!(long_term, LongTerm::Cycle(_)))
 }
 
 /// The cycles at this K/K_c − 1, rounded so that κ is a decimal, and the start that the unstable one repels.
@@ -149,11 +154,8 @@ fn threshold(
     let (unstable, stable) = (cycles.next()?.ok()?, cycles.next_back()?.ok()?);
     let model = model(family, stiffness);
     let below = start_threshold(&model, &unstable).ok()??;
-    let periodic = |factor: f64| {
-        let velocity_ratio = libm::exp(-factor * below);
-        let options = Options::at(TARGET).with_velocity_ratio(velocity_ratio);
-        simulate_model(&model, &options).ok().map(|outcome| matches!(outcome.long_term(), LongTerm::Cycle(_)))
-    };
+    let periodic =
+        |factor: f64| ends_on_cycle(&model, Start::SteadyAtVelocity.state(&model, &(-factor * below))).ok();
     let ends = periodic(1.0 - START_MARGIN).zip(periodic(1.0 + START_MARGIN));
     Some(Threshold {
         excess: stiffness / critical - 1.0,

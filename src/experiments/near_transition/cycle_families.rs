@@ -3,7 +3,7 @@
 use crate::experiments::near_transition::NearTransitionSection;
 use crate::experiments::near_transition::bistability::{Edge, edge};
 use rayon::prelude::*;
-use slipmode_core::dynamics::{CycleFamily, Failure, Member};
+use slipmode_core::dynamics::{CLOSED, CycleFamily, Failure, Member};
 use slipmode_core::friction::{EvolutionLaw, Slider, critical_stiffness_group};
 use slipmode_core::number::{Rational, nearest_f64};
 use slipmode_core::theory::hopf::{Criticality, square_amplitude};
@@ -114,6 +114,15 @@ impl CycleFamilyOutcome {
         found.or_else(|| self.smaller(stiffness_group))?.ok().map(|member| member.orbit.peak)
     }
 
+    /// ln(V_peak/V_l) of the innermost cycle at this κ, unstable where steady sliding attracts, and its error.
+    #[must_use]
+    pub fn innermost_log_peak_at(&self, stiffness_group: f64) -> Option<[f64; 2]> {
+        let member = self.family.at(&self.members, stiffness_group).next()?.ok()?;
+        // A member has its stiffness to a part of CLOSED, and its peak is about as the root of K/K_c − 1.
+        let error = CLOSED / (stiffness_group / self.critical - 1.0).abs();
+        Some([member.orbit.peak, error])
+    }
+
     /// A cycle smaller than those followed: between two about the size that the coefficient says.
     fn smaller(&self, stiffness_group: f64) -> Option<Result<Member, Failure>> {
         let predicted = self.predicted_amplitude(stiffness_group / self.critical - 1.0)?;
@@ -130,6 +139,7 @@ pub(crate) fn cycle_families(
 ) -> Vec<CycleFamilyOutcome> {
     let mut inertial: Vec<&Rational> =
         section.inertial_parameter.iter().chain(&section.edge_inertial_parameter).collect();
+    inertial.extend(section.kicks.iter().map(|kicks| &kicks.inertial_parameter));
     inertial.sort();
     inertial.dedup();
     let cases: Vec<(EvolutionLaw, &Rational)> = EvolutionLaw::ALL

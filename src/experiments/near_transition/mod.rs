@@ -4,6 +4,7 @@ pub(crate) mod bistability;
 pub(crate) mod cycle_families;
 mod edge_law;
 pub(crate) mod figures;
+pub(crate) mod kicks;
 pub(crate) mod run;
 pub(crate) mod section;
 pub(crate) mod tables;
@@ -11,8 +12,9 @@ pub(crate) mod tables;
 pub use bistability::{Edge, Threshold, place_on_transition};
 pub use cycle_families::{AmplitudeDeviation, CycleFamilyOutcome, FamilyCycle};
 pub use edge_law::EdgeLaw;
+pub use kicks::{Border, SmallestKick};
 pub use run::{NearRun, NearTransitionOutcome, near_transition};
-pub use section::NearTransitionSection;
+pub use section::{KicksSection, NearTransitionSection};
 
 use crate::experiments::{Experiment, FigureMaker, Requirement, Setting, TableMaker, Work};
 use slipmode_core::number::nearest_f64;

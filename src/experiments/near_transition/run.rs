@@ -2,6 +2,7 @@
 
 use crate::experiments::near_transition::NearTransitionSection;
 use crate::experiments::near_transition::cycle_families::{CycleFamilyOutcome, cycle_families};
+use crate::experiments::near_transition::kicks::{SmallestKick, smallest_kicks};
 use crate::experiments::simulations::run::options;
 use rayon::prelude::*;
 use slipmode_core::dynamics::{
@@ -37,6 +38,8 @@ pub struct NearTransitionOutcome {
     pub runs: Vec<NearRun>,
     /// The families of cycles, law by law and by ascending η.
     pub families: Vec<CycleFamilyOutcome>,
+    /// The smallest kicks, law by law and by K/K_c.
+    pub kicks: Vec<SmallestKick>,
 }
 
 impl NearRun {
@@ -104,7 +107,8 @@ pub fn near_transition(
             near_run(law, inertial, ratio, &effect_ratio, family, &options)
         })
         .collect();
-    NearTransitionOutcome { runs, families }
+    let kicks = section.kicks.iter().flat_map(|kicks| smallest_kicks(kicks, &families)).collect();
+    NearTransitionOutcome { runs, families, kicks }
 }
 
 fn near_run(
@@ -151,6 +155,7 @@ mod tests {
             stiffness_over_critical: decimals(stiffness),
             edge_inertial_parameter: decimals(edge),
             tolerance: parse_decimal("1e-8").unwrap(),
+            kicks: None,
         };
         near_transition(&paper(), &section)
     }

@@ -15,6 +15,28 @@ pub struct NearTransitionSection {
     pub edge_inertial_parameter: Vec<Rational>,
     /// Permitted relative error of peak velocity and period of the runs.
     pub tolerance: Rational,
+    /// Where the smallest kicks that end steady sliding are sought.
+    pub kicks: Option<KicksSection>,
+}
+
+/// `[near_transition.kicks]`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct KicksSection {
+    /// η.
+    pub inertial_parameter: Rational,
+    /// K/K_c, each taken with both laws.
+    pub stiffness_over_critical: Vec<Rational>,
+}
+
+impl ReadSection for KicksSection {
+    fn read(entry: &Entry<'_>) -> Option<Self> {
+        let mut section = entry.section()?;
+        let inertial_parameter = section.decimal("inertial_parameter", AllowedRange::PHYSICAL);
+        let stiffness =
+            section.decimals("stiffness_over_critical", "a list of ratios > 1", AllowedRange::ABOVE_ONE);
+        section.finish();
+        Some(Self { inertial_parameter: inertial_parameter?, stiffness_over_critical: stiffness? })
+    }
 }
 
 impl ReadSection for NearTransitionSection {
@@ -24,15 +46,18 @@ impl ReadSection for NearTransitionSection {
             ["inertial_parameter", "stiffness_over_critical", "edge_inertial_parameter"]
                 .map(|key| section.decimals(key, "a list of ratios > 0", AllowedRange::PHYSICAL));
         let tolerance = section.decimal("tolerance", AllowedRange::SIMULATION_TOLERANCE);
+        let kicks = section.optionally("kicks", KicksSection::read);
         section.finish();
         let near = Self {
             inertial_parameter: inertial?,
             stiffness_over_critical: stiffness?,
             edge_inertial_parameter: edge?,
             tolerance: tolerance?,
+            kicks: kicks?,
         };
         let runs = near.inertial_parameter.len().saturating_mul(near.stiffness_over_critical.len());
-        let points = runs.saturating_add(near.edge_inertial_parameter.len());
+        let kicks = near.kicks.as_ref().map_or(0, |kicks| kicks.stiffness_over_critical.len());
+        let points = runs.saturating_add(near.edge_inertial_parameter.len()).saturating_add(kicks);
         entry.check_points(u64::try_from(points).unwrap_or(u64::MAX))?;
         Some(near)
     }

@@ -1,7 +1,7 @@
 //! Tables of what happens close to K = K_c: the coefficient, the runs, the cycles and the edge of bistability.
 
 use crate::experiments::near_transition::bistability::DIGITS;
-use crate::experiments::near_transition::{CycleFamilyOutcome, NearRun, NearTransitionOutcome};
+use crate::experiments::near_transition::{CycleFamilyOutcome, NearRun, NearTransitionOutcome, SmallestKick};
 use crate::experiments::shared::cells::DigitColumns;
 use crate::experiments::{Context, Need, TableMaker};
 use slipmode_core::dynamics::Outcome;
@@ -20,6 +20,7 @@ pub(crate) const TABLES: &[TableMaker] = &[
     TableMaker { id: "cycle-agreement", needs: NEEDS, make: agreement },
     TableMaker { id: "bistability-edge", needs: NEEDS, make: edges },
     TableMaker { id: "bistability-certified", needs: NEEDS, make: coexisting },
+    TableMaker { id: "smallest-kicks", needs: NEEDS, make: kicks },
 ];
 
 fn found<'c>(context: &'c Context) -> impl Iterator<Item = &'c NearTransitionOutcome> {
@@ -179,6 +180,46 @@ fn coexisting(context: &Context) -> Option<Table> {
         .text("unstable_log_peak_high", "to", |(_, _, found)| high(found.repelling_log_peak[1]))
         .digits("unstable_y", "y", "", 9, |(_, at, _)| at.crossing[0])
         .digits("unstable_zeta", "ζ", "", 9, |(_, at, _)| at.crossing[1])
+        .table()
+        .into()
+}
+
+fn kicks(context: &Context) -> Option<Table> {
+    let note = "A kick is a sudden change of V, or of the stress of the spring, on steady sliding. The smallest of the tried kicks that does not decay (sampled). Peak after it: of the twelfth return, when the run moves along the slow direction. Unstable cycle: by Newton's method on the return map, which uses no kick. Runs from kicks that are 1 % smaller and larger confirm the border: they end in sliding and on a limit cycle.";
+    let rows = found(context).flat_map(|found| &found.kicks);
+    let border = |row: &SmallestKick| row.border.as_ref().ok().cloned().flatten();
+    let middle = |[low, high]: [f64; 2]| 0.5 * (low + high);
+    let half_width = |[low, high]: [f64; 2]| 0.5 * (high - low).abs();
+    Table::of("smallest-kicks", "Smallest kicks that end stable steady sliding", rows)
+        .note(note)
+        .text("law", "Law", |row| row.law.as_str())
+        .digits("inertial_parameter", "η", "", 6, |row| &row.inertial_parameter)
+        .digits("stiffness_over_critical", "K/K_c", "", 6, |row| &row.stiffness_over_critical)
+        .digits("fold_over_critical", "K/K_c at the fold", "", 7, |row| {
+            row.fold_over_critical.map(|[fold, _]| fold)
+        })
+        .digits("fold_error", "Its error", "", 1, |row| row.fold_over_critical.map(|[_, error]| error))
+        .text("kick", "Kick", |row| row.kick.as_str())
+        .text("ends_sliding", "Ends steady sliding", |row| {
+            row.border.as_ref().ok().map(|border| if border.is_some() { "yes" } else { "no" })
+        })
+        .digits("kick_change", "V/V_l − 1, or change of stress over aσ", "", 6, move |row| {
+            border(row).map(|at| middle(at.changes))
+        })
+        .digits("kick_error", "Its error", "", 1, move |row| border(row).map(|at| half_width(at.changes)))
+        .digits("largest_tried", "Largest tried", "", 6, |row| row.kick.change(row.kick.largest()))
+        .digits("border_log_peak", "ln(V_peak/V_l) after it", "", 8, move |row| {
+            border(row).map(|at| middle(at.log_peaks))
+        })
+        .digits("border_error", "Its error", "", 1, move |row| border(row).map(|at| half_width(at.log_peaks)))
+        .digits("unstable_log_peak", "ln(V_peak/V_l) of the unstable cycle", "", 8, |row| {
+            row.unstable_log_peak.map(|[peak, _]| peak)
+        })
+        .digits("unstable_error", "Its error", "", 1, |row| row.unstable_log_peak.map(|[_, error]| error))
+        .text("confirmed", "Confirmed by runs", move |row| {
+            border(row).and_then(|at| at.confirmed).map(|confirmed| if confirmed { "yes" } else { "no" })
+        })
+        .text("failure", "Failure", |row| row.border.as_ref().err().map(ToString::to_string))
         .table()
         .into()
 }

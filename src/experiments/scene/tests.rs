@@ -52,6 +52,7 @@ fn every_section_is_read() {
          laws = [\"slip\"]\ntolerance = 1e-8\nvisible = 0.01\nother_unit_pa = 1e6\n\
          [near_transition]\ninertial_parameter = [0.01]\nstiffness_over_critical = [1.002]\n\
          edge_inertial_parameter = [0.02]\ntolerance = 1e-6\n\
+         kicks = {{ inertial_parameter = 0.02, stiffness_over_critical = [1.003] }}\n\
          [trajectories]\ntolerance = 1e-8\n{POINT}"
     );
     let scene = parse(&text).unwrap();
@@ -79,7 +80,9 @@ fn every_section_is_read() {
     let onset = scene.onset.unwrap();
     assert_eq!((onset.normal_stress_pa.len(), onset.velocity_over_asymptote.len()), (2, 2));
     assert_eq!(onset.other_unit_pa, Some(Rational::from(1_000_000)));
-    assert_eq!(scene.near_transition.unwrap().stiffness_over_critical, [Rational::from((501, 500))]);
+    let near = scene.near_transition.unwrap();
+    assert_eq!(near.stiffness_over_critical, [Rational::from((501, 500))]);
+    assert_eq!(near.kicks.unwrap().stiffness_over_critical, [Rational::from((1003, 1000))]);
     assert!(scene.parameters.unwrap().point().is_some());
 }
 

@@ -7,7 +7,7 @@ use slipmode_core::friction::{OperatingPoint, Slider};
 use slipmode_core::number::format::exact_text;
 use slipmode_core::number::{Ball, Rational, nearest_f64};
 use slipmode_core::stability::boundary::{BoundaryPoint, Mark};
-use slipmode_core::stability::{Arc, Asymptote, FrequencyLine, InertialThreshold, asymptote};
+use slipmode_core::stability::{Arc, Asymptote, PairLine, PairRatio, asymptote};
 use slipmode_plot::figure::{Axis, Line, LineRole, PointMark, Side};
 
 /// Points that draw a line of given ω/ω_n, and their digits.
@@ -40,13 +40,18 @@ fn arc_points(points: &[BoundaryPoint], arc: Arc) -> Vec<(f64, f64)> {
         .collect()
 }
 
-/// The line ω/ω_n of a threshold; points beyond the map draw no more of it.
-pub(crate) fn frequency_line(slider: &Slider<Rational>, threshold: &InertialThreshold) -> Line {
-    let points = FrequencyLine::new(slider, threshold, LINE_DIGITS).sample(LINE_POINTS, END_ERROR);
+/// The line of a given ω/ω_n or damping ratio; points beyond the map draw no more of it.
+pub(crate) fn pair_line(slider: &Slider<Rational>, ratio: &PairRatio) -> Line {
+    let points = PairLine::new(slider, ratio, LINE_DIGITS).sample(LINE_POINTS, END_ERROR);
     let places =
         points.iter().map(|point| (point.loading_velocity_m_per_s.to_f64(), point.normal_stress_pa.to_f64()));
-    let squared = exact_text(threshold.squared_ratio());
-    Line::new(format!("(*ω*/*ω*_n)² = {squared}"), LineRole::FrequencyRatio, places.collect())
+    let label = match ratio {
+        PairRatio::Frequency(threshold) => {
+            format!("(*ω*/*ω*_n)² = {}", exact_text(threshold.squared_ratio()))
+        }
+        PairRatio::Damping(ratio) => format!("*ζ* = {}", exact_text(ratio.value())),
+    };
+    Line::new(label, LineRole::FrequencyRatio, places.collect())
 }
 
 /// The cusp as a marked point.

@@ -4,10 +4,10 @@ use crate::experiments::map::MapPoint;
 use crate::experiments::map::figures::{FIG_1, FIG_6A, Words, theory_lines};
 use crate::experiments::operating_point::operating_point_mark;
 use crate::experiments::shared::Grid;
-use crate::experiments::shared::axes::{asymptote_lines, axes, cusp_mark, frequency_line, transition_line};
+use crate::experiments::shared::axes::{asymptote_lines, axes, cusp_mark, pair_line, transition_line};
 use crate::experiments::{Figure, FigureMaker, Need, SceneOutcome};
 use slipmode_core::number::nearest_f64;
-use slipmode_core::stability::{Arc, SlipMode, asymptote};
+use slipmode_core::stability::{Arc, PairRatio, SlipMode, asymptote};
 use slipmode_plot::figure::{
     Axis, Caption, Line, LineRole, PointMark, Readout, Zone, ZoneMap, zones_of_grid,
 };
@@ -64,7 +64,7 @@ fn zone_map(scene: &SceneOutcome, words: &Words, frequencies: &Words) -> Option<
     let marks = cusp_mark(&boundary.points).into_iter().chain(own()).collect();
     let exact_lines = theory_lines(scene, boundary, &x, &y)
         .into_iter()
-        .chain([frequency_line(parameters, &scene.scene.threshold())]);
+        .chain([pair_line(parameters, &PairRatio::Frequency(scene.scene.threshold()))]);
     let exact = map(&zones.exact, exact_lines.collect(), marks);
     let of_the_paper =
         map(&zones.between_corners, straight.chain(between).collect(), own().into_iter().collect());

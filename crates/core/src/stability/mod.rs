@@ -34,12 +34,12 @@ mod double_root;
 #[cfg(test)]
 mod fixtures;
 mod frequencies;
-mod frequency_line;
 mod integer_cubic;
 pub mod inverse;
 mod logarithm;
 mod nearest_place;
 mod over_box;
+mod pair_line;
 mod parameter_coefficients;
 mod parameter_equation;
 mod point_values;
@@ -60,12 +60,12 @@ pub use deciding_signs::{DECIDING, deciding_quantities, slip_mode_of_signs};
 pub use decision::{boundary_sign, transition_sign};
 pub use distance::LogDistance;
 pub use frequencies::Frequencies;
-pub use frequency_line::{FrequencyLine, FrequencyLinePoint};
 pub use nearest_place::{NearestPlace, Uncertain, nearest_boundary_point};
 pub use over_box::{
     Distribution, Effort, OverBox, ParameterBox, Possible, Ranges, SampledShare, ValueRange,
     extremes_of_critical_stiffness, is_allowed_over_box, over_box, ranges_over_box, sampled_shares,
 };
+pub use pair_line::{DampingRatio, PairLine, PairLinePoint, PairRatio};
 pub use quick::classify_quickly;
 pub use slip_mode::{InertialThreshold, slip_mode};
 pub use spectral_class::SpectralClass;

@@ -5,6 +5,7 @@
 //! No such equation holds identically: as σ → 0 or V0 → ∞ the roots tend to −V0/D_c and ±iω_n, and for K and M a
 //! coefficient of the polynomial is not zero.
 
+mod damping;
 mod family;
 mod frequency;
 mod over_box;
@@ -19,9 +20,9 @@ use rug::Rational;
 use thiserror::Error;
 
 use crate::friction::Parameters;
-use crate::number::{Ball, bits_for_digits};
+use crate::number::{Ball, Field, bits_for_digits};
 use crate::roots::discriminant;
-use crate::stability::{Arc, InertialThreshold};
+use crate::stability::{Arc, DampingRatio, InertialThreshold};
 use family::{Family, hurwitz, shifted};
 use frequency::FrequencyCondition;
 pub use over_box::{SolutionRange, is_nowhere, solve_over_box};
@@ -142,6 +143,31 @@ pub fn solve(
         }
         Target::Frequency(frequency) => FrequencyCondition::new(&family).at_hertz(frequency).map(of_pair),
     }?;
+    solutions(&family, found, digits)
+}
+
+/// All positive values of the unknown for which the pair has this damping ratio, ascending; their number is exact.
+///
+/// # Errors
+/// Those of [`solve`].
+pub fn at_damping_ratio(
+    parameters: &Parameters<Rational>,
+    unknown: Unknown,
+    ratio: &DampingRatio,
+    digits: u32,
+) -> Result<Vec<Solution>, Undecided> {
+    let family = Family::new(parameters, unknown);
+    let found = of_pair(damping::at_squared_ratio(&family, &ratio.value().square()));
+    let mut all = solutions(&family, found, digits)?;
+    all.retain(|solution| (solution.transition_sign > 0) == (*ratio.value() > 0));
+    Ok(all)
+}
+
+fn solutions(
+    family: &Family,
+    found: Vec<(Root, SolutionKind)>,
+    digits: u32,
+) -> Result<Vec<Solution>, Undecided> {
     let (bits, stability) = (bits_for_digits(digits), family.along(2, |_, cubic| hurwitz(cubic)));
     let mut solutions = Vec::with_capacity(found.len());
     for (root, kind) in found {

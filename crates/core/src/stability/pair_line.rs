@@ -1,4 +1,4 @@
-//! The line on which the complex pair of eq 8 has a stated ω/ω_n = √T: certified points on it.
+//! The line on which the complex pair of eq 8 has a stated ω/ω_n = √T, or a stated damping ratio ([`damping`]): certified points on it.
 //!
 //! With p = x ± iy a pair in units of V0/D_c and u = |1 + p|², eq 8 is linear in η and κ and gives
 //!
@@ -16,6 +16,8 @@
 //! Each follows from the signs of Q at the ends of the range: Q = T(q−1)²(q² − β(2q−1)) at x = q − 1, u = q².
 //! With σ → 0 the line tends to eq 20 times 1/√(1−T), and for b ≠ a with σ → ∞ to eq 18 times 1/√(1−T).
 
+mod damping;
+
 use std::cmp::Ordering;
 
 use rug::Rational;
@@ -23,30 +25,41 @@ use rug::Rational;
 use crate::friction::{Groups, Slider};
 use crate::number::{Ball, Field, Real, bits_for_digits};
 use crate::stability::boundary::{Section, log2, power_of_two, stretch};
-use crate::stability::inverse::{Solution, Target, Undecided, Unknown, solve};
+use crate::stability::inverse::{Solution, Target, Undecided, Unknown, at_damping_ratio, solve};
 use crate::stability::logarithm::log10_one_plus;
 use crate::stability::{Asymptote, InertialThreshold};
+use damping::Curve;
+pub use damping::DampingRatio;
 
 /// Bits beyond the digits requested.
 const GUARD_BITS: u32 = 64;
 
+/// What the pair has all along a line.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum PairRatio {
+    /// ω/ω_n of this threshold.
+    Frequency(InertialThreshold),
+    /// −Re(s)/|s|.
+    Damping(DampingRatio),
+}
+
 /// The line of one friction, spring and mass, ready for points of a given number of digits.
 ///
 /// ```
-/// use slipmode_core::stability::{FrequencyLine, InertialThreshold};
+/// use slipmode_core::stability::{PairLine, PairRatio, InertialThreshold};
 /// # use slipmode_core::{friction::Slider, number::parse_decimal};
 /// # let number = |text| parse_decimal(text).unwrap();
 /// # let slider = Slider::from(["0.004", "0.006", "1e-5", "1e7", "1000"].map(number));
-/// let line = FrequencyLine::new(&slider, &InertialThreshold::default(), 20);
+/// let line = PairLine::new(&slider, &PairRatio::Frequency(InertialThreshold::default()), 20);
 /// // Where the line crosses K = K_c, η = T/(1 − T) = 1: at V0 = V_c/√2 and σ = σ_c/2.
 /// let crossing = line.transition().unwrap();
 /// assert!((crossing.normal_stress_pa.to_f64() / 25e3 - 1.0).abs() < 1e-15);
 /// assert!((crossing.groups.inertial_parameter.to_f64() - 1.0).abs() < 1e-15);
 /// ```
 #[derive(Debug, Clone)]
-pub struct FrequencyLine {
+pub struct PairLine {
     slider: Slider<Rational>,
-    threshold: InertialThreshold,
+    ratio: PairRatio,
     effect_ratio: Rational,
     digits: u32,
 }
@@ -54,7 +67,7 @@ pub struct FrequencyLine {
 /// A point of the line, every number enclosed.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
-pub struct FrequencyLinePoint {
+pub struct PairLinePoint {
     /// The sign of K − K_c: −1 where the oscillation grows, 1 where it decays.
     pub transition_sign: i8,
     /// Re(s) of the pair, in units of V0/D_c.
@@ -65,9 +78,10 @@ pub struct FrequencyLinePoint {
     pub loading_velocity_m_per_s: Ball,
     /// η, κ, β.
     pub groups: Groups<Ball>,
-    /// The nearer of eqs 18 and 20 times 1/√(1 − T), by the logarithm of V0 at the same σ.
+    /// The nearest asymptote, by the logarithm of V0 or σ: eqs 18 and 20 times 1/√(1 − T) or 1/|ζ|. The line of a damping ratio has
+    /// limits of σ as V0 → 0, too, which are eqs 15 and 16 at ζ = ±1.
     pub asymptote: Asymptote,
-    /// The V0 of this multiple at the same σ, m/s.
+    /// The V0 of this multiple at the same σ, m/s; or the limit of σ, Pa.
     pub asymptote_value: Ball,
     /// exact/asymptote − 1.
     pub relative_error: Ball,
@@ -75,41 +89,39 @@ pub struct FrequencyLinePoint {
     pub log10_distance: Ball,
 }
 
-impl FrequencyLine {
-    /// The line ω/ω_n of the threshold, to this many digits where its numbers do not cancel.
+impl PairLine {
+    /// The line of this ratio, to this many digits where its numbers do not cancel.
     #[must_use]
-    pub fn new(slider: &Slider<Rational>, threshold: &InertialThreshold, digits: u32) -> Self {
-        Self {
-            slider: slider.clone(),
-            threshold: threshold.clone(),
-            effect_ratio: slider.effect_ratio(),
-            digits,
-        }
+    pub fn new(slider: &Slider<Rational>, ratio: &PairRatio, digits: u32) -> Self {
+        Self { slider: slider.clone(), ratio: ratio.clone(), effect_ratio: slider.effect_ratio(), digits }
     }
 
-    /// `count` points from the end at eq 20 to the other end, and the crossing of K = K_c between them.
+    /// `count` points on each curve of the line, from the end at eq 20 where it has one, and the crossing of K = K_c between them.
     ///
     /// The parameter is spaced evenly in its logarithm, and reaches so far that the asymptotes are off by about `end_error`.
     #[must_use]
-    pub fn sample(&self, count: usize, end_error: f64) -> Vec<FrequencyLinePoint> {
+    pub fn sample(&self, count: usize, end_error: f64) -> Vec<PairLinePoint> {
         let bits = bits_for_digits(self.digits) + GUARD_BITS + 4 * (-libm::log2(end_error)) as u32;
-        let [low, high] = self.reach_log2(end_error);
-        let step = (high - low) / (count.max(2) - 1) as f64;
-        let at = |index: usize| power_of_two(high - step * index as f64).with_precision(bits);
         let crossing = self.transition();
-        let parameters =
-            (0..count).map(at).filter(|parameter| crossing.is_none() || parameter.centre() != &1);
-        let (stable, unstable): (Vec<_>, Vec<_>) = parameters
-            .map(|parameter| self.at_parameter(&parameter, bits))
-            .partition(|point| point.transition_sign > 0);
+        let mut points = Vec::new();
+        for (end, [from, to]) in self.reach_log2(end_error) {
+            let step = (to - from) / (count.max(2) - 1) as f64;
+            let at = |index: usize| power_of_two(from + step * index as f64).with_precision(bits);
+            let parameters =
+                (0..count).map(at).filter(|parameter| crossing.is_none() || parameter.centre() != &1);
+            points.extend(parameters.map(|parameter| self.at_parameter(end, &parameter, bits)));
+        }
+        let (stable, unstable): (Vec<_>, Vec<_>) =
+            points.into_iter().partition(|point| point.transition_sign > 0);
         stable.into_iter().chain(crossing).chain(unstable).collect()
     }
 
-    /// Where the line crosses K = K_c: η = T/(1 − T), κ = (β − 1)(1 + η); none for a ≥ b.
+    /// Where the line crosses K = K_c: η = T/(1 − T), κ = (β − 1)(1 + η); none for a ≥ b, and none of a damping ratio.
     #[must_use]
-    pub fn transition(&self) -> Option<FrequencyLinePoint> {
+    pub fn transition(&self) -> Option<PairLinePoint> {
         let excess = Rational::from(&self.effect_ratio - 1_u32);
-        let squared_ratio = self.threshold.squared_ratio();
+        let PairRatio::Frequency(threshold) = &self.ratio else { return None };
+        let squared_ratio = threshold.squared_ratio();
         let rest = Rational::from(1) - squared_ratio;
         let bits = bits_for_digits(self.digits) + GUARD_BITS;
         let ball = |value: Rational| Ball::from_rational(&value, bits);
@@ -125,19 +137,24 @@ impl FrequencyLine {
     ///
     /// # Errors
     /// When no precision within the bound separates the solutions.
-    pub fn on_section(&self, section: &Section) -> Result<Vec<FrequencyLinePoint>, Undecided> {
+    pub fn on_section(&self, section: &Section) -> Result<Vec<PairLinePoint>, Undecided> {
         let one = || Rational::from(1);
         let (unknown, [stress, velocity]) = match section {
             Section::AtVelocity(velocity) => (Unknown::NormalStress, [one(), velocity.clone()]),
             Section::AtNormalStress(stress) => (Unknown::LoadingVelocity, [stress.clone(), one()]),
         };
         let parameters = self.slider.at(stress, velocity);
-        let target = Target::FrequencyRatio(self.threshold.clone());
-        let found = solve(&parameters, unknown, &target, self.digits.saturating_add(GUARD_BITS))?;
+        let digits = self.digits.saturating_add(GUARD_BITS);
+        let found = match &self.ratio {
+            PairRatio::Frequency(threshold) => {
+                solve(&parameters, unknown, &Target::FrequencyRatio(threshold.clone()), digits)
+            }
+            PairRatio::Damping(ratio) => at_damping_ratio(&parameters, unknown, ratio, digits),
+        }?;
         Ok(found.into_iter().map(|solution| self.solved(section, &solution)).collect())
     }
 
-    fn solved(&self, section: &Section, solution: &Solution) -> FrequencyLinePoint {
+    fn solved(&self, section: &Section, solution: &Solution) -> PairLinePoint {
         let bits = solution.value.precision_bits();
         let ball = |value: &Rational| Ball::from_rational(value, bits);
         let (stress, velocity) = match section {
@@ -145,42 +162,58 @@ impl FrequencyLine {
             Section::AtNormalStress(stress) => (ball(stress), solution.value.clone()),
         };
         let groups = self.slider.map(ball).at(stress.clone(), velocity.clone()).groups();
-        let real_part = match solution.transition_sign {
-            0 => Ball::from(0),
-            _ => real_part(&groups, &ball(self.threshold.squared_ratio())),
+        let real_part = match &self.ratio {
+            _ if solution.transition_sign == 0 => Ball::from(0),
+            PairRatio::Frequency(threshold) => real_part(&groups, &ball(threshold.squared_ratio())),
+            PairRatio::Damping(ratio) => ratio.real_part(&groups, bits),
         };
         let row = self.row(solution.transition_sign, real_part, groups, bits);
-        FrequencyLinePoint { normal_stress_pa: stress, loading_velocity_m_per_s: velocity, ..row }
+        PairLinePoint { normal_stress_pa: stress, loading_velocity_m_per_s: velocity, ..row }
     }
 
-    /// log2 of the least and the greatest parameter of a sample: (u − 1)/(β − 1) for b > a, else −x.
-    fn reach_log2(&self, end_error: f64) -> [f64; 2] {
+    /// The curves of the line with the reach of a sample, from the end at eq 20 on.
+    fn reach_log2(&self, end_error: f64) -> Vec<Curve> {
+        match &self.ratio {
+            PairRatio::Frequency(threshold) => {
+                vec![(None, self.frequency_reach_log2(threshold, end_error))]
+            }
+            PairRatio::Damping(ratio) => ratio.reach_log2(&self.effect_ratio, end_error),
+        }
+    }
+
+    /// The parameter is (u − 1)/(β − 1) for b > a, else −x.
+    fn frequency_reach_log2(&self, threshold: &InertialThreshold, end_error: f64) -> [f64; 2] {
         let log2_of = |value: &Rational| log2(&Ball::from_rational(value, GUARD_BITS));
         let beta = log2_of(&self.effect_ratio);
-        let rest = log2_of(&(Rational::from(1) - self.threshold.squared_ratio()));
+        let rest = log2_of(&(Rational::from(1) - threshold.squared_ratio()));
         let excess = || log2_of(&Rational::from(&self.effect_ratio - 1_u32).abs());
         let error = libm::log2(end_error);
         let far = beta - error;
         match self.effect_ratio.cmp(&Rational::from(1)) {
-            Ordering::Greater => [1.0 + rest + error - beta, 2.0 * far - rest - excess()],
-            Ordering::Equal => [error, far],
-            Ordering::Less => [rest + error + excess() - beta, far],
+            Ordering::Greater => [2.0 * far - rest - excess(), 1.0 + rest + error - beta],
+            Ordering::Equal => [far, error],
+            Ordering::Less => [far, rest + error + excess() - beta],
         }
     }
 
-    fn at_parameter(&self, parameter: &Ball, bits: u32) -> FrequencyLinePoint {
-        let ball = |value: &Rational| Ball::from_rational(value, bits);
-        let [beta, squared_ratio] = [&self.effect_ratio, self.threshold.squared_ratio()].map(ball);
+    fn at_parameter(&self, end: Option<Asymptote>, parameter: &Ball, bits: u32) -> PairLinePoint {
         let one = || Ball::from(1);
-        let (sign, x, u) = if self.effect_ratio > 1 {
-            let u = (beta.clone() - one()) * parameter + one();
-            let sign = if parameter.centre() > &1 { 1 } else { -1 };
-            (sign, real_part_at(&u, &beta, &squared_ratio), u)
-        } else {
-            let x = -parameter.clone();
-            let u = modulus_at(&x, &beta, &squared_ratio);
-            (1, x, u)
+        let beta = Ball::from_rational(&self.effect_ratio, bits);
+        let [x, u] = match &self.ratio {
+            PairRatio::Damping(ratio) => ratio.at(end, parameter, &self.effect_ratio, bits),
+            PairRatio::Frequency(threshold) => {
+                let squared_ratio = Ball::from_rational(threshold.squared_ratio(), bits);
+                if self.effect_ratio > 1 {
+                    let u = (beta.clone() - one()) * parameter + one();
+                    [real_part_at(&u, &beta, &squared_ratio), u]
+                } else {
+                    let x = -parameter.clone();
+                    let u = modulus_at(&x, &beta, &squared_ratio);
+                    [x, u]
+                }
+            }
         };
+        let sign = if x.centre().is_sign_negative() { 1 } else { -1 };
         let twice = x.clone().times_small(2);
         let next = twice.clone() + one();
         let denominator = twice * &u;
@@ -192,24 +225,19 @@ impl FrequencyLine {
         self.row(sign, x, groups, bits)
     }
 
-    fn row(
-        &self,
-        transition_sign: i8,
-        real_part: Ball,
-        groups: Groups<Ball>,
-        bits: u32,
-    ) -> FrequencyLinePoint {
+    fn row(&self, transition_sign: i8, real_part: Ball, groups: Groups<Ball>, bits: u32) -> PairLinePoint {
         let ball = |value: &Rational| Ball::from_rational(value, bits);
         let velocity_squared = groups.inertial_parameter.clone() / &groups.stiffness_group;
         let normal_stress_pa = ball(&self.slider.stress_scale_pa()) / &groups.stiffness_group;
         let loading_velocity_m_per_s =
             (ball(&self.slider.velocity_scale_squared()) * velocity_squared).sqrt();
-        let (asymptote, relative_error) = self.nearer_asymptote(&groups, bits);
-        FrequencyLinePoint {
+        let (asymptote, relative_error) = self.nearest_asymptote(&groups, bits);
+        let value = if asymptote.is_quasi_static() { &normal_stress_pa } else { &loading_velocity_m_per_s };
+        PairLinePoint {
             transition_sign,
             real_part,
             asymptote,
-            asymptote_value: loading_velocity_m_per_s.clone() / (Ball::from(1) + &relative_error),
+            asymptote_value: value.clone() / (Ball::from(1) + &relative_error),
             log10_distance: log10_one_plus(&relative_error),
             relative_error,
             normal_stress_pa,
@@ -218,25 +246,38 @@ impl FrequencyLine {
         }
     }
 
-    /// The nearer asymptote and its error: (V_exact/V_asymptote)² = 4(1 − T)ηκ, over (β − 1)² for eq 18.
-    fn nearer_asymptote(&self, groups: &Groups<Ball>, bits: u32) -> (Asymptote, Ball) {
+    /// The nearest asymptote and its error: (V_exact/V_asymptote)² = 4(1 − T)ηκ or 4ζ²ηκ, over (β − 1)² for eq 18.
+    fn nearest_asymptote(&self, groups: &Groups<Ball>, bits: u32) -> (Asymptote, Ball) {
         let ball = |value: Rational| Ball::from_rational(&value, bits);
-        let rest = ball(Rational::from(1) - self.threshold.squared_ratio());
-        let square = (rest * &groups.inertial_parameter * &groups.stiffness_group).times_small(4);
+        let (factor, tends_to, limits) = match &self.ratio {
+            PairRatio::Frequency(threshold) => {
+                (Rational::from(1) - threshold.squared_ratio(), [true, true], Vec::new())
+            }
+            PairRatio::Damping(ratio) => {
+                (ratio.squared(), ratio.tends_to(&self.effect_ratio), ratio.limits(&self.effect_ratio, bits))
+            }
+        };
+        let square = (ball(factor) * &groups.inertial_parameter * &groups.stiffness_group).times_small(4);
         let error = |square: Ball| {
             // √(1+e) − 1 = e/(1 + √(1+e)) does not cancel for small e.
             let root = square.sqrt();
             (square - Ball::from(1)) / (root + Ball::from(1))
         };
-        let lower = error(square.clone());
         let excess = Rational::from(&self.effect_ratio - 1_u32);
-        if excess != 0 {
-            let upper = error(square / ball(excess.square()));
-            if stretch(&upper).upper() < stretch(&lower).lower() {
-                return (Asymptote::InertialUpper, upper);
-            }
-        }
-        (Asymptote::InertialLower, lower)
+        let [lower, upper] = tends_to;
+        let lower = lower.then(|| (Asymptote::InertialLower, error(square.clone())));
+        let upper =
+            (upper && excess != 0).then(|| (Asymptote::InertialUpper, error(square / ball(excess.square()))));
+        let limit = |(asymptote, modulus): (Asymptote, Ball)| {
+            (asymptote, modulus.square() / &groups.stiffness_group - Ball::from(1))
+        };
+        let all = lower.into_iter().chain(upper).chain(limits.into_iter().map(limit));
+        all.reduce(
+            |best, other| {
+                if stretch(&other.1).upper() < stretch(&best.1).lower() { other } else { best }
+            },
+        )
+        .unwrap_or((Asymptote::InertialLower, Ball::from(0)))
     }
 }
 
