@@ -58,7 +58,7 @@ const ALTERED: [(&str, Alter); 14] = [
     ("X8", |all| {
         let kicks = all.scenes[0].near_transition.iter_mut().flat_map(|found| &mut found.kicks);
         let peaks = kicks.filter_map(|kick| kick.unstable_log_peak.as_mut());
-        peaks.for_each(|[peak, _]| *peak += 1e-4);
+        peaks.for_each(|ends| *ends = ends.map(|end| end + 1e-4));
     }),
 ];
 

@@ -97,7 +97,7 @@ fn the_guide_works_as_written_from_an_empty_folder() {
     let runs = GUIDE.split("```csv\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
     place.write("runs.csv", runs);
     place.write("basalt-step.csv", BASALT);
-    check_examples(GUIDE, 20, &place);
+    check_examples(GUIDE, 21, &place);
     assert!(place.read("basalt/scenes/basalt.toml").contains("direct_effect = \"[0.00899"));
     assert!(place.read("target/report/lab/index.html").contains("<html"));
     let text = place.read("target/report/lab/ledger.md");

@@ -1,5 +1,6 @@
 //! `simulate --smallest-kick`: the smallest sudden change of velocity or stress by which the slider leaves steady sliding.
 
+use std::cell::Cell;
 use std::cmp::Ordering;
 
 use serde_json::Value;
@@ -44,7 +45,9 @@ impl Kicks {
             Ordering::Greater => false,
         };
         let model = Model::new(groups.map(nearest_f64), law);
-        let smallest = |kick: Kick| Ok((kick, kick.smallest(&model).map_err(|failure| failure.to_string())?));
+        let decayed = Cell::new(0.0);
+        let smallest =
+            |kick: Kick| Ok((kick, kick.smallest(&model, &decayed).map_err(|failure| failure.to_string())?));
         let found = if grows {
             Found::All
         } else {

@@ -3,8 +3,9 @@
 use crate::experiments::near_transition::NearTransitionSection;
 use crate::experiments::near_transition::bistability::{Edge, edge};
 use rayon::prelude::*;
-use slipmode_core::dynamics::{CLOSED, CycleFamily, Failure, Member};
-use slipmode_core::friction::{EvolutionLaw, Slider, critical_stiffness_group};
+use slipmode_core::dynamics::certified::{Coexistence, certify_coexistence};
+use slipmode_core::dynamics::{CycleFamily, Failure, Member};
+use slipmode_core::friction::{EvolutionLaw, Groups, Slider, critical_stiffness_group};
 use slipmode_core::number::{Rational, nearest_f64};
 use slipmode_core::theory::hopf::{Criticality, square_amplitude};
 
@@ -114,13 +115,12 @@ impl CycleFamilyOutcome {
         found.or_else(|| self.smaller(stiffness_group))?.ok().map(|member| member.orbit.peak)
     }
 
-    /// ln(V_peak/V_l) of the innermost cycle at this κ, unstable where steady sliding attracts, and its error.
+    /// Steady sliding and both cycles at this κ, proved.
     #[must_use]
-    pub fn innermost_log_peak_at(&self, stiffness_group: f64) -> Option<[f64; 2]> {
-        let member = self.family.at(&self.members, stiffness_group).next()?.ok()?;
-        // A member has its stiffness to a part of CLOSED, and its peak is about as the root of K/K_c − 1.
-        let error = CLOSED / (stiffness_group / self.critical - 1.0).abs();
-        Some([member.orbit.peak, error])
+    pub fn coexistence_at(&self, groups: &Groups<Rational>) -> Option<Coexistence> {
+        let mut cycles = self.family.at(&self.members, nearest_f64(&groups.stiffness_group));
+        let (unstable, stable) = (cycles.next()?.ok()?, cycles.next_back()?.ok()?);
+        certify_coexistence(groups, self.law, &stable, &unstable).ok()
     }
 
     /// A cycle smaller than those followed: between two about the size that the coefficient says.

@@ -1,5 +1,7 @@
 //! The smallest kicks that end stable steady sliding, each compared with the unstable cycle and with runs.
 
+use std::cell::Cell;
+
 use crate::experiments::near_transition::bistability::ends_on_cycle;
 use crate::experiments::near_transition::cycle_families::CycleFamilyOutcome;
 use crate::experiments::near_transition::section::KicksSection;
@@ -21,7 +23,7 @@ pub struct SmallestKick {
     pub kick: Kick,
     /// Where the border lies between kicks that decay and kicks that do not; none when no tried kick ends steady sliding.
     pub border: Result<Option<Border>, Failure>,
-    /// ln(V_peak/V_l) of the unstable cycle, by Newton's method on the return map, and its error.
+    /// Bounds of ln(V_peak/V_l) of the unstable cycle, proved together with a larger stable one.
     pub unstable_log_peak: Option<[f64; 2]>,
     /// K/K_c at the limit of bistability, and its error; none where the law has none.
     pub fold_over_critical: Option<[f64; 2]>,
@@ -43,32 +45,32 @@ const APART: f64 = 0.01;
 
 /// Searches the smallest kicks of both laws.
 pub(crate) fn smallest_kicks(section: &KicksSection, families: &[CycleFamilyOutcome]) -> Vec<SmallestKick> {
-    let of_family = |family| {
-        let ratios = section.stiffness_over_critical.iter();
-        ratios.flat_map(move |ratio| Kick::ALL.map(|kick| (family, ratio, kick)))
-    };
     let families = families.iter().filter(|family| family.inertial_parameter == section.inertial_parameter);
-    let cases: Vec<_> = families.flat_map(of_family).collect();
-    cases.into_par_iter().map(|(family, ratio, kick)| smallest_kick(family, ratio, kick)).collect()
+    let ratios = |family| section.stiffness_over_critical.iter().map(move |ratio| (family, ratio));
+    let cases: Vec<_> = families.flat_map(ratios).collect();
+    cases.into_par_iter().flat_map_iter(|(family, ratio)| of_slider(family, ratio)).collect()
 }
 
-fn smallest_kick(family: &CycleFamilyOutcome, ratio: &Rational, kick: Kick) -> SmallestKick {
+fn of_slider(family: &CycleFamilyOutcome, ratio: &Rational) -> [SmallestKick; 4] {
     let inertial_parameter = family.inertial_parameter.clone();
     let effect_ratio = family.effect_ratio().clone();
     let stiffness_group = critical_stiffness_group(&effect_ratio, &inertial_parameter) * ratio;
     let groups = Groups { inertial_parameter, stiffness_group, effect_ratio };
     let model = Model::new(groups.map(nearest_f64), family.law);
-    let ends = kick.smallest(&model);
+    let decayed = Cell::new(0.0);
     let edge = family.edge.as_ref().ok().and_then(Option::as_ref);
-    SmallestKick {
+    let unstable_log_peak = family.coexistence_at(&groups).map(|found| found.repelling_log_peak);
+    Kick::ALL.map(|kick| SmallestKick {
         law: family.law,
-        inertial_parameter: groups.inertial_parameter,
+        inertial_parameter: groups.inertial_parameter.clone(),
         stiffness_over_critical: ratio.clone(),
         kick,
-        border: ends.and_then(|ends| ends.map(|ends| border(&model, kick, ends)).transpose()),
-        unstable_log_peak: family.innermost_log_peak_at(model.groups().stiffness_group),
+        border: kick
+            .smallest(&model, &decayed)
+            .and_then(|ends| ends.map(|ends| border(&model, kick, ends)).transpose()),
+        unstable_log_peak,
         fold_over_critical: edge.map(|edge| [1.0 + edge.excess, edge.error]),
-    }
+    })
 }
 
 fn border(model: &Model<f64>, kick: Kick, [decays, leaves]: [f64; 2]) -> Result<Border, Failure> {
@@ -110,8 +112,8 @@ mod tests {
             let ends = nearest_f64(&kick.stiffness_over_critical) < fold && kick.kick != Kick::VelocityDown;
             assert_eq!((border.is_some(), kick.law == Slip && ends), (ends, false), "{kick:?}");
             let Some(border) = border else { continue };
-            let ([peak, error], [below, above]) = (kick.unstable_log_peak.unwrap(), border.log_peaks);
-            assert!(below - error < peak && peak < above + error && above - below < 1e-5, "{kick:?}");
+            let ([low, high], [below, above]) = (kick.unstable_log_peak.unwrap(), border.log_peaks);
+            assert!(below < high && low < above && above - below < 1e-5, "{kick:?}");
             assert_eq!(border.confirmed, Some(true), "{kick:?}");
         }
         assert_eq!(found.iter().filter(|kick| kick.law == Aging && kick.border != Ok(None)).count(), 3);

@@ -167,8 +167,7 @@ fn coexisting(context: &Context) -> Option<Table> {
         let at = family.edge.as_ref().ok()?.as_ref()?.threshold.as_ref()?;
         Some((family, at, at.coexistence.as_ref().ok()?))
     });
-    // Twelve decimals outward.
-    let [low, high] = [-1e-12, 1e-12].map(|room| move |bound: f64| format!("{:.12}", bound + room));
+    let [low, high] = [-1.0, 1.0].map(|side| move |bound| outward(bound, side));
     Table::of("bistability-certified", "Bistability, proved", proved)
         .note(note)
         .digits("inertial_parameter", "η", "", 12, |(family, _, _)| &family.inertial_parameter)
@@ -185,7 +184,7 @@ fn coexisting(context: &Context) -> Option<Table> {
 }
 
 fn kicks(context: &Context) -> Option<Table> {
-    let note = "A kick is a sudden change of V, or of the stress of the spring, on steady sliding. The smallest of the tried kicks that does not decay (sampled). Peak after it: of the twelfth return, when the run moves along the slow direction. Unstable cycle: by Newton's method on the return map, which uses no kick. Runs from kicks that are 1 % smaller and larger confirm the border: they end in sliding and on a limit cycle.";
+    let note = "A kick is a sudden change of V, or of the stress of the spring, on steady sliding. The smallest of the tried kicks that does not decay (sampled). Peak after it: of the twelfth return, when the run moves along the slow direction. Unstable cycle: bounds that are proved together with a larger, stable cycle and stable sliding (certified); Newton's method on the return map says where to look, and uses no kick. Runs from kicks that are 1 % smaller and larger confirm the border: they end in sliding and on a limit cycle.";
     let rows = found(context).flat_map(|found| &found.kicks);
     let border = |row: &SmallestKick| row.border.as_ref().ok().cloned().flatten();
     let middle = |[low, high]: [f64; 2]| 0.5 * (low + high);
@@ -195,11 +194,12 @@ fn kicks(context: &Context) -> Option<Table> {
         .text("law", "Law", |row| row.law.as_str())
         .digits("inertial_parameter", "η", "", 6, |row| &row.inertial_parameter)
         .digits("stiffness_over_critical", "K/K_c", "", 6, |row| &row.stiffness_over_critical)
+        .text("kick", "Kick", |row| row.kick.as_str())
+        .named()
         .digits("fold_over_critical", "K/K_c at the fold", "", 7, |row| {
             row.fold_over_critical.map(|[fold, _]| fold)
         })
         .digits("fold_error", "Its error", "", 1, |row| row.fold_over_critical.map(|[_, error]| error))
-        .text("kick", "Kick", |row| row.kick.as_str())
         .text("ends_sliding", "Ends steady sliding", |row| {
             row.border.as_ref().ok().map(|border| if border.is_some() { "yes" } else { "no" })
         })
@@ -212,16 +212,22 @@ fn kicks(context: &Context) -> Option<Table> {
             border(row).map(|at| middle(at.log_peaks))
         })
         .digits("border_error", "Its error", "", 1, move |row| border(row).map(|at| half_width(at.log_peaks)))
-        .digits("unstable_log_peak", "ln(V_peak/V_l) of the unstable cycle", "", 8, |row| {
-            row.unstable_log_peak.map(|[peak, _]| peak)
+        .digits("unstable_log_peak", "ln(V_peak/V_l) of the unstable cycle", "", 8, move |row| {
+            row.unstable_log_peak.map(middle)
         })
-        .digits("unstable_error", "Its error", "", 1, |row| row.unstable_log_peak.map(|[_, error]| error))
+        .text("unstable_log_peak_low", "From", |row| row.unstable_log_peak.map(|[low, _]| outward(low, -1.0)))
+        .text("unstable_log_peak_high", "to", |row| row.unstable_log_peak.map(|[_, high]| outward(high, 1.0)))
         .text("confirmed", "Confirmed by runs", move |row| {
             border(row).and_then(|at| at.confirmed).map(|confirmed| if confirmed { "yes" } else { "no" })
         })
         .text("failure", "Failure", |row| row.border.as_ref().err().map(ToString::to_string))
         .table()
         .into()
+}
+
+/// Twelve decimals of a bound, outward.
+fn outward(bound: f64, side: f64) -> String {
+    format!("{:.12}", bound + 1e-12 * side)
 }
 
 /// How the edge vanishes at both ends of the strip, from the two outermost rows there.

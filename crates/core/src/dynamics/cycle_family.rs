@@ -45,8 +45,8 @@ impl Member {
 /// What Newton's method solves for: logarithms of the imbalance ζ − φ at the crossing and of κ.
 type Unknowns = [f64; 2];
 
-/// Newton's method ends when the logarithms of κ and of the imbalance move by less than this; a return has an error of about 1e-12.
-pub const CLOSED: f64 = 1e-10;
+/// Newton's method ends when both unknowns move by less than this; a return has an error of about 1e-12.
+pub(super) const CLOSED: f64 = 1e-10;
 
 /// Where η is small the imbalance is a small difference with few digits. Changes below this that no longer shrink are its rounding.
 const ROUNDING: f64 = 1e-6;

@@ -128,14 +128,18 @@ impl Kick {
     /// The sizes between which the smallest kick lies that leaves steady sliding: the first decays and the second ends on a cycle. None when
     /// no tried size leaves.
     ///
+    /// `decayed` is 0 at first. It becomes the largest stress at a crossing on the slow direction from which a run returned to steady
+    /// sliding. Searches of the same slider share it: a run that falls below it returns, too, and needs no longer be followed.
+    ///
     /// ```
+    /// use std::cell::Cell;
     /// use slipmode_core::dynamics::{Kick, Model};
     /// use slipmode_core::friction::{EvolutionLaw, Groups};
     ///
     /// // K is 0.3 % above K_c.
     /// let groups = Groups { inertial_parameter: 0.025, stiffness_group: 1.003 * 0.5125, effect_ratio: 1.5 };
     /// let [aging, slip] = [EvolutionLaw::Aging, EvolutionLaw::Slip]
-    ///     .map(|law| Kick::StressUp.smallest(&Model::new(groups.clone(), law)).unwrap());
+    ///     .map(|law| Kick::StressUp.smallest(&Model::new(groups.clone(), law), &Cell::new(0.0)).unwrap());
     /// let [decays, leaves] = aging.unwrap();
     /// assert!(decays < leaves && leaves < 1.000_001 * decays);
     /// assert_eq!(slip, None);
@@ -143,13 +147,12 @@ impl Kick {
     ///
     /// # Errors
     /// Those of the integrator, and [`Failure::Undecided`] when a run neither decays nor leaves, or K is too close to K_c.
-    pub fn smallest(self, model: &Model<f64>) -> Result<Option<[f64; 2]>, Failure> {
+    pub fn smallest(self, model: &Model<f64>, decayed: &Cell<f64>) -> Result<Option<[f64; 2]>, Failure> {
         let decay = decay_of_small_deviations(model)?;
         if decay < LEAST_DECAY {
             return Err(Failure::Undecided { cycles: RETURNS, change: decay });
         }
-        let decayed = Cell::new(0.0);
-        let leaves = |size: f64| leaves(model, self.state(model, size), &decayed);
+        let leaves = |size: f64| leaves(model, self.state(model, size), decayed);
         let decades = libm::log10(self.largest() / SMALLEST);
         let steps = (SIZES_PER_DECADE * decades).ceil() as u32;
         let mut decays = 0.0;
@@ -194,8 +197,7 @@ fn border(
     }
 }
 
-/// Whether a run does not return to steady sliding. `decayed` is the largest stress at a crossing on the slow direction from which an
-/// earlier run returned: one that falls below it does the same.
+/// Whether a run does not return to steady sliding; `decayed` is that of [`Kick::smallest`].
 fn leaves(model: &Model<f64>, start: State<f64>, decayed: &Cell<f64>) -> Result<bool, Failure> {
     let mut run = Integrator::new(model, Radau::<f64, 5>::new(), start, CONTROL)?;
     let mut history = History::new();
@@ -268,7 +270,7 @@ mod tests {
         // The member has its stiffness to a part of CLOSED, and its peak is as the root of K/K_c - 1.
         let error = CLOSED / excess;
         for kick in [Kick::VelocityUp, Kick::StressUp, Kick::StressDown] {
-            let ends = kick.smallest(&model).unwrap().unwrap();
+            let ends = kick.smallest(&model, &Cell::new(0.0)).unwrap().unwrap();
             // In one dimension the fixed point stays between the two runs.
             let [inside, outside] = ends.map(|size| kick.late_peak(&model, size).unwrap());
             assert!(
@@ -285,8 +287,8 @@ mod tests {
         // What is even in the kick cancels in the mean of both signs, and the next term is a part of order K/K_c - 1.
         let mean = |excess: f64| {
             let model = model(EvolutionLaw::Aging, excess);
-            let [up, down] =
-                [Kick::StressUp, Kick::StressDown].map(|kick| kick.smallest(&model).unwrap().unwrap());
+            let [up, down] = [Kick::StressUp, Kick::StressDown]
+                .map(|kick| kick.smallest(&model, &Cell::new(0.0)).unwrap().unwrap());
             let (low, high) = (up[0] + down[0], up[1] + down[1]);
             (0.5 * (low + high), (high - low) / (high + low))
         };
@@ -300,7 +302,7 @@ mod tests {
     fn simulations_on_either_side_end_as_the_threshold_says() {
         for excess in [0.001, 0.003, 0.005] {
             let model = model(EvolutionLaw::Aging, excess);
-            let ends = Kick::VelocityUp.smallest(&model).unwrap().unwrap();
+            let ends = Kick::VelocityUp.smallest(&model, &Cell::new(0.0)).unwrap().unwrap();
             let is_cycle = |size: f64| {
                 let options =
                     Options::at(1e-6).with_start(Start::VelocityKick).with_velocity_ratio(libm::exp(size));
@@ -318,7 +320,11 @@ mod tests {
             [(EvolutionLaw::Slip, 0.0003), (EvolutionLaw::Slip, 0.003), (EvolutionLaw::Aging, 0.0062)];
         for (law, excess) in sliders {
             for kick in Kick::ALL {
-                assert_eq!(kick.smallest(&model(law, excess)), Ok(None), "{law:?} {excess} {kick:?}");
+                assert_eq!(
+                    kick.smallest(&model(law, excess), &Cell::new(0.0)),
+                    Ok(None),
+                    "{law:?} {excess} {kick:?}"
+                );
             }
         }
     }

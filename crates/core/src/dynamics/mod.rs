@@ -107,7 +107,7 @@ mod trajectory;
 #[doc(hidden)]
 pub use arrow::{Arrow, Factors};
 #[doc(hidden)]
-pub use cycle_family::{CLOSED, CycleFamily, Member};
+pub use cycle_family::{CycleFamily, Member};
 #[doc(hidden)]
 pub use cycle_fold::Fold;
 #[doc(hidden)]
