@@ -97,7 +97,7 @@ impl Drop for Report {
     }
 }
 
-/// Z1, Z5, Z7 and Z8 need maps or tolerances, F4 and all claims N but N6 and N11 a grid of simulations on both sides of K = K_c, and X3 to X5 families of cycles
+/// Z1, Z5, Z7 and Z8 need maps or tolerances, F4 and all claims N but N6 and N11 a grid of simulations on both sides of K = K_c, and X3 to X5 and X8 families of cycles
 /// or such a grid: this small report has none of them.
 fn claims_of(letter: char) -> String {
     let wanted = |block: &&str| {
