@@ -165,7 +165,7 @@ fn on_the_line_of_a_damping_ratio_the_roots_have_it() {
             let of = |root: &serde_json::Value| {
                 ["re", "im"].map(|part| root[part].as_str().unwrap().parse::<f64>().unwrap())
             };
-            let [real, imaginary] = found.as_array().unwrap().iter().map(of).last().unwrap();
+            let [real, imaginary] = of(found.as_array().unwrap().last().unwrap());
             let found = -real / real.hypot(imaginary);
             // The point has 20 digits, the roots 17.
             assert!((found / expected - 1.0).abs() < 1e-12, "{row:?} {found}");
