@@ -14,14 +14,14 @@ pub type Varying = [f64; 7];
 /// The points of a sweep by number, in memory that grows with the axes but not with the points.
 #[derive(Debug, Clone)]
 pub struct PointSource {
-    coordinates: [ParameterPlace; 7],
+    coordinates: [Slot; 7],
     sequence: Option<LowDiscrepancy>,
     count: u64,
     has_error_bars: bool,
 }
 
 #[derive(Debug, Clone)]
-enum ParameterPlace {
+enum Slot {
     Fixed(Box<Uncertain>, Dd),
     /// An axis, and the number of points after which it goes on to its next value.
     Axis {
@@ -61,13 +61,13 @@ impl PointSource {
             let later = &coordinates[index + 1..];
             match &coordinates[index] {
                 Coordinate::Fixed(value) => {
-                    ParameterPlace::Fixed(Box::new(value.clone()), Dd::from_rational(&value.middle()))
+                    Slot::Fixed(Box::new(value.clone()), Dd::from_rational(&value.middle()))
                 }
-                Coordinate::Axis { span, points } => ParameterPlace::Axis {
+                Coordinate::Axis { span, points } => Slot::Axis {
                     values: axis_values(span, *points),
                     stride: later.iter().map(Coordinate::points).product(),
                 },
-                Coordinate::Anywhere(span) => ParameterPlace::Anywhere {
+                Coordinate::Anywhere(span) => Slot::Anywhere {
                     span: Stretch::new(span),
                     dimension: later.iter().filter(|coordinate| coordinate.varies()).count(),
                 },
@@ -87,7 +87,7 @@ impl PointSource {
     #[must_use]
     pub fn varying(&self) -> Vec<usize> {
         (0..Quantity::ALL.len())
-            .filter(|index| !matches!(self.coordinates[*index], ParameterPlace::Fixed(..)))
+            .filter(|index| !matches!(self.coordinates[*index], Slot::Fixed(..)))
             .collect()
     }
 
@@ -95,11 +95,9 @@ impl PointSource {
     #[must_use]
     pub fn at(&self, number: u64) -> Varying {
         [0, 1, 2, 3, 4, 5, 6].map(|index| match &self.coordinates[index] {
-            ParameterPlace::Fixed(..) => 0.0,
-            ParameterPlace::Axis { values, stride } => {
-                values[(number / stride % values.len() as u64) as usize]
-            }
-            ParameterPlace::Anywhere { span, dimension } => {
+            Slot::Fixed(..) => 0.0,
+            Slot::Axis { values, stride } => values[(number / stride % values.len() as u64) as usize],
+            Slot::Anywhere { span, dimension } => {
                 span.at(self.sequence.map_or(0.0, |sequence| sequence.coordinate(number, *dimension)))
             }
         })
@@ -109,7 +107,7 @@ impl PointSource {
     #[must_use]
     pub fn double_double(&self, point: &Varying) -> Parameters<Dd> {
         Parameters::from([0, 1, 2, 3, 4, 5, 6].map(|index| match &self.coordinates[index] {
-            ParameterPlace::Fixed(_, value) => *value,
+            Slot::Fixed(_, value) => *value,
             _ => Dd::from(point[index]),
         }))
     }
@@ -121,7 +119,7 @@ impl PointSource {
             return None;
         }
         let values = [0, 1, 2, 3, 4, 5, 6].map(|index| match &self.coordinates[index] {
-            ParameterPlace::Fixed(value, _) => value.as_ref().clone(),
+            Slot::Fixed(value, _) => value.as_ref().clone(),
             _ => Uncertain::certain(Rational::from_f64(point[index]).unwrap_or_default()),
         });
         Uncertain::region(values)
@@ -131,7 +129,7 @@ impl PointSource {
     #[must_use]
     pub fn exact(&self, point: &Varying) -> Parameters<Rational> {
         Parameters::from([0, 1, 2, 3, 4, 5, 6].map(|index| match &self.coordinates[index] {
-            ParameterPlace::Fixed(value, _) => value.middle(),
+            Slot::Fixed(value, _) => value.middle(),
             _ => Rational::from_f64(point[index]).unwrap_or_default(),
         }))
     }

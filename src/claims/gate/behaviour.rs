@@ -7,7 +7,7 @@ use slipmode_core::number::{Ball, Rational};
 
 use super::book::Term;
 use super::claim::{At, Base, Claim, Goal};
-use super::evaluate::EvaluatedAt;
+use super::evaluate::AtPoint;
 use super::number::Number;
 use super::points::power_of_two;
 
@@ -39,7 +39,7 @@ impl Claim {
     }
 
     pub fn is_inside(&self, base: &Base) -> bool {
-        self.at(base, &|_: &mut EvaluatedAt| Ok(true)) == At::Says(true)
+        self.at(base, &|_: &mut AtPoint| Ok(true)) == At::Says(true)
     }
 
     /// How the value of a term at one point compares with that at another one.

@@ -9,8 +9,8 @@ use slipmode_core::number::Rational;
 use slipmode_core::theory::Equations;
 
 use super::book::{Book, EITHER_SIGN, Term, UNIT};
-use super::evaluate::{EvaluatedAt, NEAR};
-use super::number::{Evaluated, Number, Trouble};
+use super::evaluate::{AtPoint, NEAR};
+use super::number::{Number, Tried, Trouble};
 use super::truth::{Compared, Said, all};
 use super::value::Value;
 use crate::scene::{ClaimFormula, Statement};
@@ -227,7 +227,7 @@ impl Claim {
 
     /// Whether the coefficients of a term in a variable are two, at a point without special values.
     fn is_linear(&self, term: &Term, variable: usize) -> bool {
-        let mut place = EvaluatedAt::new(&self.book, BITS[1]);
+        let mut place = AtPoint::new(&self.book, BITS[1]);
         let all = self.chosen.iter().chain(self.solved.iter().map(|one| &one.variable));
         for (one, step) in all.zip(1_u32..) {
             place.set(*one, Number::Exact(Rational::from((3 * step + 4, step + 2))).into());
@@ -239,12 +239,12 @@ impl Claim {
     }
 
     /// The point with these values; none where an equation among the conditions has no solution there.
-    pub fn place(&self, base: &Base, bits: u32) -> Option<EvaluatedAt<'_>> {
+    pub fn place(&self, base: &Base, bits: u32) -> Option<AtPoint<'_>> {
         self.place_with(base, bits, self.solved.iter().collect())
     }
 
     /// The same for what two sides reach: the other equations are not solved.
-    pub fn place_for(&self, base: &Base, bits: u32, sides: &Compared) -> Option<EvaluatedAt<'_>> {
+    pub fn place_for(&self, base: &Base, bits: u32, sides: &Compared) -> Option<AtPoint<'_>> {
         let mut reached = BTreeSet::new();
         self.book.reached(&sides.left, &mut reached);
         self.book.reached(&sides.right, &mut reached);
@@ -258,8 +258,8 @@ impl Claim {
         self.place_with(base, bits, needed)
     }
 
-    fn place_with(&self, base: &Base, bits: u32, mut open: Vec<&Solved>) -> Option<EvaluatedAt<'_>> {
-        let mut place = EvaluatedAt::new(&self.book, bits);
+    fn place_with(&self, base: &Base, bits: u32, mut open: Vec<&Solved>) -> Option<AtPoint<'_>> {
+        let mut place = AtPoint::new(&self.book, bits);
         for (variable, value) in base.iter().chain(self.at.iter().map(|(variable, value)| (variable, value)))
         {
             place.set(*variable, place.rational(value));
@@ -282,7 +282,7 @@ impl Claim {
     }
 
     /// Whether the point meets every assumption but those of which a variable of `there_is` is a part.
-    pub fn allows(&self, place: &mut EvaluatedAt) -> Evaluated<bool> {
+    pub fn allows(&self, place: &mut AtPoint) -> Tried<bool> {
         let outer = |variable: &usize| !self.there_is.contains(variable);
         let variables: Vec<usize> = self.variables().filter(outer).collect();
         let conditions: Vec<&Compared> = self.conditions.iter().filter(|one| !self.is_inner(one)).collect();
@@ -290,7 +290,7 @@ impl Claim {
     }
 
     /// Whether the values of the variables of `there_is` meet what is assumed of them.
-    pub fn allows_inner(&self, place: &mut EvaluatedAt) -> Evaluated<bool> {
+    pub fn allows_inner(&self, place: &mut AtPoint) -> Tried<bool> {
         let conditions: Vec<&Compared> = self.conditions.iter().filter(|one| self.is_inner(one)).collect();
         self.meets(place, &self.there_is, &conditions)
     }
@@ -310,12 +310,7 @@ impl Claim {
         self.chosen.iter().copied().chain(solved).chain(self.at.iter().map(|(variable, _)| *variable))
     }
 
-    fn meets(
-        &self,
-        place: &mut EvaluatedAt,
-        variables: &[usize],
-        conditions: &[&Compared],
-    ) -> Evaluated<bool> {
+    fn meets(&self, place: &mut AtPoint, variables: &[usize], conditions: &[&Compared]) -> Tried<bool> {
         let mut parts = Vec::new();
         for variable in variables.iter().filter(|variable| self.book.is_positive(**variable)) {
             let sign = place.get(*variable).and_then(Value::number).map(|number| number.sign());
@@ -334,12 +329,12 @@ impl Claim {
     }
 
     /// Whether something is true at a point, at the first precision that decides it; for both signs of ±.
-    pub fn decided(&self, base: &Base, ask: impl Fn(&mut EvaluatedAt) -> Evaluated<bool>) -> Evaluated<bool> {
+    pub fn decided(&self, base: &Base, ask: impl Fn(&mut AtPoint) -> Tried<bool>) -> Tried<bool> {
         self.decided_at(&BITS, |bits| self.place(base, bits), ask)
     }
 
     /// Whether two sides compare so at a point.
-    pub fn compares(&self, base: &Base, sides: &Compared) -> Evaluated<bool> {
+    pub fn compares(&self, base: &Base, sides: &Compared) -> Tried<bool> {
         self.decided_at(&BITS, |bits| self.place_for(base, bits, sides), |place| sides.truth(place))
     }
 
@@ -347,9 +342,9 @@ impl Claim {
     pub fn decided_at<'c>(
         &'c self,
         bits: &[u32],
-        place: impl Fn(u32) -> Option<EvaluatedAt<'c>>,
-        ask: impl Fn(&mut EvaluatedAt) -> Evaluated<bool>,
-    ) -> Evaluated<bool> {
+        place: impl Fn(u32) -> Option<AtPoint<'c>>,
+        ask: impl Fn(&mut AtPoint) -> Tried<bool>,
+    ) -> Tried<bool> {
         let mut found = Err(Trouble::Open);
         for bits in bits {
             let Some(mut place) = place(*bits) else { continue };
@@ -369,16 +364,16 @@ impl Claim {
     }
 
     /// Whether something is true at a point that meets the conditions.
-    pub fn at(&self, base: &Base, ask: &impl Fn(&mut EvaluatedAt) -> Evaluated<bool>) -> At {
+    pub fn at(&self, base: &Base, ask: &impl Fn(&mut AtPoint) -> Tried<bool>) -> At {
         self.at_within(&BITS, base, ask)
     }
 
     /// The same with the first precision alone: an equation between roots and logarithms stays open at any precision.
-    pub fn quickly_at(&self, base: &Base, ask: &impl Fn(&mut EvaluatedAt) -> Evaluated<bool>) -> At {
+    pub fn quickly_at(&self, base: &Base, ask: &impl Fn(&mut AtPoint) -> Tried<bool>) -> At {
         self.at_within(&BITS[..2], base, ask)
     }
 
-    fn at_within(&self, bits: &[u32], base: &Base, ask: &impl Fn(&mut EvaluatedAt) -> Evaluated<bool>) -> At {
+    fn at_within(&self, bits: &[u32], base: &Base, ask: &impl Fn(&mut AtPoint) -> Tried<bool>) -> At {
         let is_inside = Cell::new(false);
         let found = self.decided_at(
             bits,
@@ -418,7 +413,7 @@ impl Claim {
     }
 }
 
-fn solution(one: &Solved, place: &mut EvaluatedAt) -> Option<Value> {
+fn solution(one: &Solved, place: &mut AtPoint) -> Option<Value> {
     if let Some(value) = &one.value {
         return place.value(value).ok();
     }

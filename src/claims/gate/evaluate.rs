@@ -13,17 +13,17 @@ use slipmode_core::number::Rational;
 use slipmode_core::theory::Operation;
 
 use super::book::{Book, Derived, EITHER_SIGN, Meaning, Term, UNIT};
-use super::number::{Evaluated, Number, Trouble};
+use super::number::{Number, Tried, Trouble};
 use super::value::{IMAGINARY, Kind, Mark, Value};
 
 /// The values of defined names, and their coefficients as polynomials in a variable.
-type Known = BTreeMap<(usize, Option<usize>), Evaluated<Vec<Value>>>;
+type Known = BTreeMap<(usize, Option<usize>), Tried<Vec<Value>>>;
 
 /// The precision at which numbers are intervals of 64-bit numbers and nothing is exact.
 pub(super) const NEAR: u32 = f64::MANTISSA_DIGITS;
 
 /// A point, with what was worked out there.
-pub(super) struct EvaluatedAt<'b> {
+pub(super) struct AtPoint<'b> {
     pub book: &'b Book,
     /// The precision of balls.
     pub bits: u32,
@@ -33,7 +33,7 @@ pub(super) struct EvaluatedAt<'b> {
     marks: u32,
 }
 
-impl<'b> EvaluatedAt<'b> {
+impl<'b> AtPoint<'b> {
     pub fn new(book: &'b Book, bits: u32) -> Self {
         let mut values = vec![None; book.variable_count()];
         if let Some(unit) = book.place(UNIT) {
@@ -56,7 +56,7 @@ impl<'b> EvaluatedAt<'b> {
         self.known[0].1.clear();
     }
 
-    pub fn get(&self, variable: usize) -> Evaluated<Value> {
+    pub fn get(&self, variable: usize) -> Tried<Value> {
         self.values[variable].clone().ok_or(Trouble::Open)
     }
 
@@ -86,7 +86,7 @@ impl<'b> EvaluatedAt<'b> {
     }
 
     /// The coefficients of a term as a polynomial in a variable, by ascending power.
-    pub fn coefficients(&mut self, term: &Term, variable: usize) -> Evaluated<Vec<Value>> {
+    pub fn coefficients(&mut self, term: &Term, variable: usize) -> Tried<Vec<Value>> {
         match term {
             Term::Defined(name) => {
                 self.once(*name, Some(variable), |place| place.coefficients_of(term, variable))
@@ -95,18 +95,18 @@ impl<'b> EvaluatedAt<'b> {
         }
     }
 
-    fn coefficients_of(&mut self, term: &Term, variable: usize) -> Evaluated<Vec<Value>> {
+    fn coefficients_of(&mut self, term: &Term, variable: usize) -> Tried<Vec<Value>> {
         let mark = self.quantity(Kind::Free);
         let free = Value::with_quantity(Value::whole(0), mark);
         let value = self.with(vec![(variable, free)], |place| place.value(term))?;
         Ok(value.coefficients(mark))
     }
 
-    pub fn number(&mut self, term: &Term) -> Evaluated<Number> {
+    pub fn number(&mut self, term: &Term) -> Tried<Number> {
         self.value(term)?.number()
     }
 
-    pub fn value(&mut self, term: &Term) -> Evaluated<Value> {
+    pub fn value(&mut self, term: &Term) -> Tried<Value> {
         if !self.book.takes_a_step() {
             return Err(Trouble::Open);
         }
@@ -142,7 +142,7 @@ impl<'b> EvaluatedAt<'b> {
     }
 
     /// c_0 + x·(c_1 + x/2·(c_2 + x/3·(…))) with the values c_k at 0 of a function and of its derivatives.
-    fn polynomial(&mut self, first: usize, x: &Value) -> Evaluated<Value> {
+    fn polynomial(&mut self, first: usize, x: &Value) -> Tried<Value> {
         let mut sum = Value::whole(0);
         for variable in self.book.coefficients_from(first).rev() {
             if !sum.is_exactly_zero() {
@@ -154,7 +154,7 @@ impl<'b> EvaluatedAt<'b> {
         Ok(sum)
     }
 
-    fn meaning(&mut self, name: usize) -> Evaluated<Value> {
+    fn meaning(&mut self, name: usize) -> Tried<Value> {
         let book = self.book;
         let found = self.once(name, None, |place| {
             let found = match book.meaning(name) {
@@ -171,8 +171,8 @@ impl<'b> EvaluatedAt<'b> {
         &mut self,
         name: usize,
         of: Option<usize>,
-        find: impl FnOnce(&mut Self) -> Evaluated<Vec<Value>>,
-    ) -> Evaluated<Vec<Value>> {
+        find: impl FnOnce(&mut Self) -> Tried<Vec<Value>>,
+    ) -> Tried<Vec<Value>> {
         let reached = self.book.reach_of(name);
         let changes = |variable: &usize| Some(*variable) != of && reached.contains(variable);
         let changed = self.known.iter().rposition(|(changed, _)| changed.iter().any(changes));
@@ -185,7 +185,7 @@ impl<'b> EvaluatedAt<'b> {
         found
     }
 
-    fn derived(&mut self, derived: &Derived) -> Evaluated<Value> {
+    fn derived(&mut self, derived: &Derived) -> Tried<Value> {
         let own = match (derived.operation, &derived.terms[..], &derived.variables[..]) {
             (Operation::Characteristic, _, [s]) => self.characteristic(derived, *s),
             (Operation::Linearised, _, [rate, by]) => {
@@ -225,11 +225,11 @@ impl<'b> EvaluatedAt<'b> {
     }
 
     /// The derivative of a term along a direction, at values of some variables.
-    fn slope(&mut self, term: &Term, along: Vec<(usize, Value, Value)>) -> Evaluated<Value> {
+    fn slope(&mut self, term: &Term, along: Vec<(usize, Value, Value)>) -> Tried<Value> {
         self.slopes_of(std::slice::from_ref(term), along).map(|mut alone| alone.swap_remove(0))
     }
 
-    fn slopes_of(&mut self, terms: &[Term], along: Vec<(usize, Value, Value)>) -> Evaluated<Vec<Value>> {
+    fn slopes_of(&mut self, terms: &[Term], along: Vec<(usize, Value, Value)>) -> Tried<Vec<Value>> {
         let mark = self.quantity(Kind::Small);
         let moved = along
             .into_iter()
@@ -238,11 +238,11 @@ impl<'b> EvaluatedAt<'b> {
                 (variable, if rests { start } else { Value::Series(mark, vec![start, by]) })
             })
             .collect();
-        let slope = |value: Evaluated<Value>| value.map(|value| value.coefficient(mark, 1));
+        let slope = |value: Tried<Value>| value.map(|value| value.coefficient(mark, 1));
         self.with(moved, |place| terms.iter().map(|term| slope(place.value(term))).collect())
     }
 
-    fn steady(&mut self, derived: &Derived) -> Evaluated<Vec<Value>> {
+    fn steady(&mut self, derived: &Derived) -> Tried<Vec<Value>> {
         if derived.steady.is_empty() {
             return Err(Trouble::Open);
         }
@@ -250,7 +250,7 @@ impl<'b> EvaluatedAt<'b> {
     }
 
     /// The slopes of all rates in one state, at the steady state.
-    fn slopes(&mut self, derived: &Derived, by: usize) -> Evaluated<Vec<Value>> {
+    fn slopes(&mut self, derived: &Derived, by: usize) -> Tried<Vec<Value>> {
         let steady = self.steady(derived)?;
         let direction = |at: usize| Value::whole(i32::from(at == by));
         let along: Vec<(usize, Value, Value)> = derived
@@ -264,9 +264,9 @@ impl<'b> EvaluatedAt<'b> {
     }
 
     /// det(s − J).
-    fn characteristic(&mut self, derived: &Derived, s: usize) -> Evaluated<Value> {
+    fn characteristic(&mut self, derived: &Derived, s: usize) -> Tried<Value> {
         let (size, s) = (derived.states.len(), self.get(s)?);
-        let columns = (0..size).map(|by| self.slopes(derived, by)).collect::<Evaluated<Vec<_>>>()?;
+        let columns = (0..size).map(|by| self.slopes(derived, by)).collect::<Tried<Vec<_>>>()?;
         let mut rows = Vec::new();
         for row in 0..size {
             let mut entries: Vec<Value> = columns.iter().map(|column| column[row].negated()).collect();
@@ -276,7 +276,7 @@ impl<'b> EvaluatedAt<'b> {
         determinant(&rows)
     }
 
-    fn rate(&mut self, derived: &Derived, f: &Term) -> Evaluated<Value> {
+    fn rate(&mut self, derived: &Derived, f: &Term) -> Tried<Value> {
         let mut along = Vec::new();
         for (state, rate) in derived.states.iter().zip(&derived.rates) {
             along.push((*state, self.get(*state)?, self.value(rate)?));
@@ -285,7 +285,7 @@ impl<'b> EvaluatedAt<'b> {
     }
 
     /// The one zero of what is linear in a variable, or has its square alone and the variable is positive.
-    fn solution(&mut self, f: &Term, x: usize) -> Evaluated<Value> {
+    fn solution(&mut self, f: &Term, x: usize) -> Tried<Value> {
         let bits = self.bits;
         match &self.coefficients(f, x)?[..] {
             [rest, slope] => rest.negated().over(slope),
@@ -298,7 +298,7 @@ impl<'b> EvaluatedAt<'b> {
 }
 
 /// A determinant, along its first column.
-fn determinant(rows: &[Vec<Value>]) -> Evaluated<Value> {
+fn determinant(rows: &[Vec<Value>]) -> Tried<Value> {
     if rows.is_empty() {
         return Ok(Value::whole(1));
     }

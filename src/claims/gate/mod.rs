@@ -28,7 +28,7 @@ use crate::claims::{Finding, Verdict};
 use crate::scene::ClaimFormula;
 use behaviour::Tail;
 use claim::{At, Base, Claim, Says};
-use evaluate::EvaluatedAt;
+use evaluate::AtPoint;
 use points::{Sequence, comparisons, power_of_two};
 use truth::Said;
 
@@ -158,7 +158,7 @@ impl Claim {
     /// Points that meet the conditions, each with what it says of something.
     fn answers<'c>(
         &'c self,
-        ask: &'c impl Fn(&mut EvaluatedAt) -> number::Evaluated<bool>,
+        ask: &'c impl Fn(&mut AtPoint) -> number::Tried<bool>,
     ) -> impl Iterator<Item = (Base, At)> + 'c {
         let mut sequence = Sequence::new();
         (0..LOOKED_AT).filter_map(move |turn| {
@@ -173,7 +173,7 @@ impl Claim {
 
     /// Points that meet the conditions.
     fn inside(&self) -> impl Iterator<Item = Base> + '_ {
-        self.answers(&|_: &mut EvaluatedAt| Ok(true)).map(|(base, _)| base)
+        self.answers(&|_: &mut AtPoint| Ok(true)).map(|(base, _)| base)
     }
 
     /// Points next to where a comparison, a predicate or a condition changes.
@@ -189,7 +189,7 @@ impl Claim {
         for (turn, atom) in said.atoms().into_iter().enumerate() {
             for (at, base) in starts.iter().take(EDGE_STARTS).enumerate() {
                 let Some(variable) = self.nth_chosen(turn + at) else { continue };
-                found.extend(self.next_to_edge(base, variable, &|place: &mut EvaluatedAt| atom.truth(place)));
+                found.extend(self.next_to_edge(base, variable, &|place: &mut AtPoint| atom.truth(place)));
             }
         }
         let is_possible = |base: &Base| {
@@ -206,7 +206,7 @@ impl Claim {
     /// A formula for all values that the conditions allow.
     fn everywhere(&self, said: &Said) -> Outcome {
         let mut tally = Tally::default();
-        let ask = |place: &mut EvaluatedAt| said.truth(place);
+        let ask = |place: &mut AtPoint| said.truth(place);
         let found = self.answers(&ask).take(POINTS).find_map(|(base, at)| tally.add(self, base, at));
         let found = found.or_else(|| {
             let edges = self.edges(said, &tally.starts);
@@ -224,7 +224,7 @@ impl Claim {
             return Outcome::Unconfirmed("The counter-example names no point.".into());
         };
         let place = self.text(base);
-        match self.at(base, &|place: &mut EvaluatedAt| said.truth(place)) {
+        match self.at(base, &|place: &mut AtPoint| said.truth(place)) {
             At::Says(false) => Outcome::Passed { points: 1, open: 0 },
             At::Says(true) => Outcome::Contradicted(format!("At {place} it is true.")),
             At::NoValue => Outcome::Contradicted(format!("At {place} a side has no value.")),
@@ -237,9 +237,9 @@ impl Claim {
     }
 
     /// Whether the values of the variables of `there_is` at a point, or those of the witness there, do.
-    fn does(&self, said: &Said, place: &mut EvaluatedAt) -> number::Evaluated<bool> {
+    fn does(&self, said: &Said, place: &mut AtPoint) -> number::Tried<bool> {
         let values = self.witness.iter().map(|(variable, value)| Ok((*variable, place.value(value)?)));
-        for (variable, value) in values.collect::<number::Evaluated<Vec<_>>>()? {
+        for (variable, value) in values.collect::<number::Tried<Vec<_>>>()? {
             place.set(variable, value);
         }
         truth::all([self.allows_inner(place), said.truth(place)].into_iter())
@@ -251,7 +251,7 @@ impl Claim {
             let Some(base) = points.first() else {
                 return Outcome::Unconfirmed("The proof names no point.".into());
             };
-            return match self.at(base, &|place: &mut EvaluatedAt| self.does(said, place)) {
+            return match self.at(base, &|place: &mut AtPoint| self.does(said, place)) {
                 At::Says(true) => Outcome::Passed { points: 1, open: 0 },
                 At::Says(false) | At::NoValue => {
                     Outcome::Contradicted(format!("At {} it is false.", self.text(base)))
@@ -262,7 +262,7 @@ impl Claim {
             };
         }
         let mut tally = Tally::default();
-        let ask = |place: &mut EvaluatedAt| self.does(said, place);
+        let ask = |place: &mut AtPoint| self.does(said, place);
         let found = self.answers(&ask).take(POINTS).find_map(|(base, at)| tally.add(self, base, at));
         found.unwrap_or(Outcome::Passed { points: tally.tried, open: tally.open })
     }
@@ -278,7 +278,7 @@ impl Claim {
             for variable in &self.there_is {
                 base.extend(other.get(variable).map(|value| (*variable, value.clone())));
             }
-            let does = self.at(&base, &|place: &mut EvaluatedAt| self.does(said, place));
+            let does = self.at(&base, &|place: &mut AtPoint| self.does(said, place));
             match does {
                 At::Says(true) => {
                     return Outcome::Contradicted(format!("At {} it is true.", self.text(&base)));

@@ -18,7 +18,7 @@ pub(super) enum Trouble {
 }
 
 /// A number or why there is none.
-pub(super) type Evaluated<T> = Result<T, Trouble>;
+pub(super) type Tried<T> = Result<T, Trouble>;
 
 /// A real number.
 #[derive(Debug, Clone)]
@@ -124,11 +124,11 @@ impl Number {
         }
     }
 
-    fn of(ball: Ball) -> Evaluated<Self> {
+    fn of(ball: Ball) -> Tried<Self> {
         if ball.is_bounded() { Ok(Self::Within(ball)) } else { Err(Trouble::Open) }
     }
 
-    fn near(interval: Interval) -> Evaluated<Self> {
+    fn near(interval: Interval) -> Tried<Self> {
         if interval.is_finite() { Ok(Self::Near(interval)) } else { Err(Trouble::Open) }
     }
 
@@ -139,7 +139,7 @@ impl Number {
         exact: impl Fn(&Rational, &Rational) -> Rational,
         near: impl Fn(Interval, Interval) -> Interval,
         enclosed: impl Fn(Ball, &Ball) -> Ball,
-    ) -> Evaluated<Self> {
+    ) -> Tried<Self> {
         if let (Self::Exact(left), Self::Exact(right)) = (self, other) {
             return Ok(Self::Exact(exact(left, right)));
         }
@@ -159,7 +159,7 @@ impl Number {
         Some(Self::root(join(left, right), one != two, bits.max(other_bits)))
     }
 
-    pub fn plus(&self, other: &Self) -> Evaluated<Self> {
+    pub fn plus(&self, other: &Self) -> Tried<Self> {
         if self.is_exactly_zero() {
             return Ok(other.clone());
         }
@@ -171,7 +171,7 @@ impl Number {
         )
     }
 
-    pub fn minus(&self, other: &Self) -> Evaluated<Self> {
+    pub fn minus(&self, other: &Self) -> Tried<Self> {
         if let (Self::Root { square, negative, .. }, Self::Root { square: right, negative: sign, .. }) =
             (self, other)
             && (square, negative) == (right, sign)
@@ -186,7 +186,7 @@ impl Number {
         )
     }
 
-    pub fn times(&self, other: &Self) -> Evaluated<Self> {
+    pub fn times(&self, other: &Self) -> Tried<Self> {
         if self.is_exactly_zero() || other.is_exactly_zero() {
             return Ok(Self::whole(0));
         }
@@ -201,7 +201,7 @@ impl Number {
         )
     }
 
-    pub fn over(&self, other: &Self) -> Evaluated<Self> {
+    pub fn over(&self, other: &Self) -> Tried<Self> {
         match other.sign() {
             None => Err(Trouble::Open),
             Some(Ordering::Equal) => Err(Trouble::NoValue),
@@ -230,7 +230,7 @@ impl Number {
     }
 
     /// A function of it: exact where the value is seen to be rational.
-    pub fn call(&self, function: Function, bits: u32) -> Evaluated<Self> {
+    pub fn call(&self, function: Function, bits: u32) -> Tried<Self> {
         let sign = self.sign();
         let is_algebraic = matches!(function, Function::Abs | Function::Sqrt);
         match function {

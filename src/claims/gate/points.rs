@@ -3,8 +3,8 @@
 use slipmode_core::number::Rational;
 
 use super::claim::{At, Base, Claim};
-use super::evaluate::{EvaluatedAt, NEAR, is_zero};
-use super::number::{Evaluated, Number};
+use super::evaluate::{AtPoint, NEAR, is_zero};
+use super::number::{Number, Tried};
 use super::truth::{Compared, Said};
 use super::value::Value;
 
@@ -133,7 +133,7 @@ impl Claim {
         &self,
         base: &Base,
         variable: usize,
-        ask: &impl Fn(&mut EvaluatedAt) -> Evaluated<bool>,
+        ask: &impl Fn(&mut AtPoint) -> Tried<bool>,
     ) -> Vec<Base> {
         let with = |value: &Rational| {
             let mut moved = base.clone();

@@ -105,9 +105,8 @@ fn what_intervals_decide_exact_arithmetic_and_balls_decide_alike() {
         let Says::True(said) = &claim.says else { continue };
         let mut sequence = Sequence::new();
         for base in (0..40).map(|turn| claim.point(turn, &mut sequence)) {
-            for ask in
-                [&|place: &mut EvaluatedAt| said.truth(place), &|place: &mut EvaluatedAt| claim.allows(place)]
-                    as [&dyn Fn(&mut EvaluatedAt) -> number::Evaluated<bool>; 2]
+            for ask in [&|place: &mut AtPoint| said.truth(place), &|place: &mut AtPoint| claim.allows(place)]
+                as [&dyn Fn(&mut AtPoint) -> number::Tried<bool>; 2]
             {
                 let at = |bits: u32| claim.decided_at(&[bits], |bits| claim.place(&base, bits), ask);
                 let near = at(evaluate::NEAR);

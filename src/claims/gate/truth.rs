@@ -6,8 +6,8 @@ use slipmode_algebra::Comparison;
 use slipmode_core::theory::root_location::RootStatement;
 
 use super::book::{Book, Term};
-use super::evaluate::{EvaluatedAt, NEAR, is_zero};
-use super::number::{Evaluated, Number, Trouble};
+use super::evaluate::{AtPoint, NEAR, is_zero};
+use super::number::{Number, Tried, Trouble};
 use super::roots;
 use super::value::{Kind, Value};
 use crate::scene::{Crossing, Formula};
@@ -119,7 +119,7 @@ impl Said {
         }
     }
 
-    pub fn truth(&self, place: &mut EvaluatedAt) -> Evaluated<bool> {
+    pub fn truth(&self, place: &mut AtPoint) -> Tried<bool> {
         match self {
             Self::Compare(compared) => compared.truth(place),
             Self::Roots(statement, polynomial, variable) => {
@@ -142,7 +142,7 @@ impl Said {
 }
 
 /// Whether all are true: one that is false decides, whatever the others are.
-pub(super) fn all(parts: impl Iterator<Item = Evaluated<bool>>) -> Evaluated<bool> {
+pub(super) fn all(parts: impl Iterator<Item = Tried<bool>>) -> Tried<bool> {
     let mut found = Ok(true);
     for part in parts {
         match (part, found) {
@@ -155,12 +155,12 @@ pub(super) fn all(parts: impl Iterator<Item = Evaluated<bool>>) -> Evaluated<boo
     found
 }
 
-fn numbers(values: Vec<Value>) -> Evaluated<Vec<Number>> {
+fn numbers(values: Vec<Value>) -> Tried<Vec<Number>> {
     values.into_iter().map(Value::number).collect()
 }
 
 impl Compared {
-    pub fn truth(&self, place: &mut EvaluatedAt) -> Evaluated<bool> {
+    pub fn truth(&self, place: &mut AtPoint) -> Tried<bool> {
         // Intervals show no equality, and the sides of an equation are equal at most points.
         if place.bits == NEAR && self.comparison == Comparison::Equal {
             return Err(Trouble::Open);
@@ -186,7 +186,7 @@ impl Compared {
 impl Crosses {
     /// The critical value meets what is assumed of the parameter, and there P has the roots ±iω, ω is not 0, no other root is on the axis, and by implicit differentiation the slope
     /// of the pair's real part, −Re(∂P/∂K · conj ∂P/∂s)/|∂P/∂s|², is not 0.
-    fn truth(&self, place: &mut EvaluatedAt) -> Evaluated<bool> {
+    fn truth(&self, place: &mut AtPoint) -> Tried<bool> {
         // Intervals do not show that the pair is on the axis.
         if place.bits == NEAR {
             return Err(Trouble::Open);
@@ -215,7 +215,7 @@ impl Crosses {
             .zip(0..)
             .skip(1)
             .map(|(one, power)| one.times(&Value::whole(power)))
-            .collect::<Evaluated<_>>()?;
+            .collect::<Tried<_>>()?;
         let [real, imaginary] = on_axis(&at, &square)?;
         let [slope_real, slope_imaginary] = on_axis(&by, &square)?;
         let [root_real, root_imaginary] = on_axis(&along, &square)?;
@@ -231,7 +231,7 @@ impl Crosses {
 }
 
 /// A and B with Σ c_k (iω)^k = A + iω·B, for the square of ω.
-fn on_axis(coefficients: &[Value], square: &Value) -> Evaluated<[Value; 2]> {
+fn on_axis(coefficients: &[Value], square: &Value) -> Tried<[Value; 2]> {
     let part = |start: usize| {
         coefficients
             .iter()
@@ -244,7 +244,7 @@ fn on_axis(coefficients: &[Value], square: &Value) -> Evaluated<[Value; 2]> {
 }
 
 /// The quotient by s² + ω².
-fn without_pair(coefficients: &[Value], square: &Value) -> Evaluated<Vec<Value>> {
+fn without_pair(coefficients: &[Value], square: &Value) -> Tried<Vec<Value>> {
     let mut quotient: Vec<Value> = Vec::new();
     for coefficient in coefficients.iter().skip(2).rev() {
         let before = quotient.len().checked_sub(2).map(|at| quotient[at].clone());

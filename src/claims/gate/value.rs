@@ -7,7 +7,7 @@ use std::cmp::Ordering;
 
 use slipmode_algebra::Function;
 
-use super::number::{Evaluated, Number, Trouble};
+use super::number::{Number, Tried, Trouble};
 
 /// How powers of a quantity are reduced.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -53,7 +53,7 @@ impl Value {
         Self::Series(mark, vec![start, Self::whole(1)])
     }
 
-    pub fn number(self) -> Evaluated<Number> {
+    pub fn number(self) -> Tried<Number> {
         match self {
             Self::Number(number) => Ok(number),
             Self::Series(..) => Err(Trouble::Open),
@@ -102,7 +102,7 @@ impl Value {
     }
 
     /// The series of these terms with its powers reduced.
-    fn reduced(mark: Mark, mut terms: Vec<Self>) -> Evaluated<Self> {
+    fn reduced(mark: Mark, mut terms: Vec<Self>) -> Tried<Self> {
         match mark.kind {
             Kind::Free => {}
             Kind::Small => terms.truncate(2),
@@ -121,23 +121,23 @@ impl Value {
     fn by_term(
         &self,
         other: &Self,
-        numbers: impl Fn(&Number, &Number) -> Evaluated<Number>,
-        values: impl Fn(&Self, &Self) -> Evaluated<Self>,
-    ) -> Evaluated<Self> {
+        numbers: impl Fn(&Number, &Number) -> Tried<Number>,
+        values: impl Fn(&Self, &Self) -> Tried<Self>,
+    ) -> Tried<Self> {
         if let (Self::Number(left), Self::Number(right)) = (self, other) {
             return numbers(left, right).map(Self::Number);
         }
         let Some((mark, left, right)) = self.aligned(other) else { return Err(Trouble::Open) };
         let zero = Self::whole(0);
         let pair = |at: usize| values(left.get(at).unwrap_or(&zero), right.get(at).unwrap_or(&zero));
-        Ok(Self::Series(mark, (0..left.len().max(right.len())).map(pair).collect::<Evaluated<_>>()?))
+        Ok(Self::Series(mark, (0..left.len().max(right.len())).map(pair).collect::<Tried<_>>()?))
     }
 
-    pub fn plus(&self, other: &Self) -> Evaluated<Self> {
+    pub fn plus(&self, other: &Self) -> Tried<Self> {
         self.by_term(other, Number::plus, Self::plus)
     }
 
-    pub fn minus(&self, other: &Self) -> Evaluated<Self> {
+    pub fn minus(&self, other: &Self) -> Tried<Self> {
         self.by_term(other, Number::minus, Self::minus)
     }
 
@@ -148,7 +148,7 @@ impl Value {
         }
     }
 
-    pub fn times(&self, other: &Self) -> Evaluated<Self> {
+    pub fn times(&self, other: &Self) -> Tried<Self> {
         if let (Self::Number(left), Self::Number(right)) = (self, other) {
             return left.times(right).map(Self::Number);
         }
@@ -162,14 +162,14 @@ impl Value {
         Self::reduced(mark, terms)
     }
 
-    pub fn over(&self, other: &Self) -> Evaluated<Self> {
+    pub fn over(&self, other: &Self) -> Tried<Self> {
         if let (Self::Number(left), Self::Number(right)) = (self, other) {
             return left.over(right).map(Self::Number);
         }
         let Some((mark, left, _)) = self.aligned(other) else { return Err(Trouble::Open) };
         let below = other.coefficients(mark);
-        let by = |divisor: &Self| -> Evaluated<Self> {
-            let terms = left.iter().map(|term| term.over(divisor)).collect::<Evaluated<_>>()?;
+        let by = |divisor: &Self| -> Tried<Self> {
+            let terms = left.iter().map(|term| term.over(divisor)).collect::<Tried<_>>()?;
             Ok(Self::Series(mark, terms))
         };
         match (&below[..], mark.kind) {
@@ -184,7 +184,7 @@ impl Value {
                     square = square.plus(&other.times(other)?)?;
                 }
                 let above = self.times(&conjugate)?;
-                above.coefficients(mark).iter().map(|term| term.over(&square)).collect::<Evaluated<_>>().map(
+                above.coefficients(mark).iter().map(|term| term.over(&square)).collect::<Tried<_>>().map(
                     |terms: Vec<_>| if terms.is_empty() { Self::whole(0) } else { Self::Series(mark, terms) },
                 )
             }
@@ -192,7 +192,7 @@ impl Value {
         }
     }
 
-    pub fn power(&self, exponent: i32) -> Evaluated<Self> {
+    pub fn power(&self, exponent: i32) -> Tried<Self> {
         if exponent <= 0 && self.is_exactly_zero() {
             return Err(Trouble::NoValue);
         }
@@ -212,7 +212,7 @@ impl Value {
     }
 
     /// A function of it: f(x + yε) = f(x) + f′(x) yε. A function that hides a free quantity is no polynomial in it.
-    pub fn call(&self, function: Function, bits: u32) -> Evaluated<Self> {
+    pub fn call(&self, function: Function, bits: u32) -> Tried<Self> {
         let (mark, terms) = match self {
             Self::Number(number) => return number.call(function, bits).map(Self::Number),
             Self::Series(mark, _) => (*mark, self.coefficients(*mark)),

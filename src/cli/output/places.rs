@@ -11,13 +11,13 @@ static PLACES: Mutex<Places> = Mutex::new(Places { inputs: Vec::new(), outputs: 
 
 #[derive(Debug)]
 struct Places {
-    inputs: Vec<OutputPlace>,
-    outputs: Vec<OutputPlace>,
+    inputs: Vec<Target>,
+    outputs: Vec<Target>,
 }
 
 /// A file or folder, or a standard stream.
 #[derive(Debug, Clone, PartialEq, Eq)]
-struct OutputPlace {
+struct Target {
     /// Its full path without links; none of standard streams.
     path: Option<PathBuf>,
     /// Its device and number there, of regular files: what hard links and redirections share.
@@ -35,7 +35,7 @@ const TWICE: &str = "is or holds another output of this command; name another pl
 /// When it is an output of this command too.
 pub fn note_input(path: Option<&Path>, file: &File) -> Result<(), &'static str> {
     let path = path.and_then(|path| fs::canonicalize(path).ok());
-    note_read(OutputPlace { path, identity: identity_of(file), is_folder: false })
+    note_read(Target { path, identity: identity_of(file), is_folder: false })
 }
 
 /// Notes a folder of which all files may be read.
@@ -43,7 +43,7 @@ pub fn note_input(path: Option<&Path>, file: &File) -> Result<(), &'static str> 
 /// # Errors
 /// When an output of this command lies in it.
 pub fn note_input_folder(folder: &Path) -> Result<(), &'static str> {
-    note_read(OutputPlace { path: fs::canonicalize(folder).ok(), identity: None, is_folder: true })
+    note_read(Target { path: fs::canonicalize(folder).ok(), identity: None, is_folder: true })
 }
 
 /// Notes a file or folder that is going to be written.
@@ -51,7 +51,7 @@ pub fn note_input_folder(folder: &Path) -> Result<(), &'static str> {
 /// # Errors
 /// When it is an input of this command, or another of its outputs, or holds one.
 pub fn note_output(place: &Path, is_folder: bool) -> Result<(), &'static str> {
-    note_written(OutputPlace::of_output(place, is_folder))
+    note_written(Target::of_output(place, is_folder))
 }
 
 /// Checks again that nothing that was read since an output was noted is replaced by it.
@@ -60,7 +60,7 @@ pub fn note_output(place: &Path, is_folder: bool) -> Result<(), &'static str> {
 /// When the command has read it, or a file in it.
 pub fn check_output(place: &Path, is_folder: bool) -> Result<(), &'static str> {
     let places = PLACES.lock().unwrap_or_else(PoisonError::into_inner);
-    places.check_written(&OutputPlace::of_output(place, is_folder))
+    places.check_written(&Target::of_output(place, is_folder))
 }
 
 /// Notes standard output: a file that it is redirected to must not be read.
@@ -68,10 +68,10 @@ pub fn check_output(place: &Path, is_folder: bool) -> Result<(), &'static str> {
 /// # Errors
 /// When it is an input of this command.
 pub fn note_standard_output(file: &File) -> Result<(), &'static str> {
-    note_written(OutputPlace { path: None, identity: identity_of(file), is_folder: false })
+    note_written(Target { path: None, identity: identity_of(file), is_folder: false })
 }
 
-fn note_read(place: OutputPlace) -> Result<(), &'static str> {
+fn note_read(place: Target) -> Result<(), &'static str> {
     let mut places = PLACES.lock().unwrap_or_else(PoisonError::into_inner);
     let checked = places.check_read(&place);
     places.inputs.push(place);
@@ -84,20 +84,20 @@ fn note_read(place: OutputPlace) -> Result<(), &'static str> {
 /// When it is an output of this command too.
 pub fn check_input(file: &File) -> Result<(), &'static str> {
     let places = PLACES.lock().unwrap_or_else(PoisonError::into_inner);
-    places.check_read(&OutputPlace { path: None, identity: identity_of(file), is_folder: false })
+    places.check_read(&Target { path: None, identity: identity_of(file), is_folder: false })
 }
 
 impl Places {
-    fn check_written(&self, place: &OutputPlace) -> Result<(), &'static str> {
+    fn check_written(&self, place: &Target) -> Result<(), &'static str> {
         if self.inputs.iter().any(|input| input.meets(place)) { Err(BOTH) } else { Ok(()) }
     }
 
-    fn check_read(&self, place: &OutputPlace) -> Result<(), &'static str> {
+    fn check_read(&self, place: &Target) -> Result<(), &'static str> {
         if self.outputs.iter().any(|output| output.meets(place)) { Err(BOTH) } else { Ok(()) }
     }
 }
 
-fn note_written(place: OutputPlace) -> Result<(), &'static str> {
+fn note_written(place: Target) -> Result<(), &'static str> {
     let mut places = PLACES.lock().unwrap_or_else(PoisonError::into_inner);
     places.check_written(&place)?;
     if places.outputs.iter().any(|output| output.meets(&place)) {
@@ -107,7 +107,7 @@ fn note_written(place: OutputPlace) -> Result<(), &'static str> {
     Ok(())
 }
 
-impl OutputPlace {
+impl Target {
     fn of_output(place: &Path, is_folder: bool) -> Self {
         let name = place.file_name().unwrap_or_default();
         Self {

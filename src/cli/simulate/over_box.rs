@@ -16,7 +16,7 @@ use crate::cli::classify::ranges::shown;
 use crate::cli::options::Arguments;
 use crate::cli::simulate::range;
 use crate::cli::simulate::rows;
-use crate::cli::simulate::run::{RunFound, Settings, simulate_point};
+use crate::cli::simulate::run::{Settings, Shown, simulate_point};
 
 /// The runs between the corners unless their number is given.
 pub const DEFAULT_RUNS: u64 = 32;
@@ -76,7 +76,7 @@ pub fn points_within(region: &ParameterBox, spread: u64) -> Vec<Parameters<Ratio
 /// The runs over error bars, that of the middle values first.
 #[derive(Debug)]
 pub struct BoxRuns {
-    runs: Vec<RunFound>,
+    runs: Vec<Shown>,
     corners: usize,
     outside_tested_range: bool,
 }
@@ -84,7 +84,7 @@ pub struct BoxRuns {
 impl BoxRuns {
     /// Adds to the run of the middle values those at the corners and at `spread` points between them.
     pub fn new(
-        middle: RunFound,
+        middle: Shown,
         region: &ParameterBox,
         law: EvolutionLaw,
         settings: Settings,
@@ -92,7 +92,7 @@ impl BoxRuns {
     ) -> Self {
         let points = points_within(region, spread);
         let runs = points.par_iter().map(|point| simulate_point(point, law, settings));
-        let runs: Vec<RunFound> = std::iter::once(middle).chain(runs.collect::<Vec<_>>()).collect();
+        let runs: Vec<Shown> = std::iter::once(middle).chain(runs.collect::<Vec<_>>()).collect();
         let outside_tested_range = points.iter().any(|point| !range::outside_tested(point).is_empty());
         Self { corners: runs.len() - 1 - spread as usize, runs, outside_tested_range }
     }

@@ -10,7 +10,7 @@ use slipmode_core::stability::ParameterBox;
 use crate::cli::simulate::certified::{self, Certified};
 use crate::cli::simulate::over_box::{self, BoxRuns, is_point};
 use crate::cli::simulate::range;
-use crate::cli::simulate::run::{RunFound, Settings, simulate_point};
+use crate::cli::simulate::run::{Settings, Shown, simulate_point};
 use crate::cli::words::{LAW_COLUMN, LAWS, law_of_word};
 
 /// Simulates rows, over their error bars; with `CERTIFY`, the middle of the error bars, and certifies all values within them.
@@ -28,14 +28,14 @@ pub struct SimulateRows<const CERTIFY: bool> {
 #[derive(Debug)]
 pub struct Simulated {
     /// The simulation, or why there is none.
-    pub found: RunFound,
+    pub found: Shown,
     /// Whether a group lies outside the ranges over which simulations were tested.
     pub outside_tested_range: bool,
 }
 
 impl Simulated {
     /// What is reported of a simulation with these parameters.
-    pub fn new(found: RunFound, parameters: &Parameters<Rational>) -> Self {
+    pub fn new(found: Shown, parameters: &Parameters<Rational>) -> Self {
         Self { found, outside_tested_range: !range::outside_tested(parameters).is_empty() }
     }
 }

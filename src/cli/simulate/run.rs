@@ -28,10 +28,10 @@ impl Settings {
 }
 
 /// What a simulation showed, or why it showed nothing.
-pub type RunFound = Result<Simulation, String>;
+pub type Shown = Result<Simulation, String>;
 
 /// Simulates a point.
-pub fn simulate_point(parameters: &Parameters<Rational>, law: EvolutionLaw, settings: Settings) -> RunFound {
+pub fn simulate_point(parameters: &Parameters<Rational>, law: EvolutionLaw, settings: Settings) -> Shown {
     let found = dynamics::simulate(parameters, law, &settings.options());
     let simulation = found.map_err(|failure| failure.to_string())?;
     let positive = [Some(simulation.peak_velocity_m_per_s), simulation.period_s, simulation.frequency_hz];
