@@ -41,7 +41,7 @@ pub struct Border {
 }
 
 /// Part of a kick by which runs that confirm the border are moved off it.
-const APART: f64 = 0.01;
+const APART: f64 = 0.05;
 
 /// Searches the smallest kicks of both laws.
 pub(crate) fn smallest_kicks(section: &KicksSection, families: &[CycleFamilyOutcome]) -> Vec<SmallestKick> {

@@ -184,7 +184,7 @@ fn coexisting(context: &Context) -> Option<Table> {
 }
 
 fn kicks(context: &Context) -> Option<Table> {
-    let note = "A kick is a sudden change of V, or of the stress of the spring, on steady sliding. The smallest of the tried kicks that does not decay (sampled). Peak after it: of the twelfth return, when the run moves along the slow direction. Unstable cycle: bounds that are proved together with a larger, stable cycle and stable sliding (certified); Newton's method on the return map says where to look, and uses no kick. Runs from kicks that are 1 % smaller and larger confirm the border: they end in sliding and on a limit cycle.";
+    let note = "A kick is a sudden change of V, or of the stress of the spring, on steady sliding. The smallest of the tried kicks that does not decay (sampled). Peak after it: of the twelfth return, when the run moves along the slow direction. Unstable cycle: bounds that are proved together with a larger, stable cycle and stable sliding (certified); Newton's method on the return map says where to look, and uses no kick. Runs from kicks that are 5 % smaller and larger confirm the border: they end in sliding and on a limit cycle.";
     let rows = found(context).flat_map(|found| &found.kicks);
     let border = |row: &SmallestKick| row.border.as_ref().ok().cloned().flatten();
     let middle = |[low, high]: [f64; 2]| 0.5 * (low + high);
