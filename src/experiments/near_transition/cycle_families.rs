@@ -3,7 +3,7 @@
 use crate::experiments::near_transition::NearTransitionSection;
 use crate::experiments::near_transition::bistability::{Edge, edge};
 use rayon::prelude::*;
-use slipmode_core::dynamics::certified::{Coexistence, certify_coexistence};
+use slipmode_core::dynamics::certified::certify_coexistence;
 use slipmode_core::dynamics::{CycleFamily, Failure, Member};
 use slipmode_core::friction::{EvolutionLaw, Groups, Slider, critical_stiffness_group};
 use slipmode_core::number::{Rational, nearest_f64};
@@ -115,12 +115,15 @@ impl CycleFamilyOutcome {
         found.or_else(|| self.smaller(stiffness_group))?.ok().map(|member| member.orbit.peak)
     }
 
-    /// Steady sliding and both cycles at this κ, proved.
+    /// Lower bound, value by Newton's method and upper bound of ln(V_peak/V_l) of the unstable cycle at this κ, where it is proved beside
+    /// a larger, stable cycle and stable sliding.
     #[must_use]
-    pub fn coexistence_at(&self, groups: &Groups<Rational>) -> Option<Coexistence> {
+    pub fn unstable_log_peak_at(&self, groups: &Groups<Rational>) -> Option<[f64; 3]> {
         let mut cycles = self.family.at(&self.members, nearest_f64(&groups.stiffness_group));
         let (unstable, stable) = (cycles.next()?.ok()?, cycles.next_back()?.ok()?);
-        certify_coexistence(groups, self.law, &stable, &unstable).ok()
+        let proved = certify_coexistence(groups, self.law, &stable, &unstable).ok()?;
+        let [low, high] = proved.repelling_log_peak;
+        Some([low, unstable.orbit.peak, high])
     }
 
     /// A cycle smaller than those followed: between two about the size that the coefficient says.

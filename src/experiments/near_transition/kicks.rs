@@ -23,8 +23,8 @@ pub struct SmallestKick {
     pub kick: Kick,
     /// Where the border lies between kicks that decay and kicks that do not; none when no tried kick ends steady sliding.
     pub border: Result<Option<Border>, Failure>,
-    /// Bounds of ln(V_peak/V_l) of the unstable cycle, proved together with a larger stable one.
-    pub unstable_log_peak: Option<[f64; 2]>,
+    /// Lower bound, value by Newton's method and upper bound of ln(V_peak/V_l) of the unstable cycle, where it is proved.
+    pub unstable_log_peak: Option<[f64; 3]>,
     /// K/K_c at the limit of bistability, and its error; none where the law has none.
     pub fold_over_critical: Option<[f64; 2]>,
 }
@@ -59,7 +59,7 @@ fn of_slider(family: &CycleFamilyOutcome, ratio: &Rational) -> [SmallestKick; 4]
     let model = Model::new(groups.map(nearest_f64), family.law);
     let decayed = Cell::new(0.0);
     let edge = family.edge.as_ref().ok().and_then(Option::as_ref);
-    let unstable_log_peak = family.coexistence_at(&groups).map(|found| found.repelling_log_peak);
+    let unstable_log_peak = family.unstable_log_peak_at(&groups);
     Kick::ALL.map(|kick| SmallestKick {
         law: family.law,
         inertial_parameter: groups.inertial_parameter.clone(),
@@ -112,8 +112,10 @@ mod tests {
             let ends = nearest_f64(&kick.stiffness_over_critical) < fold && kick.kick != Kick::VelocityDown;
             assert_eq!((border.is_some(), kick.law == Slip && ends), (ends, false), "{kick:?}");
             let Some(border) = border else { continue };
-            let ([low, high], [below, above]) = (kick.unstable_log_peak.unwrap(), border.log_peaks);
+            let ([low, peak, high], [below, above]) = (kick.unstable_log_peak.unwrap(), border.log_peaks);
             assert!(below < high && low < above && above - below < 1e-5, "{kick:?}");
+            // A member has its stiffness to a part of 1e-10, and its peak to 1e-10/(K/K_c − 1).
+            assert!((0.5 * (below + above) - peak).abs() < 1e-7 + 0.5 * (above - below), "{kick:?}");
             assert_eq!(border.confirmed, Some(true), "{kick:?}");
         }
         assert_eq!(found.iter().filter(|kick| kick.law == Aging && kick.border != Ok(None)).count(), 3);

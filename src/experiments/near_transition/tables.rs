@@ -184,7 +184,7 @@ fn coexisting(context: &Context) -> Option<Table> {
 }
 
 fn kicks(context: &Context) -> Option<Table> {
-    let note = "A kick is a sudden change of V, or of the stress of the spring, on steady sliding. The smallest of the tried kicks that does not decay (sampled). Peak after it: of the twelfth return, when the run moves along the slow direction. Unstable cycle: bounds that are proved together with a larger, stable cycle and stable sliding (certified); Newton's method on the return map says where to look, and uses no kick. Runs from kicks that are 5 % smaller and larger confirm the border: they end in sliding and on a limit cycle.";
+    let note = "A kick is a sudden change of V, or of the stress of the spring, on steady sliding. The smallest of the tried kicks that does not decay (sampled). Peak after it: of the twelfth return, when the run moves along the slow direction. Unstable cycle: by Newton's method on the return map, which uses no kick; its bounds are proved together with a larger, stable cycle and stable sliding (certified). Runs from kicks that are 5 % smaller and larger confirm the border: they end in sliding and on a limit cycle.";
     let rows = found(context).flat_map(|found| &found.kicks);
     let border = |row: &SmallestKick| row.border.as_ref().ok().cloned().flatten();
     let middle = |[low, high]: [f64; 2]| 0.5 * (low + high);
@@ -212,11 +212,15 @@ fn kicks(context: &Context) -> Option<Table> {
             border(row).map(|at| middle(at.log_peaks))
         })
         .digits("border_error", "Its error", "", 1, move |row| border(row).map(|at| half_width(at.log_peaks)))
-        .digits("unstable_log_peak", "ln(V_peak/V_l) of the unstable cycle", "", 8, move |row| {
-            row.unstable_log_peak.map(middle)
+        .digits("unstable_log_peak", "ln(V_peak/V_l) of the unstable cycle", "", 8, |row| {
+            row.unstable_log_peak.map(|[_, peak, _]| peak)
         })
-        .text("unstable_log_peak_low", "From", |row| row.unstable_log_peak.map(|[low, _]| outward(low, -1.0)))
-        .text("unstable_log_peak_high", "to", |row| row.unstable_log_peak.map(|[_, high]| outward(high, 1.0)))
+        .text("unstable_log_peak_low", "From", |row| {
+            row.unstable_log_peak.map(|[low, ..]| outward(low, -1.0))
+        })
+        .text("unstable_log_peak_high", "to", |row| {
+            row.unstable_log_peak.map(|[.., high]| outward(high, 1.0))
+        })
         .text("confirmed", "Confirmed by runs", move |row| {
             border(row).and_then(|at| at.confirmed).map(|confirmed| if confirmed { "yes" } else { "no" })
         })
