@@ -230,4 +230,52 @@ mod tests {
         }
         assert!(!is_positive([1.0, 1.0, 1.0, 0.5], 0.6) && !is_positive([1.0, 0.0, 1.0, 0.0], 0.0));
     }
+
+    /// At random sliders: what is proved to attract does, on the surface of the ellipsoid and inside, and nothing is proved where steady sliding
+    /// repels.
+    #[test]
+    fn no_slider_has_an_ellipsoid_that_motions_leave() {
+        let mut random = SplitMix64(2);
+        let mut proved = 0;
+        for case in 0..400 {
+            let mut decades = |from: f64, to: f64| libm::pow(10.0, from + (to - from) * random.unit());
+            let slider = Slider {
+                inertia: decades(-3.0, 3.0),
+                stiffness: decades(-1.5, 2.0),
+                effect_ratio: decades(-1.0, 1.0),
+                law: EvolutionLaw::ALL[case % 2],
+            };
+            let Some(ellipsoid) = Ellipsoid::around_steady_sliding(&slider.constants()) else { continue };
+            proved += 1;
+            let form = ellipsoid.form.map(|row| row.map(|c| c.mid));
+            let product = |z: [f64; 3], by: [f64; 3]| -> f64 {
+                (0..3).map(|i| (0..3).map(|j| z[i] * form[i][j] * by[j]).sum::<f64>()).sum()
+            };
+            for _ in 0..300 {
+                let direction: [f64; 3] = std::array::from_fn(|_| 2.0 * random.unit() - 1.0);
+                let stretched = std::array::from_fn(|i| direction[i] * ellipsoid.inverse[i].mid.sqrt());
+                for direction in [direction, stretched] {
+                    assert!(product(direction, direction) > 0.0, "{slider:?} no ellipsoid");
+                    for part in [1.0, 0.1] {
+                        let scale = part * (ellipsoid.level / product(direction, direction)).sqrt();
+                        let z = direction.map(|c| scale * c);
+                        let (change, size) = (product(z, rates(slider, z)), product(z, z));
+                        assert!(change < 1e-12 * size, "{slider:?} {z:?} {change}");
+                    }
+                }
+            }
+        }
+        assert!(proved > 100, "{proved}");
+    }
+
+    /// An indefinite form has no ellipsoid, though the diagonal of its inverse is positive.
+    #[test]
+    fn an_indefinite_form_is_refused() {
+        let third = 1.0 / 3.0;
+        // The inverse of [[1, 2, 0], [2, 1, 0], [0, 0, 1]].
+        let indefinite = [[-third, 2.0 * third, 0.0], [2.0 * third, -third, 0.0], [0.0, 0.0, 1.0]];
+        let inverted = inverse(&points(&indefinite)).unwrap();
+        assert!((0..3).all(|i| inverted[i][i].lower() > 0.9));
+        assert!(diagonal_of_inverse(&points(&indefinite)).is_none());
+    }
 }

@@ -91,3 +91,76 @@ impl Units {
 fn outward([low, high]: [Interval; 2]) -> [f64; 2] {
     [low.lower().next_down(), high.upper().next_up()]
 }
+
+#[cfg(test)]
+mod tests {
+    use rug::Float;
+
+    use super::*;
+    use crate::number::split_mix::SplitMix64;
+
+    const BITS: u32 = 400;
+
+    fn holds(interval: Interval, value: &Rational) -> bool {
+        (Rational::from_f64(interval.mid).unwrap() - value).abs() <= Rational::from_f64(interval.rad).unwrap()
+    }
+
+    /// Thirds, which are no 64-bit numbers, and values of a tenth more or less.
+    fn slider(parts: [i32; 7]) -> Parameters<Rational> {
+        let values = [(4, 300), (6, 300), (1, 30_000), (10_000_000, 3), (1000, 3), (30_000, 1), (1, 3000)];
+        Parameters::from(std::array::from_fn(|i| {
+            Rational::from(values[i]) * Rational::from((10 + parts[i], 10))
+        }))
+    }
+
+    /// η, κ and β of each slider in a box, by exact arithmetic, and its V_l e^x, D_c t/V_l and aσζ.
+    #[test]
+    fn constants_and_units_over_a_box_hold_those_of_each_slider() {
+        let mut random = SplitMix64(3);
+        let point = ParameterBox::of(slider([0; 7])).unwrap();
+        let wide = ParameterBox::new(slider([-1; 7]), slider([1; 7])).unwrap();
+        for case in 0..200 {
+            let is_wide = case > 0;
+            let parts = [0; 7].map(|_| if is_wide { [-1, 0, 1][(3.0 * random.unit()) as usize] } else { 0 });
+            let member = slider(parts);
+            let groups = member.groups();
+            let region = if is_wide { &wide } else { &point };
+            for constants in
+                [Constants::over(region, EvolutionLaw::Slip), Constants::of(&groups, EvolutionLaw::Slip)]
+            {
+                assert!(holds(constants.inertia, &groups.inertial_parameter), "{parts:?}");
+                assert!(holds(constants.stiffness, &groups.stiffness_group), "{parts:?}");
+                assert!(holds(constants.effect_ratio, &groups.effect_ratio), "{parts:?}");
+            }
+            let units = Units::over(region);
+            let x = 20.0 * random.unit() - 10.0;
+            let float = |value: &Rational| Float::with_val(BITS, value);
+            let velocity = float(&member.point.loading_velocity_m_per_s);
+            let peak = Float::with_val(BITS, x).exp() * &velocity;
+            let time = float(&member.slider.critical_slip_distance_m) / velocity;
+            let stress = float(&member.direct_stress_pa());
+            let inside = |[low, high]: [f64; 2], value: &Float| *value >= low && *value <= high;
+            assert!(inside(units.peak([x, x]), &peak), "{parts:?}");
+            let [low, high] = [units.peak([x, x + 1.0]), units.peak([x - 1.0, x])];
+            assert!(
+                low[0] <= peak
+                    && peak <= high[1]
+                    && low[1] > 2.5 * peak.to_f64()
+                    && high[0] < 0.5 * peak.to_f64()
+            );
+            for rad in [0.0, 0.25] {
+                for end in [-1.0, 1.0] {
+                    let duration = Interval { mid: 2.0 / 3.0, rad };
+                    let passed = Float::with_val(BITS, duration.mid) + end * rad;
+                    assert!(inside(units.duration(duration), &(passed * &time)), "{parts:?}");
+                }
+            }
+            let drop = [x.abs(), x.abs() + 1.0];
+            let found = units.drop(drop);
+            assert!(
+                drop.iter().all(|&drop| inside(found, &(Float::with_val(BITS, drop) * &stress))),
+                "{parts:?}"
+            );
+        }
+    }
+}

@@ -126,3 +126,26 @@ fn carried<const N: usize>(derivative: &Derivative<N>, turning: f64) -> Result<[
     }
     Ok(column_sizes(derivative).map(|size| generously_up(2.0 * turning * size)))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// J = a[[0, 1], [1, 0]] carries (1, 1) to e^{at}(1, 1) and (1, −1) to e^{−at}(1, −1): the change is at most the bound, or there is none.
+    #[test]
+    fn what_a_short_time_changes_of_a_derivative_is_bounded() {
+        let mut bounded = 0;
+        for turning in [1e-6, 0.01, 0.2, 0.45, 0.499, 0.6, 2.0, 5.0] {
+            for size in [1.0, 1e-3, 7.0] {
+                let derivative =
+                    [[size, 0.5 * size], [size, -0.5 * size]].map(|row| row.map(Interval::point));
+                let Ok(changes) = carried(&derivative, turning) else { continue };
+                bounded += 1;
+                let grown = [size * libm::expm1(turning), 0.5 * size * libm::expm1(turning)];
+                assert!((0..2).all(|j| changes[j] >= grown[j] * (1.0 - 1e-12)), "{turning} {changes:?}");
+                assert!(changes[0] >= -size * libm::expm1(-turning));
+            }
+        }
+        assert!(bounded >= 12 && carried(&[[Interval::ONE; 2]; 2], f64::NAN).is_err(), "{bounded}");
+    }
+}

@@ -114,7 +114,9 @@ mod tests {
     use super::super::members::Slider;
     use super::*;
     use crate::dynamics::Model;
-    use crate::friction::{EvolutionLaw, Groups};
+    use crate::friction::{EvolutionLaw, Groups, ParameterBox, Parameters};
+    use crate::number::Rational;
+    use crate::number::split_mix::SplitMix64;
     use rug::Float;
 
     /// What is bounded when a run is captured, by a cone or by an ellipsoid, holds what single motions reach afterwards.
@@ -192,6 +194,129 @@ mod tests {
             );
             let exact = -Float::with_val(400, 10).ln();
             assert!((exact - enclosed[0].mid).abs() <= enclosed[0].rad);
+        }
+    }
+
+    /// Wide sets of either description, at random sliders: where a set is captured, each of its states lies within the bounds itself, and
+    /// lies in the ellipsoid, as a point of the whole slider.
+    #[test]
+    fn a_captured_set_holds_all_of_its_states() {
+        let mut random = SplitMix64(31);
+        let (mut captures, mut by_cone) = ([0; 2], 0);
+        for case in 0..3000 {
+            let law = EvolutionLaw::ALL[case % 2];
+            let mut number = |from: f64, to: f64| from + (to - from) * random.unit();
+            let slider = Slider {
+                inertia: libm::pow(10.0, number(-3.0, 1.5)),
+                stiffness: libm::pow(10.0, number(-0.5, 1.5)),
+                effect_ratio: libm::pow(10.0, number(-1.0, 1.0)),
+                law,
+            };
+            let constants = slider.constants();
+            let Some(ellipsoid) = Ellipsoid::around_steady_sliding(&constants) else { continue };
+            // In one coordinate or in all.
+            let along = case % 4;
+            let direction: [f64; 3] =
+                std::array::from_fn(|i| if along == 3 || along == i { number(-1.0, 1.0) } else { 0.0 });
+            let widths: [f64; 3] = std::array::from_fn(|_| number(-0.5, 1.0).max(0.0));
+            let is_stuck = case % 3 == 0;
+            for scale in (0..24).map(|k| libm::pow(10.0, 1.0 - 0.5 * f64::from(k))) {
+                let at = direction.map(|c| scale * c);
+                let radius: [f64; 3] = std::array::from_fn(|i| scale * widths[i]);
+                let none = [Interval::ZERO; COORDINATES];
+                let sides = |i: usize| Interval { mid: at[i], rad: radius[i] };
+                // ψ, of either sign, in the place of w.
+                let tube = Tube { distance: at[2].abs() + radius[2], slopes: [0.0; COORDINATES] };
+                let states = if is_stuck {
+                    States::Stuck(Set::new(none, [sides(0), sides(1)], [none; 2]), tube)
+                } else {
+                    let force = sides(2) * constants.inertia;
+                    States::Inertial(Set::new(none, [sides(0), sides(1), force], [none; 3]))
+                };
+                let motion = Motion::new(&constants, states, 1);
+                let Some(bounds) = captured(&motion, &ellipsoid) else { continue };
+                captures[usize::from(is_stuck)] += 1;
+                by_cone += usize::from(bounds.highest != bounds.lowest);
+                for corner in 0..9_u32 {
+                    let sign = |i: u32| {
+                        if corner == 8 {
+                            0.0
+                        } else if corner >> i & 1 == 0 {
+                            1.0
+                        } else {
+                            -1.0
+                        }
+                    };
+                    let [x, y] = [at[0] + sign(0) * radius[0], at[1] + sign(1) * radius[1]];
+                    let force = if is_stuck {
+                        let manifold = Manifold::over(&constants, &[x, y].map(Interval::point));
+                        slider.inertia * libm::exp(x) * (manifold.rate.mid + sign(2) * tube.distance)
+                    } else {
+                        slider.inertia * (at[2] + sign(2) * radius[2])
+                    };
+                    let stress = force + x + slider.effect_ratio * y;
+                    let holds = |bound: f64, value: f64| value <= bound * (1.0 + 1e-9) + 1e-15;
+                    assert!(holds(bounds.x, x), "{slider:?} {at:?} {radius:?} {x} {}", bounds.x);
+                    assert!(holds(bounds.highest, stress), "{slider:?} {at:?} {stress} {}", bounds.highest);
+                    assert!(holds(bounds.lowest, -stress), "{slider:?} {at:?} {stress} {}", bounds.lowest);
+                    // A hair inside, for the rounding of this state.
+                    let inside = [x, y, force].map(|c| Interval::point(c * (1.0 - 1e-9)));
+                    let state = [inside[0], inside[1], inside[2] * constants.inertia.reciprocal()];
+                    let is_inside = ellipsoid.reach_from(&state).is_some();
+                    // A cone bounds ζ from both sides by different numbers.
+                    assert!(
+                        is_inside || bounds.highest != bounds.lowest,
+                        "{slider:?} {at:?} {radius:?} {corner}"
+                    );
+                }
+                break;
+            }
+        }
+        assert!(captures[0] > 500 && captures[1] > 200 && by_cone > 50, "{captures:?} {by_cone}");
+    }
+
+    /// Decays from each start against single motions: the largest velocity and the range of the spring stress count the start and the limit, and
+    /// the time of the capture is that of the slowest unit of time.
+    #[test]
+    fn a_decay_counts_its_start_and_its_limit() {
+        let parameters = |velocity: (u32, u32)| {
+            let [a, b, d, k, m, s] = [(1, 1), (3, 2), (1, 1), (20, 1), (1, 100), (1, 1)].map(Rational::from);
+            Parameters::from([a, b, d, k, m, s, Rational::from(velocity)])
+        };
+        let slow = ParameterBox::of(parameters((9, 10))).unwrap();
+        let both = ParameterBox::new(parameters((9, 10)), parameters((11, 10))).unwrap();
+        let [slow, both] = [&slow, &both].map(Units::over);
+        for (law, start) in EvolutionLaw::ALL.into_iter().flat_map(|law| Start::ALL.map(|start| (law, start)))
+        {
+            for (inertia, stiffness) in [(0.5, 4.0), (0.2, 20.0), (1.0, 6.0)] {
+                let slider = Slider { inertia, stiffness, effect_ratio: 1.5, law };
+                let constants = slider.constants();
+                let [alone, over] = [&slow, &both].map(|units| certify(&constants, start, units).unwrap());
+                let after = |found: &Certificate| match found.proved {
+                    Proved::Decay { captured_after_s } => captured_after_s,
+                    Proved::Cycle { .. } => f64::NAN,
+                };
+                assert!(after(&over) >= after(&alone) * (1.0 - 1e-12), "{over:?} {alone:?}");
+                let mut member = slider.member(start_state(&constants, start).map(|c| c.mid));
+                while member.state[3] < 30.0 {
+                    member = slider.step(member, 0.002);
+                }
+                let [x, highest, lowest] = member.largest.map(|c| c.max(0.0));
+                let near = |[low, high]: [f64; 2], value: f64| {
+                    // The single motion's maxima lie between its steps.
+                    let error = 1e-7 * value;
+                    low <= value + error && value - error <= high && high - low < 1e-5 * value
+                };
+                assert!(
+                    near(alone.stress_drop_pa, highest + lowest),
+                    "{slider:?} {start:?} {alone:?} {}",
+                    highest + lowest
+                );
+                assert!(
+                    near(alone.peak_velocity_m_per_s, 0.9 * libm::exp(x)),
+                    "{slider:?} {start:?} {alone:?} {x}"
+                );
+            }
         }
     }
 }

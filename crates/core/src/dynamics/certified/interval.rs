@@ -115,9 +115,11 @@ impl Interval {
         !is_outside
     }
 
-    /// The smallest interval that holds both.
+    /// The smallest interval that holds both; not a number where one of them is not.
     pub fn hull(self, other: Self) -> Self {
-        Self::between(self.lower().min(other.lower()), self.upper().max(other.upper()))
+        let [low, other_low] = [self.lower(), other.lower()];
+        let low = if low.is_nan() || low < other_low { low } else { other_low };
+        Self::between(low, super::linear::worse(self.upper(), other.upper()))
     }
 
     /// The same with a larger radius.
@@ -272,6 +274,113 @@ mod tests {
         assert!(!Interval { mid: 1.0, rad: 1.0 }.reciprocal().is_bounded());
         assert!(Interval { mid: f64::NAN, rad: 0.0 }.may_contain(1.0));
         assert!(!Interval { mid: f64::NAN, rad: 0.0 }.is_inside(Interval { mid: 0.0, rad: 1.0 }));
+    }
+
+    /// The hull of two intervals holds both, and has no bound where one of them has none.
+    #[test]
+    fn a_hull_holds_both_and_forgets_nothing() {
+        let (low, high) = (Interval::between(-3.0, -2.0), Interval::between(1.0, 5.0));
+        for hull in [low.hull(high), high.hull(low)] {
+            assert!((-3.001..=-3.0).contains(&hull.lower()) && (5.0..5.001).contains(&hull.upper()));
+        }
+        let unknown = f64::NAN;
+        for lost in [
+            Interval { mid: unknown, rad: 0.0 },
+            Interval { mid: 0.0, rad: unknown },
+            Interval { mid: f64::INFINITY, rad: f64::INFINITY },
+        ] {
+            for hull in [lost.hull(low), low.hull(lost)] {
+                assert!(!hull.is_bounded() && hull.may_contain(100.0), "{hull:?}");
+                assert!(!hull.is_inside(Interval::symmetric(1e300)), "{hull:?}");
+            }
+        }
+    }
+
+    /// Bounds of the exact ends, where rounding alone decides.
+    #[test]
+    fn ends_and_sizes_are_bounds() {
+        let mut random = crate::number::split_mix::SplitMix64(5);
+        let exact = |value: f64| Float::with_val(400, value);
+        for _ in 0..2000 {
+            let interval = Interval {
+                mid: 2.0 * random.unit() - 1.0,
+                rad: random.unit() * [1.0, 1e-3][usize::from(random.unit() < 0.5)],
+            };
+            let [mid, rad] = [exact(interval.mid), exact(interval.rad)];
+            let (low, high) = (mid.clone() - &rad, mid.clone() + &rad);
+            assert!(interval.lower() <= low && interval.upper() >= high);
+            assert!(interval.magnitude() >= mid.clone().abs() + &rad);
+            assert!(interval.mignitude() <= (mid.clone().abs() - &rad).max(&exact(0.0)));
+            let between = Interval::between(low.to_f64(), high.to_f64());
+            assert!(holds(between, &exact(low.to_f64())) && holds(between, &exact(high.to_f64())));
+            let by = random.unit();
+            let wide = interval.widened(by);
+            assert!(holds(wide, &(high.clone() + by)) && holds(wide, &(low.clone() - by)));
+            assert!(
+                !interval.is_inside(interval)
+                    && !interval.is_inside(Interval { mid: interval.mid, rad: interval.rad.next_down() })
+            );
+            assert!(holds(interval, &high) && interval.may_contain(interval.mid));
+            // The value next to an end is not lost.
+            assert!(interval.may_contain(high.to_f64()) && interval.may_contain(low.to_f64()));
+        }
+    }
+
+    /// Close to an interval that holds zero, a reciprocal has the exact ends inside or no bound; the same of exponentials beyond their range.
+    #[test]
+    fn extreme_reciprocals_and_exponentials_are_right_or_unbounded() {
+        let mut bounded = 0;
+        for mid in [1.0, 1.5, 1.0 - UNIT, 3.7e-5, -2.0_f64] {
+            for k in 1..=53 {
+                let interval = Interval { mid, rad: mid.abs() * (1.0 - libm::scalbn(1.0, -k)) };
+                let found = interval.reciprocal();
+                if found.is_bounded() {
+                    bounded += 1;
+                    let ends = [interval.rad, -interval.rad].map(|rad| Float::with_val(400, mid) + rad);
+                    let reciprocals = ends.map(|end| Float::with_val(400, end.recip_ref()));
+                    assert!(reciprocals.iter().all(|end| holds(found, end)), "{interval:?} {found:?}");
+                }
+            }
+        }
+        assert!(bounded > 200, "{bounded}");
+        let extreme = [698.0, 705.0, 709.9, -705.0, -745.0, 1e10, -1e10, 1e300];
+        for mid in (-40..=40).map(|k| 50.0 * f64::from(k)).chain(extreme) {
+            for rad in [0.0, 1e-3, 10.0, 900.0] {
+                let interval = Interval { mid, rad };
+                let found = interval.exp();
+                if found.is_bounded() {
+                    let ends = points(interval).into_iter().map(Float::exp);
+                    assert!(ends.into_iter().all(|end| holds(found, &end)), "{interval:?} {found:?}");
+                }
+            }
+        }
+        for low in [-1.0, -1e-300, f64::NAN] {
+            assert!(!Interval { mid: low, rad: 0.5 }.sqrt().is_bounded());
+        }
+    }
+
+    /// What lies inside another interval does so exactly, and not at its ends.
+    #[test]
+    fn an_interval_inside_another_one_is_so_exactly() {
+        let mut random = crate::number::split_mix::SplitMix64(6);
+        let exact = |value: f64| Float::with_val(400, value);
+        let mut inside = 0;
+        for case in 0..6000 {
+            let inner = Interval { mid: 2.0 * random.unit() - 1.0, rad: random.unit() };
+            let mid = inner.mid + 1e-3 * random.unit();
+            let mut rad = inner.rad + (mid - inner.mid).abs();
+            for _ in 0..case % 24 {
+                rad = rad.next_up();
+            }
+            let outer = Interval { mid, rad };
+            if inner.is_inside(outer) {
+                inside += 1;
+                let ends = |c: Interval| [-1.0, 1.0].map(|sign| exact(c.mid) + sign * exact(c.rad));
+                let ([low, high], [least, largest]) = (ends(inner), ends(outer));
+                assert!(least < low && high < largest, "{inner:?} {outer:?}");
+            }
+        }
+        assert!(inside > 10, "{inside}");
     }
 
     #[test]

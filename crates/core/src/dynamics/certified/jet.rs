@@ -140,3 +140,99 @@ impl Mul for Jet {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// n!, as a number.
+    fn factorial(n: usize) -> f64 {
+        (1..=n).map(|k| k as f64).product()
+    }
+
+    /// Every coefficient that a polynomial states is that of the function e^{ax + by}, of degree at most `degree`.
+    fn is_exponential(jet: &Jet, factor: f64, [a, b]: [f64; 2], degree: usize) {
+        assert!(jet.degree <= degree, "{} {degree}", jet.degree);
+        for (i, j) in exponents(jet.degree) {
+            let value =
+                factor * libm::pow(a, i as f64) * libm::pow(b, j as f64) / (factorial(i) * factorial(j));
+            let found = jet.terms[place(i, j)];
+            assert!(found.widened(1e-15 * value.abs()).may_contain(value), "{i} {j} {found:?} {value}");
+            assert!(found.rad <= 1e-13 * (1.0 + value.abs()), "{i} {j} {found:?}");
+        }
+    }
+
+    /// e^x, e^{−x} and e^{−y} with their products, sums and derivatives: all known coefficients are right, and no unknown one is stated.
+    #[test]
+    fn polynomials_are_those_of_exponentials() {
+        let one = Interval::ONE;
+        let (grows, fades) = (Jet::exponential_of_x(one), Jet::exponential_of_minus_x(one));
+        let heals = Jet::exponential_of_minus_y(one);
+        is_exponential(&grows, 1.0, [1.0, 0.0], DEGREE);
+        is_exponential(&fades, 1.0, [-1.0, 0.0], DEGREE);
+        is_exponential(&heals, 1.0, [0.0, -1.0], DEGREE);
+        let both = grows * heals;
+        is_exponential(&both, 1.0, [1.0, -1.0], DEGREE);
+        is_exponential(&(grows * grows), 1.0, [2.0, 0.0], DEGREE);
+        is_exponential(&(fades * heals), 1.0, [-1.0, -1.0], DEGREE);
+        is_exponential(&both.by_x(), 1.0, [1.0, -1.0], DEGREE - 1);
+        is_exponential(&both.by_y(), -1.0, [1.0, -1.0], DEGREE - 1);
+        is_exponential(&both.by_x().by_y(), -1.0, [1.0, -1.0], DEGREE - 2);
+        // The unknown coefficients of a factor or of a term are unknown in the result.
+        is_exponential(&(both.by_y() * grows), -1.0, [2.0, -1.0], DEGREE - 1);
+        is_exponential(&(grows * both.by_x()), 1.0, [2.0, -1.0], DEGREE - 1);
+        is_exponential(&(both.by_x() + both), 2.0, [1.0, -1.0], DEGREE - 1);
+        is_exponential(&(both - both.by_y()), 2.0, [1.0, -1.0], DEGREE - 1);
+        is_exponential(&both.scaled(Interval::point(-3.0)), -3.0, [1.0, -1.0], DEGREE);
+        assert!(both.value().may_contain(1.0) && both.gradient()[0].may_contain(1.0));
+        assert!(both.gradient()[1].may_contain(-1.0) && both.gradient()[1].rad < 1e-12);
+    }
+
+    /// ax² + bxy + cy² over a box of coefficients: no second derivative is larger than the bound.
+    #[test]
+    fn each_second_derivative_is_bounded() {
+        for [a, b, c] in [
+            [1.0, 0.0, 0.0],
+            [0.0, 1.0, 0.0],
+            [0.0, 0.0, 1.0],
+            [-2.0, 0.0, 1.0],
+            [0.0, -3.0, 0.0],
+            [1.0, 0.0, -2.0],
+        ] {
+            for rad in [0.0, 5.0] {
+                let around = |mid: f64| Interval { mid, rad };
+                let jet = Jet::new(|i, j| match (i, j) {
+                    (2, 0) => around(a),
+                    (1, 1) => around(b),
+                    (0, 2) => around(c),
+                    _ => Interval::ZERO,
+                });
+                let largest = (2.0 * (a.abs() + rad)).max(b.abs() + rad).max(2.0 * (c.abs() + rad));
+                assert!(jet.largest_second() >= largest, "{a} {b} {c} {rad}");
+            }
+        }
+    }
+
+    /// A product of polynomials with errors holds the products of its members.
+    #[test]
+    fn products_hold_those_of_their_members() {
+        let of = |rad: f64, sign: f64| {
+            move |i: usize, j: usize| {
+                let mid = 1.0 / (1 + i + 2 * j) as f64;
+                Interval { mid: mid + sign * rad, rad: if sign == 0.0 { rad } else { 0.0 } }
+            }
+        };
+        let (wide, factor) = (Jet::new(of(0.25, 0.0)), Interval { mid: 0.5, rad: 0.25 });
+        let (square, scaled) = (wide * wide, wide.scaled(factor));
+        for sign in [1.0, -1.0] {
+            let member = Jet::new(of(0.25, sign));
+            let (product, part) = (member * member, member.scaled(Interval::point(0.75)));
+            for (i, j) in exponents(DEGREE) {
+                let holds = |outer: &Jet, inner: &Jet| {
+                    outer.terms[place(i, j)].widened(1e-12).may_contain(inner.terms[place(i, j)].mid)
+                };
+                assert!(holds(&square, &product) && holds(&scaled, &part), "{i} {j}");
+            }
+        }
+    }
+}

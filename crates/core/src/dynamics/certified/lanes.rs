@@ -153,3 +153,108 @@ pub(super) fn product<const L: usize>(a: &[Factor<L>], b: &[Factor<L>], k: usize
     }
     Lanes { mid, rad }
 }
+
+#[cfg(test)]
+mod tests {
+    use rug::Rational;
+
+    use super::*;
+    use crate::number::split_mix::SplitMix64;
+
+    fn exact(value: f64) -> Rational {
+        Rational::from_f64(value).unwrap()
+    }
+
+    fn holds(interval: Interval, value: &Rational) -> bool {
+        (exact(interval.mid) - value).abs() <= exact(interval.rad)
+    }
+
+    /// Σ a_i b_{k−i} and its derivatives Σ a_i b'_{k−i} + a'_i b_{k−i}, exactly, at ends of all intervals; also of points, where rounding is all.
+    #[test]
+    fn a_product_of_series_holds_the_exact_one() {
+        let mut random = SplitMix64(13);
+        for case in 0..400 {
+            let mut number = || 2.0 * random.unit() - 1.0;
+            let k = case % 23;
+            // Only some of the four radii are not zero: values and derivatives of both factors.
+            let of = |bit: usize| if case >> bit & 1 == 0 { 0.0 } else { 0.1 };
+            let mut series = |of_value: f64, of_slope: f64| -> Vec<Lanes<3>> {
+                let lane = |number: &mut dyn FnMut() -> f64, l: usize| Interval {
+                    mid: number(),
+                    rad: if l == 0 { of_value } else { of_slope },
+                };
+                (0..=k).map(|_| Lanes::new([0, 1, 2].map(|l| lane(&mut number, l)))).collect()
+            };
+            let (a, b) = (series(of(0), of(1)), series(of(2), of(3)));
+            let factors = |series: &[Lanes<3>]| -> Vec<Factor<3>> {
+                series.iter().map(|&lanes| lanes.into()).collect()
+            };
+            let found = product(&factors(&a), &factors(&b), k);
+            let values = |series: &[Lanes<3>]| -> Vec<Factor<1>> {
+                series.iter().map(|c| Lanes::new([c.lane(0)]).into()).collect()
+            };
+            let alone = product(&values(&a), &values(&b), k).lane(0);
+            // Each interval at the end that makes a lane largest, or smallest.
+            for (lane, sign) in [(0, 1.0), (0, -1.0), (1, 1.0), (1, -1.0), (2, 1.0), (2, -1.0)] {
+                let end = |c: Interval, by: f64| {
+                    exact(c.mid) + exact(c.rad) * exact(if by * sign > 0.0 { 1.0 } else { -1.0 })
+                };
+                let sign_of = |value: &Rational| if *value > 0 { 1.0 } else { -1.0 };
+                let mut sum = Rational::new();
+                for i in 0..=k {
+                    let (first, second) = (&a[i], &b[k - i]);
+                    if lane == 0 {
+                        let x = end(first.lane(0), second.lane(0).mid);
+                        sum += x.clone() * end(second.lane(0), sign_of(&x));
+                    } else {
+                        let x = end(first.lane(0), second.lane(lane).mid);
+                        let y = end(second.lane(0), first.lane(lane).mid);
+                        let along = end(second.lane(lane), sign_of(&x));
+                        let across = end(first.lane(lane), sign_of(&y));
+                        sum += x * along + across * y;
+                    }
+                }
+                assert!(holds(found.lane(lane), &sum), "{case} {lane} {sign} {:?}", found.lane(lane));
+                assert!(lane > 0 || holds(alone, &sum), "{case} {sign} {alone:?}");
+            }
+        }
+    }
+
+    /// Sums in which every rounding is in the same direction: 1 + Σ of numbers that are each rounded away.
+    #[test]
+    fn roundings_in_one_direction_are_enclosed() {
+        const K: usize = 22;
+        let lost = 0.95 * UNIT;
+        let sum = exact(1.0) + exact(lost) * Rational::from(K);
+        let ones = [Factor::<1>::from(Lanes::new([Interval::ONE])); K + 1];
+        let mut small = [Factor::from(Lanes::new([Interval::point(lost)])); K + 1];
+        small[K] = Lanes::new([Interval::ONE]).into();
+        assert!(holds(product(&ones, &small, K).lane(0), &sum));
+        // The same in a derivative of either factor.
+        let derivative = |value: f64| Factor::<2>::from(Lanes::new([Interval::ZERO, Interval::point(value)]));
+        let ones = [Factor::<2>::from(Lanes::new([Interval::ONE, Interval::ZERO])); K + 1];
+        let mut small = [derivative(lost); K + 1];
+        small[K] = derivative(1.0);
+        assert!(holds(product(&ones, &small, K).lane(1), &sum));
+        small.reverse();
+        assert!(holds(product(&small, &ones, K).lane(1), &sum));
+    }
+
+    /// Sums, multiples, additions to the value and chains keep the errors of all lanes.
+    #[test]
+    fn lanes_keep_their_errors() {
+        let around = |mid: f64| Interval { mid, rad: 0.25 };
+        let (a, b) = (Lanes::new([around(1.0), around(-2.0)]), Lanes::new([around(0.5), around(3.0)]));
+        let holds = |c: Interval, ends: [f64; 2]| ends.iter().all(|&end| c.may_contain(end));
+        let (sum, difference, times) = (a + b, a - b, a.times(&b));
+        assert!(holds(sum.lane(0), [1.0, 2.0]) && holds(sum.lane(1), [0.5, 1.5]));
+        assert!(holds(difference.lane(0), [0.0, 1.0]) && holds(difference.lane(1), [-5.5, -4.5]));
+        assert!(holds(times.lane(0), [0.1875, 0.9375]) && holds(times.lane(1), [-7.3125, -4.8125]));
+        let scaled = a.scaled(around(2.0));
+        assert!(holds(scaled.lane(0), [1.3125, 2.8125]) && holds(scaled.lane(1), [-5.0625, -3.0625]));
+        let plus = a.plus(around(1.0));
+        assert!(holds(plus.lane(0), [1.5, 2.5]) && plus.lane(1) == a.lane(1));
+        let following = Lanes::following(around(7.0), around(2.0), &a);
+        assert!(following.lane(0) == around(7.0) && holds(following.lane(1), [-5.0625, -3.0625]));
+    }
+}

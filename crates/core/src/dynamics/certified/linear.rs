@@ -138,3 +138,143 @@ fn orthogonal_part<const N: usize>(mut v: [f64; N], others: &[[f64; N]]) -> Opti
     let length = norm(&unit);
     Some(unit.map(|c| c / length))
 }
+
+#[cfg(test)]
+mod tests {
+    use rug::Rational;
+
+    use super::*;
+    use crate::number::split_mix::SplitMix64;
+
+    fn exact(value: f64) -> Rational {
+        Rational::from_f64(value).unwrap()
+    }
+
+    fn holds(interval: Interval, value: &Rational) -> bool {
+        !interval.is_bounded() || (exact(interval.mid) - value).abs() <= exact(interval.rad)
+    }
+
+    /// The exact inverse by elimination.
+    fn exact_inverse<const N: usize>(matrix: &[[f64; N]; N]) -> Vec<Vec<Rational>> {
+        let unit = |i: usize, j: usize| Rational::from(u8::from(i == j));
+        let mut rows: Vec<Vec<Rational>> = (0..N)
+            .map(|i| matrix[i].iter().map(|&c| exact(c)).chain((0..N).map(|j| unit(i, j))).collect())
+            .collect();
+        for column in 0..N {
+            let pivot = (column..N).find(|&i| !rows[i][column].is_zero()).unwrap();
+            rows.swap(column, pivot);
+            let factor = rows[column][column].clone();
+            rows[column].iter_mut().for_each(|c| *c /= &factor);
+            let from = rows[column].clone();
+            for (_, row) in rows.iter_mut().enumerate().filter(|(i, _)| *i != column) {
+                let factor = row[column].clone();
+                row.iter_mut().zip(&from).for_each(|(c, of)| *c -= Rational::from(&factor * of));
+            }
+        }
+        rows.into_iter().map(|row| row[N..].to_vec()).collect()
+    }
+
+    fn holds_inverse<const N: usize>(enclosed: &Square<N>, matrix: &[[f64; N]; N]) -> bool {
+        let inverse = exact_inverse(matrix);
+        (0..N).all(|i| (0..N).all(|j| holds(enclosed[i][j], &inverse[i][j])))
+    }
+
+    fn random(random: &mut SplitMix64) -> [[f64; 3]; 3] {
+        std::array::from_fn(|_| std::array::from_fn(|_| 2.0 * random.unit() - 1.0))
+    }
+
+    /// The inverse of a matrix with errors holds the inverse of each corner, and its determinant holds theirs.
+    #[test]
+    fn an_inverse_holds_that_of_each_matrix() {
+        let mut numbers = SplitMix64(7);
+        let mut known = 0;
+        for case in 0..200 {
+            let (mid, rad) = (random(&mut numbers), [0.0, 1e-9, 1e-2][case % 3]);
+            let enclosed = mid.map(|row| row.map(|mid| Interval { mid, rad }));
+            let determinants = determinant(&enclosed);
+            let found = super::inverse(&enclosed);
+            known += usize::from(found.is_some());
+            for _ in 0..8 {
+                let corner = mid.map(|row| row.map(|c| if numbers.unit() < 0.5 { c - rad } else { c + rad }));
+                // Rounding of the corner moves it by less than the radius of nothing else.
+                let inside = if rad == 0.0 { mid } else { mid.map(|row| row.map(|c| 0.5 * c)) };
+                let member: [[f64; 3]; 3] = std::array::from_fn(|i| {
+                    std::array::from_fn(|j| {
+                        if rad == 0.0 { inside[i][j] } else { mid[i][j] + 0.99 * (corner[i][j] - mid[i][j]) }
+                    })
+                });
+                let [a, b, c] = member.map(|row| row.map(exact));
+                let minor =
+                    |i: usize, j: usize| Rational::from(&b[i] * &c[j]) - Rational::from(&b[j] * &c[i]);
+                let value =
+                    a[0].clone() * minor(1, 2) - a[1].clone() * minor(0, 2) + a[2].clone() * minor(0, 1);
+                assert!(holds(determinants, &value), "{member:?} {determinants:?}");
+                if let Some(inverse) = &found {
+                    assert!(holds_inverse(inverse, &member), "{member:?} {inverse:?}");
+                }
+            }
+        }
+        assert!(known > 150, "{known}");
+        let singular = [[1.0, 2.0, 3.0], [4.0, 5.0, 6.0], [7.0, 8.0, 9.0]];
+        assert!(super::inverse(&points(&singular)).is_none());
+    }
+
+    /// A product holds the products of the ends.
+    #[test]
+    fn a_product_holds_the_products_of_its_members() {
+        let mut numbers = SplitMix64(8);
+        for _ in 0..100 {
+            let (a, b, rad) = (random(&mut numbers), random(&mut numbers), numbers.unit());
+            let around = |matrix: &[[f64; 3]; 3]| matrix.map(|row| row.map(|mid| Interval { mid, rad }));
+            let product = multiply(&around(&a), &around(&b));
+            for (sign, other) in [(0.0, 0.0), (0.9, 0.9), (-0.9, 0.9), (-0.9, -0.9)] {
+                let [a, b] = [(a, sign), (b, other)]
+                    .map(|(matrix, sign)| matrix.map(|row| row.map(|c| c + sign * rad)));
+                for i in 0..3 {
+                    for j in 0..3 {
+                        let sum: Rational = (0..3).map(|m| exact(a[i][m]) * exact(b[m][j])).sum();
+                        assert!(holds(product[i][j], &sum));
+                    }
+                }
+            }
+        }
+    }
+
+    /// The enclosed inverse of a frame holds the exact one, also of matrices that are far from orthogonal: scaled by 1 − s, and skew by s.
+    #[test]
+    fn the_inverse_of_a_frame_holds_the_exact_one() {
+        let mut numbers = SplitMix64(9);
+        for _ in 0..100 {
+            let matrix = random(&mut numbers);
+            let frame = Frame::of(&points(&matrix), [1.0, numbers.unit(), 1e-3]);
+            let columns = frame.columns.map(|row| row.map(|c| c.mid));
+            assert!(frame.inverse[0][0].rad < 1e-14 && holds_inverse(&frame.inverse, &columns));
+        }
+        let mut bounded = 0;
+        for s in [1e-3, 0.02, 0.1, 0.2, 0.28, 0.35, 0.5, 0.9, 0.99] {
+            for matrix in [
+                [[1.0 - s, 0.0], [0.0, 1.0]],
+                [[1.0, s], [0.0, 1.0]],
+                [[1.0, 0.0], [-s, 1.0]],
+                [[1.0, s], [s, 1.0]],
+            ] {
+                let enclosed = Frame::enclosed(&matrix).inverse;
+                bounded += usize::from(enclosed[0][0].is_bounded());
+                assert!(holds_inverse(&enclosed, &matrix), "{matrix:?} {enclosed:?}");
+            }
+        }
+        assert!(bounded > 15, "{bounded}");
+    }
+
+    #[test]
+    fn the_largest_row_and_the_worse_number_keep_what_is_not_a_number() {
+        let nan = f64::NAN;
+        assert!(worse(nan, 1.0).is_nan() && worse(1.0, nan).is_nan());
+        assert!(worse(1.0, 2.0) == 2.0 && worse(2.0, 1.0) == 2.0);
+        let row = |a: f64, b: f64| [Interval::point(a), Interval { mid: b, rad: 0.5 }];
+        let largest = largest_row(&[row(-1.0, 2.0), row(0.5, -0.25)]);
+        assert!((3.5..3.501).contains(&largest), "{largest}");
+        assert!(largest_row(&[row(nan, 0.0), row(1.0, 0.0)]).is_nan());
+        assert!(largest_row(&[row(1.0, 0.0), row(nan, 0.0)]).is_nan());
+    }
+}

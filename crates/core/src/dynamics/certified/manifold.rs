@@ -214,6 +214,7 @@ mod tests {
     use super::super::motion::{Motion, States};
     use super::super::set::{COORDINATES, Set};
     use super::*;
+    use crate::number::split_mix::SplitMix64;
 
     #[test]
     fn the_least_delay_is_not_above_the_delay() {
@@ -298,9 +299,9 @@ mod tests {
                 };
                 let gradient = central(&|x, y| at(x, y).rate.mid);
                 assert!((0..2).all(|i| is_near(gradient[i], here.rate_gradient[i].mid)), "{gradient:?}");
-                for psi in [1e-3, -1e-3, 0.1, -0.1] {
+                for psi in [0.0, 1e-3, -1e-3, 0.1, -0.1] {
                     let rate = psi_rate(x, y, psi);
-                    assert!(rate.abs() <= here.tube_rate(psi.abs()) * (1.0 + 1e-9));
+                    assert!(psi == 0.0 || rate.abs() <= here.tube_rate(psi.abs()) * (1.0 + 1e-9));
                     let speed = here.rate.mid + psi;
                     let held = here.acceleration(psi.abs()).widened(1e-9);
                     assert!(held.may_contain(acceleration(x, y, speed)), "{x} {y} {psi}");
@@ -424,6 +425,117 @@ mod tests {
         ];
         for (manifold, distance, h) in refused {
             assert!(passage(manifold, distance, h).is_none(), "{manifold:?} {distance} {h}");
+        }
+    }
+
+    /// Over a box of states: ε, ξ, g, their derivatives and q/ε hold those of each state, and |R|, the source and the bends are at least theirs.
+    #[test]
+    fn a_manifold_over_a_box_holds_those_of_its_states() {
+        let mut random = SplitMix64(21);
+        for case in 0..60 {
+            let law = EvolutionLaw::ALL[case % 2];
+            // Without load and with little friction y' alone bends.
+            let scale = [1.0, 1e-3][usize::from(case % 3 == 0)];
+            let slider = Slider { inertia: 0.05, stiffness: 0.3 * scale, effect_ratio: 1.5 * scale, law };
+            let constants = slider.constants();
+            let mut number = |from: f64, to: f64| from + (to - from) * random.unit();
+            let (at, rad) = ([number(-2.0, -0.2), number(-0.5, 1.5)], [1e-3, 0.05][case % 2]);
+            let whole = Manifold::over(&constants, &at.map(|mid| Interval { mid, rad }));
+            for _ in 0..20 {
+                let [x, y] = at.map(|c| c + rad * number(-1.0, 1.0));
+                let here = Manifold::over(&constants, &[x, y].map(Interval::point));
+                let holds =
+                    |wide: Interval, value: f64| wide.widened(1e-12 * (1.0 + value.abs())).may_contain(value);
+                assert!(
+                    holds(whole.inertia, 0.05 * libm::exp(x))
+                        && holds(whole.state_rate, slider.state_rate(x, y))
+                );
+                assert!(holds(whole.rate, here.rate.mid) && holds(whole.damping, here.damping.mid));
+                for i in 0..2 {
+                    assert!(holds(whole.rate_gradient[i], here.rate_gradient[i].mid));
+                }
+                let least = 1.0 - 1e-12;
+                for distance in [0.0, 1e-3, 0.1] {
+                    assert!(whole.source(distance) >= least * here.source(distance));
+                    assert!(whole.tube_rate(distance) >= least * here.tube_rate(distance));
+                }
+                assert!(
+                    whole.largest_slope >= least * here.largest_slope
+                        && whole.largest_bend >= least * here.largest_bend
+                );
+                // g_xx, g_xy and g_yy: the derivative of g over a step of length one in any direction changes by less.
+                let velocity = libm::exp(x);
+                let seconds = match law {
+                    EvolutionLaw::Slip => [velocity * (x + y + 2.0), velocity, 0.0],
+                    EvolutionLaw::Aging => [velocity, 0.0, libm::exp(-y)],
+                };
+                let [xx, xy, yy] = seconds.map(f64::abs);
+                assert!(whole.largest_bend >= xx + 2.0 * xy + yy, "{law:?} {x} {y} {}", whole.largest_bend);
+            }
+        }
+    }
+
+    /// x'' of the whole slider for each ψ in the tube, at states where all terms of its bound have one sign, and others.
+    #[test]
+    fn the_acceleration_in_the_tube_is_held() {
+        let mut random = SplitMix64(22);
+        for case in 0..2000 {
+            let law = EvolutionLaw::ALL[case % 2];
+            let mut number = |from: f64, to: f64| from + (to - from) * random.unit();
+            let slider =
+                Slider { inertia: 0.02, stiffness: number(0.0, 8.0), effect_ratio: number(0.1, 3.0), law };
+            let constants = slider.constants();
+            let [x, y] = [number(-2.0, 0.3), number(-1.5, 2.0)];
+            let here = Manifold::over(&constants, &[x, y].map(Interval::point));
+            for distance in [1e-3, 0.1, 1.0] {
+                let held = here.acceleration(distance);
+                for psi in [distance, -distance] {
+                    let speed = here.rate.mid + psi;
+                    let plain =
+                        -slider.stiffness * libm::expm1(x) - slider.effect_ratio * slider.state_rate(x, y);
+                    let acceleration = (plain - speed) / (0.02 * libm::exp(x)) - speed * speed;
+                    let error = 1e-9 * (1.0 + acceleration.abs());
+                    assert!(
+                        held.widened(error).may_contain(acceleration),
+                        "{slider:?} {x} {y} {psi} {held:?} {acceleration}"
+                    );
+                }
+            }
+        }
+    }
+
+    /// A source that is constant while deviations grow fast: ψ' by p is S e^{μt}/Λ at most, and the growth counts in full.
+    #[test]
+    fn deviations_that_grow_fast_feed_the_tube() {
+        let (growth_rate, parts) = (8.0, 20_000);
+        let one = Interval::ONE;
+        let manifold = Manifold {
+            inertia: one,
+            rate: Interval::ZERO,
+            rate_gradient: [Interval::ZERO; 2],
+            state_rate: one,
+            largest_slope: growth_rate,
+            largest_bend: 1.0,
+            residual: 1e-12,
+            residual_gradient: [Interval::point(0.5), Interval::ZERO],
+            damping: Interval::point(100.0),
+            damping_gradient: [Interval::ZERO; 2],
+        };
+        for h in [0.1, 0.3, 0.4] {
+            let tube = Tube { distance: 0.0, slopes: [0.0; 2] };
+            let passage = manifold.passage(tube, h, libm::exp(growth_rate * h), [1.0, 0.0]).unwrap();
+            let dt = h / f64::from(parts);
+            let (mut by_p, mut off, mut impulse) = (0.0, 1.0, 0.0);
+            for _ in 0..parts {
+                let rates = |[by_p, off]: [f64; 2]| [0.5 * off - 100.0 * by_p, growth_rate * off + by_p];
+                let first = rates([by_p, off]);
+                let middle = rates([by_p + 0.5 * dt * first[0], off + 0.5 * dt * first[1]]);
+                impulse += dt * (by_p + 0.5 * dt * first[0]);
+                (by_p, off) = (by_p + dt * middle[0], off + dt * middle[1]);
+            }
+            let holds = |bound: f64, value: f64| bound >= value * (1.0 - 1e-6);
+            assert!(holds(passage.slope_impulses[0], impulse), "{h} {} {impulse}", passage.slope_impulses[0]);
+            assert!(holds(passage.after(h).slopes[0], by_p), "{h} {:?} {by_p}", passage.after(h));
         }
     }
 }

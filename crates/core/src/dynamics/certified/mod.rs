@@ -34,6 +34,8 @@ mod sticking;
 #[cfg(test)]
 mod tests;
 mod transversal;
+#[cfg(test)]
+mod wide_sets;
 
 pub use coexistence::{Coexistence, certify_coexistence};
 

@@ -285,6 +285,12 @@ mod tests {
             (vec![[-0.3, -4.0, 0.5, 0.0]], 1e-9),
             (vec![[0.5, 4.0, 0.5, 0.0]], 1e-9),
             (vec![[-0.5, -4.0, 0.5, 0.0]], 1e-9),
+            // From or to V = V_l nearly, and far beyond it in between.
+            (vec![[-2.0, -19.85, 0.45, 0.0]], 1e-9),
+            (vec![[-2.0, -19.85, 0.55, 0.0]], 1e-9),
+            // Far above V = V_l at one end, where e^x − 1 is much more than x.
+            (vec![[3.0, 0.0, 0.0, -9.0]], 1e-9),
+            (vec![[-6.0, 0.0, 0.0, 9.0]], 1e-9),
         ] {
             holds_all(&motions, margin);
         }
@@ -309,6 +315,24 @@ mod tests {
             duration: Interval::ONE,
         });
         assert!((1.0..1.001).contains(&found), "{found}");
+    }
+
+    /// A maximum that has no bound keeps none, whatever follows; values that are taken are bounds from below and from above.
+    #[test]
+    fn a_maximum_without_a_bound_stays_without() {
+        for unknown in [f64::NAN, f64::INFINITY] {
+            for order in [[unknown, 1.0], [1.0, unknown]] {
+                let mut maximum = Maximum::NONE;
+                order.iter().for_each(|&bound| maximum.at_most(bound));
+                assert!(!maximum.high.is_finite(), "{order:?}");
+            }
+        }
+        let mut observed = Observed::new();
+        observed.state(Interval { mid: 1.0, rad: 0.5 }, Interval { mid: 2.0, rad: 0.25 });
+        let [low, high] = observed.peak();
+        assert!((0.49..=0.5).contains(&low) && (1.5..1.51).contains(&high), "{low} {high}");
+        let [highest, lowest] = observed.least_extremes();
+        assert!((1.74..=1.75).contains(&highest) && (-2.26..=-2.25).contains(&lowest), "{highest} {lowest}");
     }
 
     /// A wait shows what its states reach and adds its time; what follows a run counts.

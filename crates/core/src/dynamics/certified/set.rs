@@ -120,3 +120,171 @@ impl<const N: usize> Set<N> {
         self.hull().iter().chain(self.turned.as_flattened()).all(|c| c.is_bounded())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use rug::Rational;
+
+    use super::*;
+    use crate::number::split_mix::SplitMix64;
+
+    fn exact(value: f64) -> Rational {
+        Rational::from_f64(value).unwrap()
+    }
+
+    fn holds(interval: Interval, value: &Rational) -> bool {
+        (exact(interval.mid) - value).abs() <= exact(interval.rad)
+    }
+
+    /// One state of a set with its derivative by p, exactly.
+    struct Member<const N: usize> {
+        p: [Rational; COORDINATES],
+        /// What the errors are at this state, in parts of their largest size.
+        part: f64,
+        state: [Rational; N],
+        derivative: [[Rational; COORDINATES]; N],
+    }
+
+    impl<const N: usize> Member<N> {
+        /// The image under z → image + slope (z − c) + extra p.
+        fn mapped<const M: usize>(
+            self,
+            centre: &[f64; N],
+            image: &[Interval; M],
+            slope: &[[f64; N]; M],
+            extra: &Derivative<M>,
+        ) -> Member<M> {
+            let end = |c: Interval| exact(c.mid) + exact(c.rad) * exact(self.part);
+            let times = |i: usize, of: &dyn Fn(usize) -> Rational| -> Rational {
+                (0..N).map(|k| exact(slope[i][k]) * of(k)).sum()
+            };
+            let state = std::array::from_fn(|i| {
+                let gained: Rational = (0..COORDINATES).map(|j| end(extra[i][j]) * self.p[j].clone()).sum();
+                end(image[i]) + times(i, &|k| self.state[k].clone() - exact(centre[k])) + gained
+            });
+            let derivative = std::array::from_fn(|i| {
+                std::array::from_fn(|j| times(i, &|k| self.derivative[k][j].clone()) + end(extra[i][j]))
+            });
+            Member { p: self.p, part: self.part, state, derivative }
+        }
+
+        fn assert_held(&self, set: &Set<N>) {
+            let (hull, offsets, at_centre, derivative) =
+                (set.hull(), set.offsets(), set.at_centre(), set.derivative());
+            let forms: [[f64; N]; 2] =
+                std::array::from_fn(|i| std::array::from_fn(|k| [0.5, -1.25, 3.0][(i + k) % 3]));
+            let (seen, seen_derivative) = set.seen_by(&forms.map(|form| form.map(Interval::point)));
+            for i in 0..N {
+                assert!(holds(hull[i], &self.state[i]), "{i} {hull:?}");
+                assert!(holds(offsets[i], &(self.state[i].clone() - exact(set.centre[i]))));
+                assert!(
+                    (0..COORDINATES).all(|j| holds(derivative[i][j], &self.derivative[i][j])),
+                    "{i} {derivative:?}"
+                );
+                if self.p.iter().all(Rational::is_zero) {
+                    assert!(holds(at_centre[i], &self.state[i]), "{i} {at_centre:?}");
+                }
+            }
+            for (i, form) in forms.iter().enumerate() {
+                let of = |values: &dyn Fn(usize) -> Rational| -> Rational {
+                    (0..N).map(|k| exact(form[k]) * values(k)).sum()
+                };
+                if self.p.iter().all(Rational::is_zero) {
+                    assert!(
+                        holds(seen[i], &of(&|k| self.state[k].clone() - exact(set.centre[k]))),
+                        "{i} {seen:?}"
+                    );
+                }
+                assert!(
+                    (0..COORDINATES)
+                        .all(|j| holds(seen_derivative[i][j], &of(&|k| self.derivative[k][j].clone())))
+                );
+            }
+        }
+    }
+
+    /// Sets under chains of linear maps, from points to wide ones: each member stays inside, exactly, with its derivative.
+    #[test]
+    fn a_set_holds_its_members_under_each_linear_map() {
+        let mut random = SplitMix64(11);
+        for case in 0..60 {
+            let width = [0.0, 1e-12, 0.5][case % 3];
+            let mut number = || 2.0 * random.unit() - 1.0;
+            let section = [0; COORDINATES].map(|_| width * number().abs());
+            let state = [0; 3].map(|_| Interval { mid: number(), rad: width * number().abs() });
+            let slopes: [[f64; COORDINATES]; 3] = [[0; COORDINATES]; 3].map(|row| row.map(|_| number()));
+            let derivative = slopes.map(|row| row.map(Interval::point));
+            let start = Set::new(section.map(Interval::symmetric), state, derivative);
+            let parts = [
+                (0.0, 0.0, 0.0),
+                (1.0, 1.0, 1.0),
+                (-1.0, 1.0, -1.0),
+                (0.0, 0.0, 1.0),
+                (0.0, 0.0, -1.0),
+                (1.0, -1.0, 0.5),
+            ];
+            let mut members: Vec<Member<3>> = parts
+                .iter()
+                .map(|&(first, second, part)| {
+                    let p = [exact(first * section[0]), exact(second * section[1])];
+                    let state = std::array::from_fn(|i| {
+                        let along: Rational =
+                            (0..COORDINATES).map(|j| exact(slopes[i][j]) * p[j].clone()).sum();
+                        exact(state[i].mid) + exact(state[i].rad) * exact(part) + along
+                    });
+                    Member { p, part, state, derivative: slopes.map(|row| row.map(exact)) }
+                })
+                .collect();
+            let mut set = start;
+            members.iter().for_each(|member| member.assert_held(&set));
+            for _ in 0..4 {
+                let image = [0; 3].map(|_| Interval { mid: number(), rad: width * number().abs() });
+                let slope: Square<3> = [[0; 3]; 3].map(|row| row.map(|_| Interval::point(number())));
+                let extra: Derivative<3> =
+                    [[0; COORDINATES]; 3].map(|row| row.map(|_| Interval { mid: number(), rad: width }));
+                let centre = set.centre;
+                let mids = slope.map(|row| row.map(|c| c.mid));
+                members =
+                    members.into_iter().map(|member| member.mapped(&centre, &image, &mids, &extra)).collect();
+                set = set.mapped(image, &slope, &extra);
+                members.iter().for_each(|member| member.assert_held(&set));
+                assert!(set.is_bounded());
+            }
+            // From two dimensions into three.
+            let plane = Set::new(
+                section.map(Interval::symmetric),
+                [state[0], state[1]],
+                [derivative[0], derivative[1]],
+            );
+            let image = [0; 3].map(|_| Interval { mid: number(), rad: width * number().abs() });
+            let slope: [[f64; 2]; 3] = [[0; 2]; 3].map(|row| row.map(|_| number()));
+            let extra = [[0; COORDINATES]; 3].map(|row| row.map(|_| Interval { mid: number(), rad: width }));
+            let lifted = plane.lifted(image, &slope.map(|row| row.map(Interval::point)), &extra);
+            for (first, second, part) in parts {
+                let p = [exact(first * section[0]), exact(second * section[1])];
+                let state = std::array::from_fn(|i| {
+                    let along: Rational = (0..COORDINATES).map(|j| exact(slopes[i][j]) * p[j].clone()).sum();
+                    exact(state[i].mid) + exact(state[i].rad) * exact(part) + along
+                });
+                let derivative = [slopes[0].map(exact), slopes[1].map(exact)];
+                let member = Member { p, part, state, derivative };
+                member.mapped(&plane.centre, &image, &slope, &extra).assert_held(&lifted);
+            }
+        }
+    }
+
+    /// Neither the states nor the derivatives may be unknown.
+    #[test]
+    fn a_set_without_a_bound_is_noticed() {
+        let set = |rad: f64, slope: f64, p: f64| {
+            let slopes = [[Interval { mid: 0.0, rad: slope }, Interval::ZERO]; 2];
+            Set::new([Interval::symmetric(p), Interval::ZERO], [Interval { mid: 0.0, rad }; 2], slopes)
+        };
+        assert!(set(1.0, 1.0, 1.0).is_bounded());
+        for unknown in [f64::INFINITY, f64::NAN] {
+            assert!(!set(unknown, 1.0, 1.0).is_bounded() && !set(1.0, unknown, 1.0).is_bounded());
+            // A derivative that no state depends on.
+            assert!(!set(1.0, unknown, 0.0).is_bounded() && !set(1.0, 1.0, unknown).is_bounded());
+        }
+    }
+}

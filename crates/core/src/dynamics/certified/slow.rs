@@ -162,3 +162,91 @@ impl System<2, 3> for Slow<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::manifold::Manifold;
+    use super::super::members::Slider;
+    use super::*;
+
+    const SLIDERS: [Slider; 2] = [
+        Slider { inertia: 0.05, stiffness: 0.3, effect_ratio: 1.5, law: EvolutionLaw::Slip },
+        Slider { inertia: 0.05, stiffness: 0.3, effect_ratio: 1.5, law: EvolutionLaw::Aging },
+    ];
+
+    const STATES: [[f64; 2]; 3] = [[-1.0, 1.3], [-0.5, 0.2], [-2.0, 1.5]];
+
+    /// x' = ξ_n, which the manifold computes by polynomials in x and y, and y' = g.
+    fn rates(slider: Slider, [x, y]: [f64; 2]) -> [f64; 2] {
+        [Manifold::over(&slider.constants(), &[x, y].map(Interval::point)).rate.mid, slider.state_rate(x, y)]
+    }
+
+    fn series(slider: Slider, state: [f64; 2]) -> Series<4, 3> {
+        let start = std::array::from_fn(|i| {
+            Lanes::new(std::array::from_fn(|l| match l {
+                0 => Interval::point(state[i]),
+                _ if l == i + 1 => Interval::ONE,
+                _ => Interval::ZERO,
+            }))
+        });
+        Slow(&slider.constants()).series(&start)
+    }
+
+    /// The series over a time, without a remainder: it is small there.
+    fn sum(series: &Series<4, 3>, component: usize, time: f64) -> f64 {
+        series.iter().rev().fold(0.0, |sum, term| sum * time + term[component].lane(0).mid)
+    }
+
+    /// The first terms are the rates, and the sum of the series is the motion by Runge and Kutta's method; the clock runs evenly.
+    #[test]
+    fn the_series_is_the_motion_on_the_slow_manifold() {
+        const PARTS: usize = 400;
+        const TIME: f64 = 0.1;
+        for (slider, state) in SLIDERS.into_iter().flat_map(|slider| STATES.map(|state| (slider, state))) {
+            let series = series(slider, state);
+            let first = rates(slider, state);
+            assert!((0..2).all(|i| series[1][i].lane(0).widened(1e-12).may_contain(first[i])), "{first:?}");
+            let (mut moved, h) = (state, TIME / PARTS as f64);
+            for _ in 0..PARTS {
+                let at = |rates: [f64; 2], h: f64| [moved[0] + h * rates[0], moved[1] + h * rates[1]];
+                let first = rates(slider, moved);
+                let second = rates(slider, at(first, 0.5 * h));
+                let third = rates(slider, at(second, 0.5 * h));
+                let fourth = rates(slider, at(third, h));
+                let mean = |i: usize| (first[i] + 2.0 * second[i] + 2.0 * third[i] + fourth[i]) / 6.0;
+                moved = [moved[0] + h * mean(0), moved[1] + h * mean(1)];
+            }
+            for i in 0..2 {
+                let found = sum(&series, i, TIME);
+                assert!((found - moved[i]).abs() < 1e-11, "{slider:?} {state:?} {i} {found} {}", moved[i]);
+            }
+            assert!((sum(&series, 2, TIME) - TIME).abs() < 1e-15);
+        }
+    }
+
+    /// The derivatives of each term by the initial state are limits of differences of the terms.
+    #[test]
+    fn the_derivatives_of_the_series_are_those_of_its_terms() {
+        const BY: f64 = 1e-5;
+        for (slider, state) in SLIDERS.into_iter().flat_map(|slider| STATES.map(|state| (slider, state))) {
+            let middle = series(slider, state);
+            for j in 0..2 {
+                let moved = |by: f64| {
+                    series(slider, std::array::from_fn(|i| state[i] + if i == j { by } else { 0.0 }))
+                };
+                let (before, after) = (moved(-BY), moved(BY));
+                for k in 1..=6 {
+                    for i in 0..2 {
+                        let slope = (after[k][i].lane(0).mid - before[k][i].lane(0).mid) / (2.0 * BY);
+                        let found = middle[k][i].lane(j + 1).mid;
+                        let scale = 1.0 + slope.abs() + middle[k][i].lane(0).mid.abs();
+                        assert!(
+                            (found - slope).abs() < 1e-5 * scale,
+                            "{slider:?} {state:?} {k} {i} {j} {found} {slope}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+}

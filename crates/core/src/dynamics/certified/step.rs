@@ -275,8 +275,12 @@ mod tests {
     use super::super::inertial::Inertial;
     use super::super::linear::multiply;
     use super::super::set::COORDINATES;
+    use rug::Float;
+
+    use super::super::lanes::{Factor, product};
     use super::*;
     use crate::friction::EvolutionLaw;
+    use crate::number::split_mix::SplitMix64;
 
     fn is_disjoint<const N: usize>(a: &[Interval; N], b: &[Interval; N]) -> bool {
         a.iter().zip(b).any(|(a, b)| a.upper() < b.lower() || b.upper() < a.lower())
@@ -347,6 +351,137 @@ mod tests {
                 let x = out[k][0].scaled(part);
                 out[k + 1] = [x.scaled(Interval::point(self.0)), x];
             }
+        }
+    }
+
+    /// The same without derivatives by the initial state: only the state's own check can refuse.
+    struct StateAlone(f64);
+
+    impl System<1, 2> for StateAlone {
+        fn expand<const M: usize>(&self, out: &mut Series<M, 2>) {
+            let of_state = |lanes: Lanes<M>| {
+                Lanes::new(std::array::from_fn(|l| if l == 0 { lanes.lane(0) } else { Interval::ZERO }))
+            };
+            Growth(self.0).expand(out);
+            for k in 1..=ORDER {
+                out[k] = out[k].map(of_state);
+            }
+        }
+    }
+
+    /// x' = x², whose solution x/(1 − xt) ends at t = 1/x, with the clock t' = 1.
+    struct Riccati;
+
+    impl System<1, 2> for Riccati {
+        fn expand<const M: usize>(&self, out: &mut Series<M, 2>) {
+            let mut factors = [Factor::<M>::ZERO; ORDER + 1];
+            for k in 0..ORDER {
+                let part = Interval::point((k + 1) as f64).reciprocal();
+                factors[k] = out[k][0].into();
+                let clock = if k == 0 { Lanes::ZERO.plus(Interval::ONE) } else { Lanes::ZERO };
+                out[k + 1] = [product(&factors, &factors, k).scaled(part), clock];
+            }
+        }
+    }
+
+    /// A step of any length is refused, or holds the solution: of x' = x² from points and boxes, also beyond its end, where there is none.
+    #[test]
+    fn no_step_reaches_beyond_the_end_of_a_solution() {
+        let mut taken = 0;
+        for [from, to] in
+            [[1.0, 1.0], [0.5, 1.0], [-0.2, 0.2], [-1.0, 0.25], [-1.0, -1.0], [0.0, 0.0], [-0.5, 0.5]]
+        {
+            let set = Set::new(
+                [Interval::ZERO; COORDINATES],
+                [Interval::between(from, to)],
+                [[Interval::ONE, Interval::ZERO]],
+            );
+            let expansion = Expansion::new(&Riccati, &set);
+            for h in (1..200).map(|i| 0.02 * f64::from(i)).chain([10.0, 100.0, 1e4, 1e8]) {
+                let Some(step) = expansion.step_within(&Riccati, &set, h, 0.0, [f64::INFINITY; 2]) else {
+                    continue;
+                };
+                taken += 1;
+                for part in 0..=4 {
+                    let start = from + (to - from) * f64::from(part) / 4.0;
+                    assert!(start * h < 1.0, "{from} {to} {h}: there is no solution");
+                    for time in [0.0, 0.3 * h, 0.8 * h, h] {
+                        let at = |h: f64| start / (1.0 - start * h);
+                        let slope = 1.0 / ((1.0 - start * time) * (1.0 - start * time));
+                        assert!(
+                            step.during[0].widened(1e-14).may_contain(at(time)),
+                            "{from} {to} {h} {time}"
+                        );
+                        assert!(
+                            step.largest_slope >= slope * (1.0 - 1e-14),
+                            "{from} {to} {h} {time} {slope} {}",
+                            step.largest_slope
+                        );
+                    }
+                    let slope = 1.0 / ((1.0 - start * h) * (1.0 - start * h));
+                    assert!(step.slope[0][0].widened(1e-14 * slope).may_contain(slope), "{from} {to} {h}");
+                    assert!(step.duration.may_contain(h));
+                }
+                let centre = set.centre[0];
+                assert!(
+                    step.image[0].widened(1e-14).may_contain(centre / (1.0 - centre * h)),
+                    "{from} {to} {h}"
+                );
+            }
+        }
+        assert!(taken > 100, "{taken}");
+    }
+
+    /// Steps so long that e^{λh} is far beyond the powers of the remainder: the state's check alone, and that of the derivatives alone.
+    #[test]
+    fn a_step_that_its_box_does_not_hold_is_refused() {
+        for z in (0..140).map(|i| 5.0 * f64::from(i + 1)) {
+            let point = |x: f64| {
+                Set::new(
+                    [Interval::ZERO; COORDINATES],
+                    [Interval::point(x)],
+                    [[Interval::ONE, Interval::ZERO]],
+                )
+            };
+            let limits = [f64::INFINITY; 2];
+            let growth = libm::exp(z);
+            let (state, rest) = (point(1.0), point(0.0));
+            if let Some(step) =
+                Expansion::new(&StateAlone(1.0), &state).step_within(&StateAlone(1.0), &state, z, 0.0, limits)
+            {
+                assert!(
+                    step.during[0].upper() >= growth && step.image[0].upper() >= growth * (1.0 - 1e-12),
+                    "{z} {:?}",
+                    step.during
+                );
+            }
+            if let Some(step) =
+                Expansion::new(&Growth(1.0), &rest).step_within(&Growth(1.0), &rest, z, 0.0, limits)
+            {
+                assert!(
+                    step.largest_slope >= growth && step.slope[0][0].upper() >= growth * (1.0 - 1e-12),
+                    "{z} {:?}",
+                    step.slope
+                );
+            }
+        }
+    }
+
+    /// A short step rounds a few times only, and all of it is enclosed: e^{1/1024} to 400 bits.
+    #[test]
+    fn the_rounding_of_a_step_is_enclosed() {
+        let mut random = SplitMix64(4);
+        for _ in 0..200 {
+            let x = 0.5 + random.unit();
+            let set = Set::new(
+                [Interval::ZERO; COORDINATES],
+                [Interval::point(x)],
+                [[Interval::ONE, Interval::ZERO]],
+            );
+            let step =
+                Expansion::new(&Growth(1.0), &set).step(&Growth(1.0), &set, 1.0 / 1024.0, 0.0).unwrap();
+            let exact = Float::with_val(400, 1.0 / 1024.0).exp() * x;
+            assert!((exact - step.image[0].mid).abs() <= step.image[0].rad && step.image[0].rad < 1e-14);
         }
     }
 

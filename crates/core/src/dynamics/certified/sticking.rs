@@ -209,3 +209,64 @@ fn disturbed(
     let gained = slope_impulses.map(|impulse| Interval::symmetric(generously_up(impulse * growth)));
     set.mapped(image, &slope, &[gained; 2])
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::friction::EvolutionLaw;
+
+    /// x' = x² with y' = 0, which ψ pushes by I + Jp at the start: then x = u/(1 − uh) with u = x₀ + p + I + Jp, and its derivative by p
+    /// is (1 + J)/(1 − uh)².
+    #[test]
+    fn what_psi_adds_to_a_step_is_held_in_closed_form() {
+        let one = Interval::point(1.0);
+        let constants =
+            Constants { inertia: one, stiffness: one, effect_ratio: one, law: EvolutionLaw::Slip };
+        let zero = Interval::ZERO;
+        for (from, h) in [(0.5_f64, 0.5), (1.0, 0.3), (0.2, 2.0), (-1.0, 0.5)] {
+            for (impulse, by_p) in [(0.02, 0.0), (0.0, 0.3), (0.02, 0.3), (0.05, 0.01)] {
+                for direction in 0..2 {
+                    // In one of the two components, while the other one rests.
+                    let place = |value: Interval| if direction == 0 { [value, zero] } else { [zero, value] };
+                    let mut manifold = Manifold::over(&constants, &[zero; 2]);
+                    let largest = (from + impulse) / (1.0 - (from + impulse) * h);
+                    let largest = largest.abs().max((from + impulse).abs());
+                    (manifold.largest_slope, manifold.largest_bend) = (2.0 * largest, 2.0);
+                    let growth = libm::exp(manifold.largest_slope * h);
+                    let at = |u: f64| [u / (1.0 - u * h), 1.0 / ((1.0 - u * h) * (1.0 - u * h))];
+                    let [x, slope] = at(from);
+                    let mut slopes = [[Interval::ONE, zero], [zero, Interval::ONE]];
+                    slopes[direction][direction] = Interval::point(slope);
+                    let step = Step {
+                        during: [zero; 2],
+                        image: place(Interval::point(x)),
+                        slope: slopes,
+                        largest_slope: slope.max(1.0),
+                        duration: Interval::point(h),
+                    };
+                    let by_first = place(Interval::ONE).map(|slope| [slope, zero]);
+                    let start = Set::new([zero; 2], place(Interval::point(from)), by_first);
+                    let end = disturbed(&start, &step, h, &manifold, impulse, [by_p, 0.0], growth);
+                    for sign in [1.0, -1.0] {
+                        let [pushed, slope] = at(from + sign * impulse);
+                        let holds =
+                            |c: Interval, value: f64| c.widened(1e-14 * value.abs()).may_contain(value);
+                        assert!(
+                            holds(end.hull()[direction], pushed),
+                            "{from} {impulse} {pushed} {:?}",
+                            end.hull()
+                        );
+                        for of_p in [1.0 + by_p, 1.0 - by_p] {
+                            let derivative = end.derivative()[direction][0];
+                            assert!(
+                                holds(derivative, slope * of_p),
+                                "{from} {impulse} {by_p} {} {derivative:?}",
+                                slope * of_p
+                            );
+                        }
+                    }
+                }
+            }
+        }
+    }
+}

@@ -171,3 +171,41 @@ fn a_box_of_the_right_cycle_is_refused_after_each_planted_fault() {
     }
     assert_eq!(refused, 7 * 2 * CYCLES.len());
 }
+
+/// A cycle is proved again from its stated box, and not from a part of the box, from one beside it, or from one without an end.
+#[test]
+fn only_a_box_that_returns_into_itself_proves_a_cycle_again() {
+    let slider = paper("1e4", "1e-2");
+    for law in EvolutionLaw::ALL {
+        let prove = |stated: &Proved| prove_again(&slider, law, Start::default(), stated);
+        let found = certify(&slider, law, Start::default()).unwrap();
+        let again = prove(&found.proved).unwrap();
+        assert!(again.period_s().is_some());
+        let Proved::Cycle { state_box, second_box, .. } = found.proved.clone() else { panic!("{found:?}") };
+        let with = |boxes: [[f64; 2]; 2]| {
+            let mut stated = found.proved.clone();
+            if let Proved::Cycle { state_box, second_box, .. } = &mut stated {
+                [*state_box, *second_box] = boxes;
+            }
+            stated
+        };
+        let widths = [state_box, second_box].map(|[low, high]| high - low);
+        let scaled = |part: f64, moved: f64| {
+            with(std::array::from_fn(|i| {
+                let [low, high] = [state_box, second_box][i];
+                let middle = 0.5 * (low + high) + moved * widths[i];
+                [middle - 0.5 * part * widths[i], middle + 0.5 * part * widths[i]]
+            }))
+        };
+        assert!(prove(&scaled(1.5, 0.0)).is_ok());
+        for wrong in [
+            scaled(1e-3, 0.0),
+            scaled(1.0, 10.0),
+            scaled(1.0, -10.0),
+            scaled(-1.0, 0.0),
+            scaled(f64::NAN, 0.0),
+        ] {
+            assert!(prove(&wrong).is_err(), "{law:?} {wrong:?}");
+        }
+    }
+}

@@ -150,3 +150,55 @@ fn short_flow(jacobian: &[[Interval; 3]; 3], time: f64) -> Option<[[Interval; 3]
         })
     }))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Matrices with equal positive entries a, for which e^{Jt} = I + (e^{3at} − 1)/3 in each entry, and others with one entry or with
+    /// entries of any sign: what is enclosed holds e^{Jt} and e^{−Jt}; long times have no enclosure, or one that holds them.
+    #[test]
+    fn the_derivative_of_a_short_flow_is_enclosed() {
+        let mut enclosed = 0;
+        for turning in [1e-3, 0.03, 0.09, 0.3, 1.0, 3.0, 10.0, 20.0, 40.0] {
+            let size = turning / 3.0;
+            let all = [[size; 3]; 3];
+            let one = [[0.0, turning, 0.0], [0.0; 3], [0.0; 3]];
+            let turns = [[0.0, -turning, 0.0], [turning, 0.0, 0.0], [0.0, 0.0, -turning]];
+            for (matrix, time) in [(all, 1.0), (all, 0.125), (one, 2.0), (turns, 1.0)] {
+                for rad in [0.0, 0.5] {
+                    // A box of matrices, of which this one is the largest.
+                    let jacobian = matrix.map(|row| {
+                        row.map(|c| Interval { mid: (1.0 - rad) * c / time, rad: rad * (c / time).abs() })
+                    });
+                    let Some(flow) = short_flow(&jacobian, time) else { continue };
+                    enclosed += 1;
+                    for sign in [1.0, -1.0] {
+                        // The series of e^{Jt}.
+                        let (mut sum, mut power) = ([[0.0; 3]; 3], [[0.0; 3]; 3]);
+                        (0..3).for_each(|i| (sum[i][i], power[i][i]) = (1.0, 1.0));
+                        for k in 1..200 {
+                            let next = |i: usize, j: usize| {
+                                (0..3).map(|m| power[i][m] * matrix[m][j]).sum::<f64>() * sign / f64::from(k)
+                            };
+                            power = std::array::from_fn(|i| std::array::from_fn(|j| next(i, j)));
+                            (0..3).for_each(|i| (0..3).for_each(|j| sum[i][j] += power[i][j]));
+                        }
+                        for i in 0..3 {
+                            for j in 0..3 {
+                                let error = 1e-14 * sum[i][j].abs();
+                                assert!(
+                                    flow[i][j].widened(error).may_contain(sum[i][j]),
+                                    "{turning} {i} {j} {} {:?}",
+                                    sum[i][j],
+                                    flow[i][j]
+                                );
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        assert!(enclosed >= 20, "{enclosed}");
+    }
+}
