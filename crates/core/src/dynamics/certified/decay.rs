@@ -220,7 +220,8 @@ mod tests {
                 std::array::from_fn(|i| if along == 3 || along == i { number(-1.0, 1.0) } else { 0.0 });
             let widths: [f64; 3] = std::array::from_fn(|_| number(-0.5, 1.0).max(0.0));
             let is_stuck = case % 3 == 0;
-            for scale in (0..24).map(|k| libm::pow(10.0, 1.0 - 0.5 * f64::from(k))) {
+            let (steps, by) = if case % 12 == 0 { (240, 0.05) } else { (24, 0.5) };
+            for scale in (0..steps).map(|k| libm::pow(10.0, 1.0 - by * f64::from(k))) {
                 let at = direction.map(|c| scale * c);
                 let radius: [f64; 3] = std::array::from_fn(|i| scale * widths[i]);
                 let none = [Interval::ZERO; COORDINATES];
@@ -273,6 +274,49 @@ mod tests {
             }
         }
         assert!(captures[0] > 500 && captures[1] > 200 && by_cone > 50, "{captures:?} {by_cone}");
+    }
+
+    /// Runs that have come near the slowest mode: x and ζ of the state lie within the bounds of its cone, in which F counts as well.
+    #[test]
+    fn the_bounds_near_the_slowest_mode_hold_the_state() {
+        let mut by_cone = 0;
+        for (law, direction) in EvolutionLaw::ALL.into_iter().flat_map(|law| [(law, 1.0), (law, -1.0)]) {
+            for inertia in [0.01, 0.1, 0.5, 2.0] {
+                for stiffness in [6.0, 10.0, 20.0, 60.0, 200.0] {
+                    let slider = Slider { inertia, stiffness, effect_ratio: 1.5, law };
+                    let constants = slider.constants();
+                    let Some(ellipsoid) = Ellipsoid::around_steady_sliding(&constants) else { continue };
+                    let mut member = slider.member([0.05 * direction, 0.1 * direction, 0.0]);
+                    for step in 0..20_000 {
+                        member = slider.step(member, 0.02);
+                        if step % 50 != 0 {
+                            continue;
+                        }
+                        let [x, y, force, _] = member.state;
+                        let none = [Interval::ZERO; COORDINATES];
+                        let set = Set::new(none, [x, y, force].map(Interval::point), [none; 3]);
+                        let Some(bounds) =
+                            captured(&Motion::new(&constants, States::Inertial(set), 1), &ellipsoid)
+                        else {
+                            continue;
+                        };
+                        if bounds.highest == bounds.lowest {
+                            continue;
+                        }
+                        by_cone += 1;
+                        let stress = force + x + 1.5 * y;
+                        let holds = |bound: f64, value: f64| value <= bound * (1.0 + 1e-9) + 1e-16;
+                        assert!(holds(bounds.x, x), "{slider:?} {member:?} {}", bounds.x);
+                        assert!(holds(bounds.highest, stress), "{slider:?} {stress} {}", bounds.highest);
+                        assert!(holds(bounds.lowest, -stress), "{slider:?} {stress} {}", bounds.lowest);
+                        if x.abs() < 1e-9 {
+                            break;
+                        }
+                    }
+                }
+            }
+        }
+        assert!(by_cone > 20, "{by_cone}");
     }
 
     /// Decays from each start against single motions: the largest velocity and the range of the spring stress count the start and the limit, and

@@ -10,8 +10,8 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 use rug::{Float, Rational, float::Round};
 
-use crate::dynamics::quick_exp::exponentials;
-use crate::number::nearest_f64;
+use super::linear::worse;
+use crate::{dynamics::quick_exp::exponentials, number::nearest_f64};
 
 /// u, the largest relative error of one operation.
 pub(super) const UNIT: f64 = f64::EPSILON / 2.0;
@@ -117,9 +117,7 @@ impl Interval {
 
     /// The smallest interval that holds both; not a number where one of them is not.
     pub fn hull(self, other: Self) -> Self {
-        let [low, other_low] = [self.lower(), other.lower()];
-        let low = if low.is_nan() || low < other_low { low } else { other_low };
-        Self::between(low, super::linear::worse(self.upper(), other.upper()))
+        Self::between(-worse(-self.lower(), -other.lower()), worse(self.upper(), other.upper()))
     }
 
     /// The same with a larger radius.
@@ -393,5 +391,12 @@ mod tests {
         assert_eq!(Interval::of_rational(&three), Interval::point(3.0));
         let between = Interval::over([&three, &third]);
         assert!([&three, &third].iter().all(|end| holds(between, &Float::with_val(400, *end))));
+        // Each end can be the farther one from the rounded middle.
+        for n in 1..200 {
+            let (first, last) = (Rational::from((n, 7)), Rational::from((3 * n + 1, 11)));
+            for between in [Interval::over([&first, &last]), Interval::over([&last, &first])] {
+                assert!([&first, &last].iter().all(|end| holds(between, &Float::with_val(400, *end))), "{n}");
+            }
+        }
     }
 }

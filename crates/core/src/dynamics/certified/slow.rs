@@ -216,9 +216,9 @@ mod tests {
                 let mean = |i: usize| (first[i] + 2.0 * second[i] + 2.0 * third[i] + fourth[i]) / 6.0;
                 moved = [moved[0] + h * mean(0), moved[1] + h * mean(1)];
             }
-            for i in 0..2 {
+            for (i, moved) in moved.into_iter().enumerate() {
                 let found = sum(&series, i, TIME);
-                assert!((found - moved[i]).abs() < 1e-11, "{slider:?} {state:?} {i} {found} {}", moved[i]);
+                assert!((found - moved).abs() < 1e-11, "{slider:?} {state:?} {i} {found} {moved}");
             }
             assert!((sum(&series, 2, TIME) - TIME).abs() < 1e-15);
         }
