@@ -1,6 +1,7 @@
-//! Sets so wide that each term of a bound matters, against single motions of the whole slider: each shift, crossing and change of the
-//! description is refused, or it holds the motions with their derivatives, times and extremes.
+//! Wide sets against single motions of the whole slider: each shift, step, crossing and change of the description is refused, or it holds
+//! the motions with their derivatives, times and extremes.
 
+#[cfg(test)]
 mod slow;
 
 use super::Constants;
