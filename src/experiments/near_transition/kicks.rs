@@ -36,7 +36,7 @@ pub struct Border {
     pub changes: [f64; 2],
     /// ln(V_peak/V_l) when the run moves along the slow direction.
     pub log_peaks: [f64; 2],
-    /// Whether runs from kicks that are smaller and larger by a part of [`APART`] end in sliding and on a cycle; none when one has no result.
+    /// Whether runs from kicks that are smaller and larger by 5 % end in sliding and on a cycle; none when one has no result.
     pub confirmed: Option<bool>,
 }
 

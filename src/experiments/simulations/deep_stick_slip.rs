@@ -9,7 +9,7 @@ use slipmode_core::dynamics::{
 };
 use slipmode_core::friction::{EvolutionLaw, Slider};
 use slipmode_core::number::{Rational, nearest_f64};
-use slipmode_core::theory::{Role, emergence};
+use slipmode_core::theory::{Equations, Role, emergence};
 use slipmode_plot::table::Table;
 
 const NEEDS: &[Need] = &[Need::Simulations];
@@ -54,10 +54,10 @@ fn softness(slider: &Slider<f64>, stress_pa: f64) -> [f64; 2] {
     [stiffness_group, stiffness_group / (slider.effect_ratio() - 1.0)]
 }
 
-/// Twice the velocity of the asymptote as the report states it, m/s.
-fn twice_eq18(context: &Context, slider: &Slider<Rational>, stress_pa: f64) -> Option<f64> {
+/// Twice the velocity of the asymptote as the report states it, m/s; its equations are in the symbols of procedures.
+fn twice_eq18(equations: &Equations, slider: &Slider<Rational>, stress_pa: f64) -> Option<f64> {
     let stress = Rational::from_f64(stress_pa)?;
-    let velocity = emergence::velocity_of(context.equations, Role::InertialUpper, slider, &stress, BITS)?;
+    let velocity = emergence::velocity_of(equations, Role::InertialUpper, slider, &stress, BITS)?;
     Some(2.0 * velocity.to_f64())
 }
 
@@ -70,21 +70,22 @@ pub(super) struct LawOfLeast {
 }
 
 impl LawOfLeast {
-    pub fn new(context: &Context, scene: &SceneOutcome, least: &LeastPeak) -> Option<Self> {
+    pub fn new(equations: &Equations, scene: &SceneOutcome, least: &LeastPeak) -> Option<Self> {
         let exact = scene.slider()?;
         let slider = exact.map(nearest_f64);
-        let scale = twice_eq18(context, exact, least.normal_stress_pa)?;
+        let scale = twice_eq18(equations, exact, least.normal_stress_pa)?;
         let by_law = scale * least_loading(least.law, slider.effect_ratio(), least.least_m_per_s / scale);
         let offset_dex = libm::log10(least.eq18_velocity_m_per_s / by_law) + least.offset_dex;
         Some(Self { softness: softness(&slider, least.normal_stress_pa)[1], offset_dex })
     }
 }
 
-fn rows<'c>(context: &'c Context) -> impl Iterator<Item = Row<'c>> {
-    context.outcome.scenes.iter().flat_map(move |scene| of_scene(context, scene))
+fn rows<'c>(context: &Context<'c>) -> Vec<Row<'c>> {
+    let equations = context.equations.in_symbols();
+    context.outcome.scenes.iter().flat_map(|scene| of_scene(&equations, scene)).collect()
 }
 
-fn of_scene<'c>(context: &'c Context, scene: &'c SceneOutcome) -> Vec<Row<'c>> {
+fn of_scene<'c>(equations: &Equations, scene: &'c SceneOutcome) -> Vec<Row<'c>> {
     let Some(exact) = scene.slider().filter(|slider| slider.has_transition()) else { return Vec::new() };
     let slider = exact.map(nearest_f64);
     let (effect_ratio, impedance) =
@@ -96,7 +97,7 @@ fn of_scene<'c>(context: &'c Context, scene: &'c SceneOutcome) -> Vec<Row<'c>> {
         for points in points.chunk_by(|one, other| one.1 == other.1) {
             let stress_pa = points[0].1;
             let [stiffness_group, softness] = softness(&slider, stress_pa);
-            let Some(scale) = twice_eq18(context, exact, stress_pa).filter(|_| softness <= DEEP) else {
+            let Some(scale) = twice_eq18(equations, exact, stress_pa).filter(|_| softness <= DEEP) else {
                 continue;
             };
             let cycle = |&(load_m_per_s, _, point): &(f64, f64, &'c SimulatedPoint)| {
@@ -125,7 +126,7 @@ impl Deep<'_> {
 
 fn cycles(context: &Context) -> Option<Table> {
     let note = "Limit cycles with K/K_c,qs and V_l/V_18 up to a tenth, V_18 the velocity of {inertial-upper}. A = V_peak/(2 V_18). The laws are those of matched asymptotics for a soft spring; what they leave out is what the spring loses while the state weakens.";
-    let rows: Vec<Row> = rows(context).collect();
+    let rows = rows(context);
     let each = rows.iter().flat_map(|row| row.cycles.iter().map(move |deep| (row, deep)));
     Table::of("deep-stick-slip", "Deep stick-slip and the law of its peak", each)
         .note(note)
@@ -170,7 +171,7 @@ fn cycles(context: &Context) -> Option<Table> {
 
 fn steps(context: &Context) -> Option<Table> {
     let note = "−ΔV_peak/Δ ln V_l in 2 V_18 between neighbouring cycles of the table of deep stick-slip, at the geometric mean of their velocities and peaks. The law leaves out loading during the slip, the spring's loss, and terms in 1/A².";
-    let rows: Vec<Row> = rows(context).collect();
+    let rows = rows(context);
     let pairs = rows.iter().flat_map(|row| row.cycles.windows(2).map(move |pair| (row, &pair[0], &pair[1])));
     let middle = |one: f64, other: f64| (one * other).sqrt();
     let peak = move |one: &Deep, other: &Deep| middle(one.cycle.peak, other.cycle.peak);
@@ -254,7 +255,8 @@ fn fits(context: &Context) -> Option<Table> {
     let note = format!(
         "Least-squares fits of the law of the peak to the cycles of deep stick-slip at one normal stress, where these have {LEAST_ROWS} or more load velocities, over 2 V_18 with V_18 of {{inertial-upper}}. Unknown b/a: anywhere from {low} to {high}. Terms left out: V_l/(2 V_18) + K/K_c,qs + 1/A² at most."
     );
-    let rows: Vec<Row> = rows(context).filter(|row| row.cycles.len() >= LEAST_ROWS).collect();
+    let mut rows = rows(context);
+    rows.retain(|row| row.cycles.len() >= LEAST_ROWS);
     let fitted: Vec<(&Row, Fitted)> = rows.iter().filter_map(|row| Some((row, row.fitted()?))).collect();
     Table::of("peak-fits", "2 V_18 from the peaks of deep stick-slip", &fitted)
         .note(&note)

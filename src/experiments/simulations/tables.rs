@@ -214,9 +214,9 @@ fn least_peaks(context: &Context) -> Option<Table> {
         let peaks = scene.simulations.iter().flat_map(|found| &found.least_peaks);
         peaks.map(move |least| (scene, least))
     });
-    let least_peaks: Vec<_> =
-        found.map(|(scene, least)| (least, LawOfLeast::new(context, scene, least))).collect();
-
+    let equations = context.equations.in_symbols();
+    let of_law = |scene, least| (least, LawOfLeast::new(&equations, scene, least));
+    let least_peaks: Vec<_> = found.map(|(scene, least)| of_law(scene, least)).collect();
     Table::of("least-peaks", "Velocity of the lowest peak, compared with {inertial-upper}", &least_peaks)
         .note(note)
         .text("law", "Law", |(least, _): &(&LeastPeak, Option<LawOfLeast>)| least.law.as_str())
