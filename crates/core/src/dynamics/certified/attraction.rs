@@ -127,7 +127,7 @@ fn diagonal_of_inverse(m: &Square<3>) -> Option<[Interval; 3]> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::members::Slider;
+    use super::super::tests::members::Slider;
     use super::*;
     use crate::number::split_mix::SplitMix64;
 

@@ -111,7 +111,7 @@ fn start_state(constants: &Constants, start: Start) -> [Interval; 3] {
 #[cfg(test)]
 mod tests {
     use super::super::manifold::Tube;
-    use super::super::members::Slider;
+    use super::super::tests::members::Slider;
     use super::*;
     use crate::dynamics::Model;
     use crate::friction::{EvolutionLaw, Groups, ParameterBox, Parameters};

@@ -210,9 +210,9 @@ impl Passage {
 
 #[cfg(test)]
 mod tests {
-    use super::super::members::Slider;
     use super::super::motion::{Motion, States};
     use super::super::set::{COORDINATES, Set};
+    use super::super::tests::members::Slider;
     use super::*;
     use crate::number::split_mix::SplitMix64;
 

@@ -21,12 +21,8 @@ mod jet;
 mod lanes;
 mod linear;
 mod manifold;
-#[cfg(test)]
-mod members;
 mod motion;
 mod observed;
-#[cfg(test)]
-mod planted;
 mod set;
 mod slow;
 mod step;
@@ -34,8 +30,6 @@ mod sticking;
 #[cfg(test)]
 mod tests;
 mod transversal;
-#[cfg(test)]
-mod wide_sets;
 
 pub use coexistence::{Coexistence, certify_coexistence};
 

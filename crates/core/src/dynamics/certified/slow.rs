@@ -166,7 +166,7 @@ impl System<2, 3> for Slow<'_> {
 #[cfg(test)]
 mod tests {
     use super::super::manifold::Manifold;
-    use super::super::members::Slider;
+    use super::super::tests::members::Slider;
     use super::*;
 
     const SLIDERS: [Slider; 2] = [

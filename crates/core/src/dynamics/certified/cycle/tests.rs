@@ -2,7 +2,7 @@
 
 use rug::Float;
 
-use super::super::members::Slider;
+use super::super::tests::members::Slider;
 use super::*;
 use crate::friction::EvolutionLaw;
 use crate::number::Rational;

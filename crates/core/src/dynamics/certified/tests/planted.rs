@@ -2,12 +2,12 @@
 
 use rug::Float;
 
-use super::Constants;
-use super::interval::{Interval, UNIT, up};
-use super::lanes::{Lanes, product};
-use super::manifold::{Manifold, Tube};
-use super::motion::{Motion, States};
-use super::set::{COORDINATES, Set};
+use crate::dynamics::certified::Constants;
+use crate::dynamics::certified::interval::{Interval, UNIT, up};
+use crate::dynamics::certified::lanes::{Lanes, product};
+use crate::dynamics::certified::manifold::{Manifold, Tube};
+use crate::dynamics::certified::motion::{Motion, States};
+use crate::dynamics::certified::set::{COORDINATES, Set};
 use crate::friction::EvolutionLaw;
 use crate::number::split_mix::SplitMix64;
 

@@ -1,12 +1,16 @@
 //! Certificates against references of quadruple precision and the simulator, and planted faults that no certificate survives.
 
+pub(super) mod members;
+mod planted;
+mod wide_sets;
+
 use super::cycle::Test;
 use super::interval::Interval;
 use super::*;
 use crate::dynamics::simulate;
 use crate::number::parse_decimal;
 
-const REFERENCES: &str = include_str!("estimated-errors.txt");
+const REFERENCES: &str = include_str!("../estimated-errors.txt");
 
 fn parameters(texts: [&str; 7]) -> Parameters<Rational> {
     Parameters::from(texts.map(|text| parse_decimal(text).unwrap()))

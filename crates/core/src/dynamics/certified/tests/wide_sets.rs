@@ -1,17 +1,16 @@
 //! Wide sets against single motions of the whole slider: each shift, step, crossing and change of the description is refused, or it holds
 //! the motions with their derivatives, times and extremes.
 
-#[cfg(test)]
 mod slow;
 
-use super::Constants;
-use super::crossing::Crossing;
-use super::inertial::Inertial;
-use super::interval::Interval;
 use super::members::{Member, Slider};
-use super::motion::{Motion, States, landing};
-use super::set::{COORDINATES, Set};
-use super::step::Expansion;
+use crate::dynamics::certified::Constants;
+use crate::dynamics::certified::crossing::Crossing;
+use crate::dynamics::certified::inertial::Inertial;
+use crate::dynamics::certified::interval::Interval;
+use crate::dynamics::certified::motion::{Motion, States, landing};
+use crate::dynamics::certified::set::{COORDINATES, Set};
+use crate::dynamics::certified::step::Expansion;
 use crate::friction::EvolutionLaw;
 use crate::number::split_mix::SplitMix64;
 

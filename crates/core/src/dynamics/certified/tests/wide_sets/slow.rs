@@ -1,14 +1,14 @@
 //! The same of a slider near its slow manifold: steps, crossings, and both changes of the description.
 
-use super::super::Constants;
-use super::super::crossing::Crossing;
-use super::super::interval::Interval;
-use super::super::manifold::{Manifold, Tube};
 use super::super::members::{Member, Slider};
-use super::super::motion::{Motion, States, column_sizes};
-use super::super::set::{COORDINATES, Derivative, Set};
-use super::super::sticking::LastStep;
 use super::{ERROR, MIDDLE, Numbers, PAIRS, holds, holds_slope, seen_at, step, until};
+use crate::dynamics::certified::Constants;
+use crate::dynamics::certified::crossing::Crossing;
+use crate::dynamics::certified::interval::Interval;
+use crate::dynamics::certified::manifold::{Manifold, Tube};
+use crate::dynamics::certified::motion::{Motion, States, column_sizes};
+use crate::dynamics::certified::set::{COORDINATES, Derivative, Set};
+use crate::dynamics::certified::sticking::LastStep;
 use crate::friction::EvolutionLaw;
 use crate::number::split_mix::SplitMix64;
 

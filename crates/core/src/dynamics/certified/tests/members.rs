@@ -1,18 +1,18 @@
 //! Enclosed motions of wide sets against single motions of the sets, by Runge and Kutta's method on the whole equations.
 
-use super::crossing::Crossing;
-use super::inertial::Inertial;
-use super::interval::Interval;
-use super::manifold::Manifold;
-use super::motion::{Motion, States};
-use super::observed::Observed;
-use super::set::{COORDINATES, Set};
-use super::{Constants, Reason};
+use crate::dynamics::certified::crossing::Crossing;
+use crate::dynamics::certified::inertial::Inertial;
+use crate::dynamics::certified::interval::Interval;
+use crate::dynamics::certified::manifold::Manifold;
+use crate::dynamics::certified::motion::{Motion, States};
+use crate::dynamics::certified::observed::Observed;
+use crate::dynamics::certified::set::{COORDINATES, Set};
+use crate::dynamics::certified::{Constants, Reason};
 use crate::friction::EvolutionLaw;
 
 /// η, κ, β and the law, as numbers.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Slider {
+pub(in crate::dynamics::certified) struct Slider {
     pub inertia: f64,
     pub stiffness: f64,
     pub effect_ratio: f64,
@@ -21,7 +21,7 @@ pub(super) struct Slider {
 
 /// One motion so far: x, y, F and the time, then the largest x, ζ and −ζ.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Member {
+pub(in crate::dynamics::certified) struct Member {
     pub state: [f64; 4],
     pub largest: [f64; 3],
 }
