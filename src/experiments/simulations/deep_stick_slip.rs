@@ -203,6 +203,7 @@ fn steps(context: &Context) -> Option<Table> {
 }
 
 /// What the fit of one row of cycles gives, over 2 V_18; empty where there is no fit.
+#[derive(Clone)]
 struct Fitted {
     known: Option<f64>,
     other_law: Option<f64>,
@@ -255,24 +256,28 @@ fn fits(context: &Context) -> Option<Table> {
     let note = format!(
         "Least-squares fits of the law of the peak to the cycles of deep stick-slip at one normal stress, where these have {LEAST_ROWS} or more load velocities, over 2 V_18 with V_18 of {{inertial-upper}}. Unknown b/a: anywhere from {low} to {high}. Terms left out: V_l/(2 V_18) + K/K_c,qs + 1/A² at most."
     );
-    let mut rows = rows(context);
-    rows.retain(|row| row.cycles.len() >= LEAST_ROWS);
-    let fitted: Vec<(&Row, Fitted)> = rows.iter().filter_map(|row| Some((row, row.fitted()?))).collect();
+    // Fits take seconds, and several claims read them.
+    let fitted = context.once("fits of peaks".into(), || {
+        let mut rows = rows(context);
+        rows.retain(|row| row.cycles.len() >= LEAST_ROWS);
+        let fitted = rows.iter().filter_map(|row| Some((row.law, row.stress_pa, row.fitted()?)));
+        fitted.collect::<Vec<(EvolutionLaw, f64, Fitted)>>()
+    });
     Table::of("peak-fits", "2 V_18 from the peaks of deep stick-slip", &fitted)
         .note(&note)
-        .text("law", "Law", |(row, _): &(&Row, Fitted)| row.law.as_str())
-        .digits("normal_stress_pa", "Normal stress σ", "Pa", DIGITS, |(row, _)| Rounded(row.stress_pa))
+        .text("law", "Law", |(law, ..): &(EvolutionLaw, f64, Fitted)| law.as_str())
+        .digits("normal_stress_pa", "Normal stress σ", "Pa", DIGITS, |(_, stress, _)| Rounded(*stress))
         .named()
-        .digits("fit_over_eq18", "Right law and b/a", "2 V_18", DIGITS, |(_, fitted)| fitted.known)
-        .digits("fit_other_law", "Other law", "2 V_18", DIGITS, |(_, fitted)| fitted.other_law)
-        .digits("fit_unknown_low", "Unknown b/a, from", "2 V_18", DIGITS, |(_, fitted)| {
+        .digits("fit_over_eq18", "Right law and b/a", "2 V_18", DIGITS, |(.., fitted)| fitted.known)
+        .digits("fit_other_law", "Other law", "2 V_18", DIGITS, |(.., fitted)| fitted.other_law)
+        .digits("fit_unknown_low", "Unknown b/a, from", "2 V_18", DIGITS, |(.., fitted)| {
             fitted.unknown_ratio.map(|ends| ends[0])
         })
-        .digits("fit_unknown_high", "to", "2 V_18", DIGITS, |(_, fitted)| {
+        .digits("fit_unknown_high", "to", "2 V_18", DIGITS, |(.., fitted)| {
             fitted.unknown_ratio.map(|ends| ends[1])
         })
-        .digits("fit_left_out", "Terms left out", "", 5, |(_, fitted)| fitted.left_out)
-        .digits("fit_error", "Error from the runs", "", 2, |(_, fitted)| fitted.error)
+        .digits("fit_left_out", "Terms left out", "", 5, |(.., fitted)| fitted.left_out)
+        .digits("fit_error", "Error from the runs", "", 2, |(.., fitted)| fitted.error)
         .table()
         .into()
 }
