@@ -29,6 +29,7 @@ mod ranges;
 mod ranked;
 mod root_discs;
 mod shares;
+mod summit;
 mod tensor;
 #[cfg(test)]
 mod tests;

@@ -20,8 +20,7 @@ use crate::number::Interval;
 /// The most places that a search for a bound halves, and one for a point.
 const MOST_PLACES: usize = 1 << 12;
 const MOST_PLACES_FOR_A_POINT: usize = 1 << 11;
-/// How often the equations narrow a place, and how often its end is cut.
-const NARROWINGS: u32 = 3;
+/// How often the end of a place is cut.
 const CUTS: u32 = 3;
 /// A cut below this part of a place does not pay.
 const LEAST_CUT: f64 = 0.1;
@@ -95,21 +94,31 @@ impl PairSearch<'_> {
         discs.is_some_and(|discs| discs.largest(Quantity::Real, &[None; 3]).high <= self.ceiling)
     }
 
-    /// k, m and m N/k: the third root, −r k/(m N), is below the ceiling, and below the other two where these are real.
-    fn machine(&self, place: &RootPlace, product: Interval) -> Option<[Interval; 3]> {
-        let [.., k, m, _, _] = *self.values;
-        let mut machine = [k, m, m / k * product];
+    /// k, m and m N/k over a place. The third root, −r k/(m N), is below the ceiling, and below the other two where these are real; and both
+    /// equations leave m N/k = 1 − b N/(δ Q k) = (r² − a N/(δ k))/(r² + 2rX).
+    fn machine(
+        &self,
+        place: &RootPlace,
+        [sum, product]: [Interval; 2],
+        delta: Interval,
+    ) -> Option<[Interval; 3]> {
+        let [a, b, _, k, m, _, _] = *self.values;
+        let rate = place.values[RATE];
+        let mut share = m / k * product;
         let ceiling = match place.kind {
             TwoRoots::Pair => self.ceiling,
             TwoRoots::Real => self.ceiling.min(place.values[SECOND].high),
         };
         if ceiling < 0.0 {
-            machine[2] = common(machine[2], at_most((place.values[RATE] / Interval::point(-ceiling)).high))?;
-            let least = product / Interval::point(machine[2].high);
-            machine[0].low = k.low.max((least * m.low).low);
-            machine[1].high = m.high.min((Interval::point(k.high) / least).high);
+            share = common(share, at_most((rate / Interval::point(-ceiling)).high))?;
         }
-        Some(machine)
+        let from_machine = product / (delta * k);
+        share =
+            common(share, Interval::point(1.0) - b * from_machine / place.kind.pole_product(&place.values))?;
+        share = common(share, (rate.square() - a * from_machine) / (rate * (rate + sum)))?;
+        let stiffness = common(k, m * product / share)?;
+        let mass = common(m, stiffness * share / product)?;
+        Some([stiffness, mass, share])
     }
 
     /// The variable with which the quantity changes most.
@@ -130,8 +139,9 @@ impl PairSearch<'_> {
             (Quantity::Imaginary, _) => second.square_root(),
             (Quantity::Real, TwoRoots::Real) => first,
             (Quantity::Real, TwoRoots::Pair) => {
-                let [.., k, m, _, _] = *self.values;
-                let third = -(rate * k / (m * (first.square() + second)));
+                let sum_and_product = place.kind.sum_and_product(&place.values);
+                let machine = self.delta(rate).and_then(|delta| self.machine(place, sum_and_product, delta));
+                let third = machine.map_or(Interval::LINE, |[.., share]| -(rate / share));
                 Interval { low: first.low.max(third.low), high: first.high.max(third.high.min(0.0)) }
             }
         };
@@ -163,24 +173,20 @@ impl PairSearch<'_> {
     /// The part of a place that the ceiling and each equation alone leave; none where no numbers of it are roots.
     fn narrowed(&self, mut place: RootPlace) -> Option<RootPlace> {
         let [a, b, ..] = *self.values;
-        let delta = self.delta(place.values[RATE])?;
+        let rate = place.values[RATE];
+        let delta = self.delta(rate)?;
         place.values[FIRST] = common(place.values[FIRST], at_most(self.ceiling))?;
-        for _ in 0..NARROWINGS {
-            place = place.in_order()?;
-            let rate = place.values[RATE];
-            let [sum, product] = place.kind.sum_and_product(&place.values);
-            let product = positive(product)?;
-            let [k, m, _] = self.machine(&place, product)?;
-            let rate_square = rate.square();
-            let from_pole = place.kind.pole_product(&place.values);
-            // N by a, and 2X by what remains of both equations without k.
-            let of_a = a / delta + m * (rate_square + rate * sum);
-            let product = common(product, k * rate_square / positive(of_a)?)?;
-            common(k / product - m, b / (delta * from_pole))?;
-            let sum = common(sum, (b / from_pole * rate_square - a) / (delta * m * rate))?;
-            place = place.with(sum, product)?;
-        }
-        Some(place)
+        place = place.in_order()?;
+        let [sum, product] = place.kind.sum_and_product(&place.values);
+        let product = positive(product)?;
+        let [k, m, _] = self.machine(&place, [sum, product], delta)?;
+        let rate_square = rate.square();
+        let from_pole = place.kind.pole_product(&place.values);
+        // N by a, and 2X by what remains of both equations without k.
+        let of_a = a / delta + m * (rate_square + rate * sum);
+        let product = common(product, k * rate_square / positive(of_a)?)?;
+        let sum = common(sum, (b / from_pole * rate_square - a) / (delta * m * rate))?;
+        place.with(sum, product)
     }
 
     /// The part of a place that the five conditions leave, cut at the end at which the search looks; none where nothing is left.
@@ -190,9 +196,10 @@ impl PairSearch<'_> {
         let [a, b, ..] = *self.values;
         let leading = self.leading();
         let [first, second, rate] = place.values;
-        let [_, product] = place.kind.sum_and_product(&place.values);
-        let [k, m, share] = self.machine(&place, positive(product)?)?;
-        let mut variables = [first, second, rate, self.delta(rate)?, a, b, k, m, share];
+        let [sum, product] = place.kind.sum_and_product(&place.values);
+        let delta = self.delta(rate)?;
+        let [k, m, share] = self.machine(&place, [sum, positive(product)?], delta)?;
+        let mut variables = [first, second, rate, delta, a, b, k, m, share];
         let of_place = variables;
         let slopes = Slopes::of(place.kind, &of_place);
         let slopes: [_; CONDITIONS] = std::array::from_fn(|which| slopes.condition(which));

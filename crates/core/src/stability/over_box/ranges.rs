@@ -12,23 +12,20 @@ use super::pair::Pair;
 use super::pair_search::PairSearch;
 use super::ranked::Ranked;
 use super::root_discs::{Quantity, RootDiscs, Values};
+use super::summit::Summit;
 use super::{OverBox, ParameterBox};
-use crate::number::search::golden_section;
 use crate::number::{Interval, Rational};
 
 /// A search ends when the enclosure's end is as near to a value that is attained, relative to it.
 const TOLERANCE: f64 = 1e-9;
 /// The most parts that a search halves.
-const MOST_PARTS: usize = 1 << 6;
+const MOST_PARTS: usize = 1 << 4;
 /// Where a search over seven parameters does not end, one over the roots goes on to this share of the attained values' distance.
 const NEAR: f64 = 4e-3;
 /// The most levels that are compared with a least value.
 const MOST_LEVELS: u32 = 12;
 /// How much farther from the attained value the next level is, up to the middle.
 const WIDER: f64 = 4.0;
-/// How often the point of the greatest value is moved along every parameter, and how near to the best place.
-const CLIMBS: u32 = 8;
-const NEAR_SUMMIT: f64 = 1e-3;
 /// The most parts that a comparison halves.
 const MOST_COMPARED: usize = 1 << 8;
 
@@ -275,9 +272,8 @@ impl Scaled {
 struct Search {
     quantity: Quantity,
     side: Side,
-    /// The greatest value known to be attained, and where.
+    /// The greatest value known to be attained.
     attained: f64,
-    best: Values,
     /// The search ends when it is known that no value is as great as these, or that one is greater.
     goal: Option<Interval>,
 }
@@ -287,42 +283,13 @@ type Examined = Ranked<(Part, Option<usize>)>;
 
 impl Search {
     const fn new(quantity: Quantity, side: Side, goal: Option<Interval>) -> Self {
-        Self { quantity, side, attained: f64::NEG_INFINITY, best: [Interval::LINE; 7], goal }
+        Self { quantity, side, attained: f64::NEG_INFINITY, goal }
     }
 
     /// Notes the value at a point.
     fn visit(&mut self, point: &Values) {
-        if let Some(value) = self.value_at(point).filter(|value| *value > self.attained) {
-            (self.attained, self.best) = (value, *point);
-        }
-    }
-
-    fn value_at(&self, point: &Values) -> Option<f64> {
-        Some(self.value(RootDiscs::of(point)?.largest(self.quantity, &[None; 3])).low)
-    }
-
-    /// Moves the point of the greatest value along one parameter after another.
-    fn climb(&mut self, whole: &Part) {
-        for _ in 0..CLIMBS {
-            let before = self.attained;
-            for i in (0..7).filter(|i| whole.is_wide(*i)) {
-                let best = self.best;
-                let moved = |place: f64| {
-                    let mut moved = best;
-                    moved[i] = Interval::point(place);
-                    moved
-                };
-                let ends = (whole.lower[i].high, whole.upper[i].low);
-                let depth = |place: f64| self.value_at(&moved(place)).map(|value| -value);
-                let summit = golden_section(depth, ends, NEAR_SUMMIT * (ends.1 - ends.0));
-                [Some(ends.0), Some(ends.1), summit]
-                    .into_iter()
-                    .flatten()
-                    .for_each(|place| self.visit(&moved(place)));
-            }
-            if self.attained <= before + TOLERANCE * before.abs() {
-                break;
-            }
+        if let Some(discs) = RootDiscs::of(point) {
+            self.attained = self.attained.max(self.value(discs.largest(self.quantity, &[None; 3])).low);
         }
     }
 
@@ -332,9 +299,15 @@ impl Search {
     }
 
     fn run(mut self, whole: Part) -> Option<Extreme> {
-        let first = self.examine(whole, f64::INFINITY)?;
-        self.visit_corners(&first.of.0);
-        let mut open = BinaryHeap::from([first]);
+        let summit = Summit {
+            lower: whole.lower.map(|lower| lower.high),
+            upper: std::array::from_fn(|i| whole.upper[i].low.max(whole.lower[i].high)),
+            quantity: self.quantity,
+            is_greatest: self.side == Side::Greatest,
+        };
+        let near_a_corner = summit.near_a_corner();
+        self.visit(&whole.with_ends(&near_a_corner));
+        let mut open = BinaryHeap::from([self.examine(whole, f64::INFINITY)?]);
         let mut bound = f64::NEG_INFINITY;
         for _ in 0..if self.goal.is_some() { MOST_COMPARED } else { MOST_PARTS } {
             let Some(most) = open.peek() else { break };
@@ -358,23 +331,12 @@ impl Search {
             }
         }
         let bound = open.peek().map_or(bound, |most| bound.max(most.rank));
-        if self.goal.is_none() && bound > self.attained + TOLERANCE * self.attained.abs() {
-            self.climb(&whole);
+        let is_minimax = self.quantity == Quantity::Real && self.side == Side::Least;
+        if is_minimax && self.goal.is_none() && bound > self.attained + TOLERANCE * self.attained.abs() {
+            self.visit(&whole.with_ends(&summit.evolved(near_a_corner)));
         }
         let bound = bound.max(self.attained);
         Some(Extreme { bound, attained: self.attained })
-    }
-
-    /// Notes the values at the corners of a part: near a double root the extremes are there, and derivatives do not lead to them.
-    fn visit_corners(&mut self, part: &Part) {
-        let wide: Vec<usize> = (0..7).filter(|i| part.is_wide(*i)).collect();
-        for bits in 0..1 << wide.len() {
-            let mut corner = part.lower;
-            for (_, i) in wide.iter().enumerate().filter(|(place, _)| bits >> place & 1 == 1) {
-                corner[*i] = part.upper[*i];
-            }
-            self.visit(&corner);
-        }
     }
 
     /// The derivatives of the largest real part, negated in a search for the least, as far as they are known without roots: they count
@@ -473,6 +435,15 @@ impl Part {
     /// Whether a number lies between the enclosures of a parameter's ends.
     fn is_wide(&self, i: usize) -> bool {
         self.lower[i].high.next_up() < self.upper[i].low
+    }
+
+    /// A point with the enclosures of the ends where it is at one.
+    fn with_ends(&self, point: &[f64; 7]) -> Values {
+        std::array::from_fn(|i| match point[i] {
+            value if value <= self.lower[i].high => self.lower[i],
+            value if value >= self.upper[i].low => self.upper[i],
+            value => Interval::point(value),
+        })
     }
 
     /// A point of the part.
