@@ -1,51 +1,40 @@
 //! `cargo xtask accept`: rewrites the published copy of every report from a new run.
 
-use std::fs;
-use std::path::Path;
-
-use crate::failure::Failure;
-use crate::repository::{self, below, failure, git, root};
-use crate::{machine, process, verify};
+use crate::prelude::*;
+use crate::repository::{self, copy};
+use crate::{machine, verify};
 
 /// Runs every report again and replaces its `published/` folder.
 ///
 /// # Errors
 /// When the machine lacks a tool, a report cannot be made, or a file cannot be written.
-pub fn run() -> Result<(), Failure> {
+pub fn run() -> Result {
     machine::run()?;
     verify::build()?;
     for name in repository::reports()? {
-        let report = format!("reports/{name}");
-        let code = process::status(&mut verify::slipmode(&["report", "--for-publication", &report]))?;
+        let code = verify::slipmode("report --for-publication").arg(format!("reports/{name}")).code()?;
         if code != 0 {
             let message = format!("report {name} exited with {code}; its published copy is unchanged");
             return Err(Failure { code, message });
         }
-        publish(&name)?;
+        let published = root().join("reports").join(&name).join("published");
+        replace(&root().join("target/report").join(&name), &published)?;
+        println!("accept: reports/{name}/published/ rewritten; check `git diff --text`");
+        git(&root(), "diff --stat -- reports").check()?;
     }
     Ok(())
 }
 
-fn publish(name: &str) -> Result<(), Failure> {
-    let published = root().join("reports").join(name).join("published");
-    replace(&root().join("target/report").join(name), &published)?;
-    println!("accept: reports/{name}/published/ rewritten; check `git diff --text`");
-    process::check(&mut git(&root(), &["diff", "--stat", "--", "reports"]))
-}
-
 /// Writes the new copy next to the old one first, so that an error leaves the old one intact.
-fn replace(fresh: &Path, published: &Path) -> Result<(), Failure> {
+fn replace(fresh: &Path, published: &Path) -> Result {
     let new = published.with_extension("new");
     let _ = fs::remove_dir_all(&new);
     // That file describes the machine.
     for path in below(fresh)?.iter().filter(|path| *path != "environment.json") {
-        let (from, to) = (fresh.join(path), new.join(path));
-        fs::create_dir_all(to.parent().unwrap_or(&new))
-            .and_then(|()| fs::copy(from, &to))
-            .map_err(|error| failure(&to, &error))?;
+        copy(&fresh.join(path), &new.join(path))?;
     }
     let _ = fs::remove_dir_all(published);
-    fs::rename(&new, published).map_err(|error| failure(published, &error))
+    fs::rename(&new, published).map_err(at(published))
 }
 
 #[cfg(test)]

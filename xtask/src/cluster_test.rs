@@ -6,16 +6,11 @@
 mod cluster;
 mod sessions;
 
-use std::env;
-use std::fs;
-use std::path::Path;
-use std::process::Command;
 use std::thread;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
-use crate::failure::Failure;
-use crate::repository::root;
-use crate::{machine, process, verify};
+use crate::prelude::*;
+use crate::{machine, verify};
 use cluster::{Cluster, Task};
 
 /// The programs that the test runs on.
@@ -34,7 +29,7 @@ const PATIENCE: Duration = Duration::from_secs(120);
 ///
 /// # Errors
 /// With exit code 1 when the merged bytes differ or another check failed, 2 when Slurm is required and cannot be installed.
-pub fn run() -> Result<(), Failure> {
+pub fn run() -> Result {
     machine::run()?;
     let lacking = if machine::is_root() { machine::provide(&PROGRAMS)? } else { vec!["the rights of root"] };
     if !lacking.is_empty() {
@@ -47,19 +42,14 @@ pub fn run() -> Result<(), Failure> {
     }
     verify::build()?;
     let place = env::temp_dir().join(format!("slipmode-cluster-{}", std::process::id()));
-    let result = Cluster::start(&place).and_then(|mut cluster| {
-        let result = rehearse(&mut cluster, &place);
-        if result.is_err() {
-            cluster.tell_logs();
-        }
-        result
-    });
+    let result = Cluster::start(&place)
+        .and_then(|mut cluster| rehearse(&mut cluster, &place).inspect_err(|_| cluster.tell_logs()));
     // Everything of value is on standard output; what the folder holds is of no use to the next run.
     let _ = fs::remove_dir_all(&place);
     result
 }
 
-fn rehearse(cluster: &mut Cluster, place: &Path) -> Result<(), Failure> {
+fn rehearse(cluster: &mut Cluster, place: &Path) -> Result {
     let began = Instant::now();
     let text = |path: &Path| path.display().to_string();
     let scene = text(&root().join("xtask/cluster/scene.toml"));
@@ -71,31 +61,24 @@ fn rehearse(cluster: &mut Cluster, place: &Path) -> Result<(), Failure> {
     let lost = wait_for("a task on the node to be killed", || {
         Ok(cluster.tasks()?.into_iter().find(|task| task.node == VICTIM && task.is_running()))
     })?;
-    wait_for("its first block", || Ok((blocks_of(&out, lost.index) > 0).then_some(())))?;
-    let (there, killed) = (blocks_of(&out, lost.index), cluster.kill_node(VICTIM)?);
-    println!(
-        "cluster-test: {VICTIM} killed with {killed} processes, {there} blocks into shard {}",
-        lost.index
-    );
-    wait_for("the other tasks to end", || {
-        let others = |task: &Task| task.index != lost.index && !task.is_merge();
-        Ok((!cluster.tasks()?.iter().any(others)).then_some(()))
-    })?;
+    wait_until("its first block", || Ok(blocks_of(&out, lost.index) > 0))?;
+    let (shard, there, killed) = (lost.index, blocks_of(&out, lost.index), cluster.kill_node(VICTIM)?);
+    println!("cluster-test: {VICTIM} killed with {killed} processes, {there} blocks into shard {shard}");
+    let is_other = |task: &Task| task.index != shard && !task.is_merge();
+    wait_until("the other tasks to end", || Ok(!cluster.tasks()?.iter().any(is_other)))?;
     let missing = slipmode(&["merge", &out, "--shards", &shards, "--missing"])?;
     let missing = missing.trim_end();
-    if missing != lost.index.to_string() {
-        let message = format!("missing shards `{missing}`, but shard {} was killed", lost.index);
-        return Err(Failure::check(message));
+    if missing != shard.to_string() {
+        return Err(Failure::check(format!("missing shards `{missing}`, but shard {shard} was killed")));
     }
     println!("cluster-test: missing, and submitted again: {missing}");
     cluster.cancel_all()?;
     cluster.submit(&submit, Some(missing))?;
-    let merged = format!("{out}/merged.csv");
-    wait_for("the merge", || Ok(Path::new(&merged).is_file().then_some(())))?;
+    let (merged, expected) = (format!("{out}/merged.csv"), format!("{alone}/merged.csv"));
+    wait_until("the merge", || Ok(Path::new(&merged).is_file()))?;
     slipmode(&["sweep", &scene, "--out", &alone])?;
-    let expected = format!("{alone}/merged.csv");
     slipmode(&["merge", &alone, "-o", &expected])?;
-    let sums = process::output(Command::new("sha256sum").args([&merged, &expected]))?;
+    let sums = program("sha256sum", "").args([&merged, &expected]).text()?;
     print!("{sums}");
     let digests: Vec<&str> = sums.split_whitespace().step_by(2).collect();
     if digests.len() != 2 || digests[0] != digests[1] {
@@ -112,12 +95,12 @@ fn blocks_of(out: &str, shard: usize) -> usize {
 }
 
 /// Runs the release binary and returns what it printed.
-fn slipmode(arguments: &[&str]) -> Result<String, Failure> {
-    process::output(verify::slipmode(&["--quiet"]).args(arguments))
+fn slipmode(arguments: &[&str]) -> Result<String> {
+    verify::slipmode("--quiet").args(arguments).text()
 }
 
 /// Asks again and again until there is an answer.
-fn wait_for<T>(what: &str, mut ask: impl FnMut() -> Result<Option<T>, Failure>) -> Result<T, Failure> {
+fn wait_for<T>(what: &str, mut ask: impl FnMut() -> Result<Option<T>>) -> Result<T> {
     let began = Instant::now();
     loop {
         if let Some(answer) = ask()? {
@@ -128,4 +111,9 @@ fn wait_for<T>(what: &str, mut ask: impl FnMut() -> Result<Option<T>, Failure>) 
         }
         thread::sleep(Duration::from_millis(50));
     }
+}
+
+/// Asks again and again until it is so.
+fn wait_until(what: &str, mut ask: impl FnMut() -> Result<bool>) -> Result {
+    wait_for(what, || Ok(ask()?.then_some(())))
 }

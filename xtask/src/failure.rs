@@ -1,5 +1,8 @@
 //! The one error of this program: a message for people and the exit code that goes with it.
 
+/// What a task gives.
+pub type Result<T = (), E = Failure> = std::result::Result<T, E>;
+
 /// Why a command did not succeed.
 #[derive(Debug)]
 pub struct Failure {
@@ -21,7 +24,7 @@ impl Failure {
     }
 
     /// Success when an exit code is 0; otherwise a failure with the same code.
-    pub fn of_exit(code: u8, what: &str) -> Result<(), Self> {
+    pub fn of_exit(code: u8, what: &str) -> Result {
         if code == 0 { Ok(()) } else { Err(Self { code, message: format!("{what} exited with {code}") }) }
     }
 }

@@ -4,13 +4,10 @@
 //! an input of every step. `.ci/green.csv` has the digest of the inputs of each step's last run that passed.
 //! Whatever cannot be read, or is not committed, makes the step run.
 
-use std::path::Path;
-use std::process::Command;
-
-use crate::failure::Failure;
-use crate::repository::{commit, digest, git, read, root, write};
+use crate::prelude::*;
+use crate::repository::{commit, digest};
 use crate::test::Step;
-use crate::{machine, process, validate, wheel};
+use crate::{machine, validate, wheel};
 
 const NOT_INPUTS: &str = ".ci/not_inputs.csv";
 const GREEN: &str = ".ci/green.csv";
@@ -20,39 +17,36 @@ const HEADER: &str = "step,digest,commit,date\n";
 const STEPS: &[Step] = &[
     #[cfg(target_os = "linux")]
     ("cluster-test", crate::cluster_test::run),
-    ("package", || process::check(&mut Command::new(root().join(".ci/package")))),
+    ("package", || program(root().join(".ci/package"), "").check()),
     ("sources", crate::sources::try_out),
     ("validate", validate::run),
-    ("wheel", || wheel::run(&["--test".into()])),
+    ("wheel", || wheel::run("--test")),
 ];
 
 /// Runs a step whose inputs have changed, or any with `--all`; `--record` writes down that it passed.
 ///
 /// # Errors
 /// Those of the step; with exit code 2 when nothing can be recorded.
-pub fn run(arguments: &[String]) -> Result<(), Failure> {
+pub fn run(arguments: &[String]) -> Result {
+    let wrong = |message: String| Err(Failure::bad_input(message));
     let (options, names): (Vec<&str>, Vec<&str>) =
         arguments.iter().map(String::as_str).partition(|word| word.starts_with("--"));
-    let known = |name: &str| STEPS.iter().find(|(step, _)| *step == name);
-    let (Some((step, action)), [_]) = (names.first().and_then(|name| known(name)), &names[..]) else {
+    let Some((step, action)) = STEPS.iter().find(|(step, _)| names == [*step]) else {
         let steps: Vec<&str> = STEPS.iter().map(|(step, _)| *step).collect();
-        let steps = steps.join(", ");
-        return Err(Failure::bad_input(format!("`gated` takes one of {steps}, and `--all` or `--record`")));
+        return wrong(format!("`gated` takes one of {}, and `--all` or `--record`", steps.join(", ")));
     };
     if let Some(unknown) = options.iter().find(|option| !["--all", "--record"].contains(option)) {
-        return Err(Failure::bad_input(format!("`gated` does not know `{unknown}`")));
+        return wrong(format!("`gated` does not know `{unknown}`"));
     }
     let is_recorded = options.contains(&"--record");
     if is_recorded && !machine::is_continuous_integration() {
-        return Err(Failure::bad_input(
-            "`--record` needs CI to be set: other runs may skip a part of a step",
-        ));
+        return wrong("`--record` needs CI to be set: other runs may skip a part of a step".into());
     }
     let before = inputs(&root(), step);
-    match (&before, options.contains(&"--all")) {
-        (_, true) => println!("{step}: runs, as `--all` says"),
-        (Err(reason), _) => println!("{step}: runs: {reason}"),
-        (Ok(digest), _) => match passed(&root(), step, digest) {
+    match &before {
+        _ if options.contains(&"--all") => println!("{step}: runs, as `--all` says"),
+        Err(reason) => println!("{step}: runs: {}", reason.message),
+        Ok(digest) => match passed(&root(), step, digest) {
             Some(run) => {
                 println!("{step}: left out: it passed with the same inputs at {run}; `--all` runs it");
                 return Ok(());
@@ -64,56 +58,53 @@ pub fn run(arguments: &[String]) -> Result<(), Failure> {
     if !is_recorded {
         return Ok(());
     }
-    match (before, inputs(&root(), step)) {
-        (Ok(before), Ok(after)) if before == after => record(&root(), step, &after),
-        (_, Err(reason)) => Err(Failure::bad_input(format!("{step}: passed, but is not recorded: {reason}"))),
-        _ => Err(Failure::bad_input(format!(
-            "{step}: passed, but is not recorded: its inputs changed meanwhile"
-        ))),
-    }
+    let reason = match (before, inputs(&root(), step)) {
+        (Ok(before), Ok(after)) if before == after => return record(&root(), step, &after),
+        (_, Err(reason)) => reason.message,
+        _ => "its inputs changed meanwhile".into(),
+    };
+    wrong(format!("{step}: passed, but is not recorded: {reason}"))
 }
 
-/// The digest of a step's inputs, or why it is not known.
-fn inputs(root: &Path, step: &str) -> Result<String, String> {
-    let text = read(&root.join(NOT_INPUTS)).map_err(|failure| failure.message)?;
+/// The digest of a step's inputs; a failure says why it is not known.
+fn inputs(root: &Path, step: &str) -> Result<String> {
     let mut paths = vec![":/".to_owned()];
-    for row in text.lines().skip(1) {
+    for row in read(&root.join(NOT_INPUTS))?.lines().skip(1) {
         let [of, path, _reason] = row.splitn(3, ',').collect::<Vec<_>>()[..] else {
-            return Err(format!("{NOT_INPUTS}: `{row}` is not step,path,reason"));
+            return Err(Failure::check(format!("{NOT_INPUTS}: `{row}` is not step,path,reason")));
         };
         if of == "*" || of == step {
             paths.push(format!(":(top,exclude,glob){path}"));
         }
     }
-    let ask = |words: &[&str]| {
-        process::output(git(root, words).arg("--").args(&paths)).map_err(|failure| failure.message)
-    };
-    let changes = ask(&["status", "--porcelain", "--untracked-files=all"])?;
-    if let Some(change) = changes.lines().next() {
-        return Err(format!("its inputs have changes that are not committed, such as `{}`", change.trim()));
+    let ask = |words: &str| git(root, words).arg("--").args(&paths).text();
+    match ask("status --porcelain --untracked-files=all")?.lines().next() {
+        None => digest(&ask("ls-files --stage")?),
+        Some(change) => Err(Failure::check(format!(
+            "its inputs have changes that are not committed, such as `{}`",
+            change.trim()
+        ))),
     }
-    digest(&ask(&["ls-files", "--stage"])?).map_err(|failure| failure.message)
 }
 
 /// Commit and date of the step's run that passed with these inputs.
 fn passed(root: &Path, step: &str, digest: &str) -> Option<String> {
-    let table = read(&root.join(GREEN)).ok()?;
-    table.lines().find_map(|row| match row.split(',').collect::<Vec<_>>()[..] {
-        [of, recorded, commit, date] if of == step && recorded == digest => {
+    let run = |row: &str| match row.split(',').collect::<Vec<_>>()[..] {
+        [of, recorded, commit, date] if (of, recorded) == (step, digest) => {
             Some(format!("{commit} ({date})"))
         }
         _ => None,
-    })
+    };
+    read(&root.join(GREEN)).ok()?.lines().find_map(run)
 }
 
 /// Writes the step's row.
-fn record(root: &Path, step: &str, digest: &str) -> Result<(), Failure> {
+fn record(root: &Path, step: &str, digest: &str) -> Result {
+    let date = program("date", "-u +%F").text()?;
+    let row = format!("{step},{digest},{},{}", commit(root)?, date.trim());
     let known = read(&root.join(GREEN)).unwrap_or_default();
-    let is_other = |row: &&str| !row.starts_with(&format!("{step},"));
-    let mut rows: Vec<String> =
-        known.lines().skip(1).filter(is_other).map(|row| format!("{row}\n")).collect();
-    let date = process::output(Command::new("date").args(["-u", "+%F"]))?;
-    rows.push(format!("{step},{digest},{},{}\n", commit(root)?, date.trim()));
+    let others = known.lines().skip(1).filter(|row| !row.starts_with(&format!("{step},")));
+    let mut rows: Vec<String> = others.chain([&*row]).map(|row| format!("{row}\n")).collect();
     rows.sort();
     println!("{step}: {GREEN} records this run: commit it");
     write(&root.join(GREEN), &format!("{HEADER}{}", rows.concat()))
@@ -122,7 +113,6 @@ fn record(root: &Path, step: &str, digest: &str) -> Result<(), Failure> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::fs;
 
     /// A repository with a source, a document that is no input, and both tables.
     fn repository(name: &str) -> std::path::PathBuf {
@@ -135,15 +125,15 @@ mod tests {
             "step,path,reason\n*,docs/**,for readers\nwheel,src/a*,x\n*,.ci/*.csv,x\n",
         )
         .unwrap();
-        process::output(&mut git(&place, &["init", "--quiet"])).unwrap();
+        git(&place, "init --quiet").text().unwrap();
         commit_all(&place);
         place
     }
 
     fn commit_all(place: &Path) {
-        process::output(&mut git(place, &["add", "--all"])).unwrap();
-        let who = ["-c", "user.name=t", "-c", "user.email=t@t", "-c", "commit.gpgsign=false"];
-        process::output(git(place, &who).args(["commit", "--quiet", "--message", "m"])).unwrap();
+        git(place, "add --all").text().unwrap();
+        let who = "-c user.name=t -c user.email=t@t -c commit.gpgsign=false";
+        git(place, &format!("{who} commit --quiet --message m")).text().unwrap();
     }
 
     fn is_left_out(place: &Path, step: &str) -> bool {
@@ -161,7 +151,7 @@ mod tests {
         write(&place.join("docs/a.md"), "b").unwrap();
         assert!(is_left_out(&place, "validate"), "a document is no input");
         write(&place.join("src/a.rs"), "b").unwrap();
-        assert!(inputs(&place, "validate").unwrap_err().contains("src/a.rs"), "not committed");
+        assert!(inputs(&place, "validate").unwrap_err().message.contains("src/a.rs"), "not committed");
         assert!(is_left_out(&place, "wheel"));
         commit_all(&place);
         assert!(!is_left_out(&place, "validate") && is_left_out(&place, "wheel"));
@@ -198,7 +188,7 @@ mod tests {
         fs::remove_dir_all(&clone).unwrap();
         let from = format!("file://{}", place.display());
         let to = clone.display().to_string();
-        process::output(&mut git(&place, &["clone", "--quiet", "--depth", "1", &from, &to])).unwrap();
+        git(&place, "clone --quiet --depth 1").args([from, to]).text().unwrap();
         assert_eq!(inputs(&place, "validate").unwrap(), inputs(&clone, "validate").unwrap());
         fs::remove_dir_all(place).unwrap();
         fs::remove_dir_all(clone).unwrap();
@@ -211,7 +201,7 @@ mod tests {
             assert!(fields[0] == "*" || STEPS.iter().any(|(step, _)| *step == fields[0]), "{row}");
             assert!(fields[2].len() > 10, "{row}");
             let found =
-                git(&root(), &["ls-files", "--", &format!(":(top,glob){}", fields[1])]).output().unwrap();
+                git(&root(), "ls-files --").arg(format!(":(top,glob){}", fields[1])).output().unwrap();
             assert!(!found.stdout.is_empty() || fields[1] == GREEN, "no file: {row}");
         }
     }

@@ -1,10 +1,8 @@
 //! The interface of `slipmode-core`: how many functions it has, and `cargo xtask semver`, which compares it with the last release.
 
-use std::path::Path;
-
-use crate::failure::Failure;
-use crate::process;
-use crate::repository::{entries, git, read, root};
+use crate::prelude::*;
+use crate::process::find_program;
+use crate::repository::{entries, file_name};
 
 /// More functions than these are no front page.
 const MOST_FUNCTIONS: usize = 120;
@@ -15,15 +13,14 @@ const METHOD: &str = "class=\"method\">";
 ///
 /// # Errors
 /// When there are too many, or no page can be read.
-pub fn count(target: &Path) -> Result<(), Failure> {
+pub fn count(target: &Path) -> Result {
     let mut functions = 0;
     for page in entries(&target.join("doc/slipmode_core"))? {
-        let name = crate::repository::file_name(&page);
-        if name.starts_with("fn.") {
-            functions += 1;
-        } else if name.ends_with(".html") {
-            functions += read(&page)?.matches(METHOD).count();
-        }
+        functions += match file_name(&page) {
+            name if name.starts_with("fn.") => 1,
+            name if name.ends_with(".html") => read(&page)?.matches(METHOD).count(),
+            _ => 0,
+        };
     }
     println!("slipmode-core has {functions} public functions (at most {MOST_FUNCTIONS})");
     if (1..=MOST_FUNCTIONS).contains(&functions) {
@@ -36,20 +33,21 @@ pub fn count(target: &Path) -> Result<(), Failure> {
 ///
 /// # Errors
 /// With exit code 1 when something was changed that the version does not permit.
-pub fn semver() -> Result<(), Failure> {
-    let words = ["describe", "--tags", "--abbrev=0", "--match", "v[0-9]*", "HEAD^"];
-    let found = git(&root(), &words).output().map_err(|error| Failure::bad_input(format!("git: {error}")))?;
-    let release = String::from_utf8_lossy(&found.stdout).trim().to_owned();
-    if !found.status.success() || release.is_empty() {
-        println!("semver: nothing to compare with: no release before this commit has a tag");
-        return Ok(());
+pub fn semver() -> Result {
+    let found = git(&root(), "describe --tags --abbrev=0 --match v[0-9]* HEAD^").output();
+    // Without such a tag, git prints nothing on standard output.
+    let found = found.map_err(at("git".as_ref()))?.stdout;
+    match String::from_utf8_lossy(&found).trim() {
+        "" => println!("semver: nothing to compare with: no release before this commit has a tag"),
+        release if find_program("cargo-semver-checks").is_none() => {
+            println!("semver: not compared with {release}: cargo-semver-checks is not installed");
+        }
+        release => {
+            let words = format!("semver-checks --package slipmode-core --baseline-rev {release}");
+            cargo(&words).check()?;
+        }
     }
-    if process::find_program("cargo-semver-checks").is_none() {
-        println!("semver: not compared with {release}: cargo-semver-checks is not installed");
-        return Ok(());
-    }
-    let check = ["semver-checks", "--package", "slipmode-core", "--baseline-rev", &release];
-    process::check(&mut process::cargo(&check))
+    Ok(())
 }
 
 #[cfg(test)]
@@ -59,14 +57,14 @@ mod tests {
     #[test]
     fn methods_of_types_are_counted_and_those_of_traits_are_not() {
         let target = std::env::temp_dir().join(format!("slipmode-interface-{}", std::process::id()));
-        let write = |name: &str, text: &str| {
-            crate::repository::write(&target.join("doc/slipmode_core").join(name), text).unwrap();
+        let page = |name: &str, text: &str| {
+            write(&target.join("doc/slipmode_core").join(name), text).unwrap();
         };
-        write("index.html", "");
+        page("index.html", "");
         assert!(count(&target).is_err(), "pages of another form");
-        write("struct.A.html", "<section id=\"new\" class=\"method\"><section class=\"method trait-impl\">");
+        page("struct.A.html", "<section id=\"new\" class=\"method\"><section class=\"method trait-impl\">");
         assert!(count(&target).is_ok());
-        write("struct.B.html", &"<section class=\"method\">".repeat(MOST_FUNCTIONS));
+        page("struct.B.html", &"<section class=\"method\">".repeat(MOST_FUNCTIONS));
         assert_eq!(count(&target).unwrap_err().code, 1);
         std::fs::remove_dir_all(target).unwrap();
     }

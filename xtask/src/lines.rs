@@ -2,10 +2,7 @@
 //!
 //! `xtask/lines.csv` has the bounds. They only fall: `--lower` sets each to today's count, and refuses a count above it.
 
-use std::collections::BTreeMap;
-
-use crate::failure::Failure;
-use crate::repository::{self, read, root, write};
+use crate::prelude::*;
 use crate::tidy::{self, TextFile};
 
 const TABLE: &str = "xtask/lines.csv";
@@ -15,17 +12,13 @@ const HEADER: &str = "folder,at_most\n";
 ///
 /// # Errors
 /// When a file cannot be read, or a folder has more lines than its bound.
-pub fn run(arguments: &[String]) -> Result<(), Failure> {
-    let is_lowered = arguments == ["--lower"];
-    if !is_lowered && !arguments.is_empty() {
-        return Err(Failure::bad_input("`lines` takes `--lower` or nothing"));
-    }
-    let (counts, tests) = count(&tidy::read(&repository::files()?)?);
+pub fn run(option: &str) -> Result {
+    let (counts, tests) = count(&tidy::read(&below(&root())?)?);
     let table = root().join(TABLE);
     compare(&counts, &read(&table)?)?;
-    if is_lowered {
-        let row = |(folder, count): (&String, &usize)| format!("{folder},{count}\n");
-        write(&table, &format!("{HEADER}{}", counts.iter().map(row).collect::<String>()))?;
+    if option == "--lower" {
+        let rows = counts.iter().map(|(folder, count)| format!("{folder},{count}\n"));
+        write(&table, &format!("{HEADER}{}", rows.collect::<String>()))?;
     }
     println!(
         "lines: {} of code in {} folders, {tests} of tests",
@@ -36,14 +29,11 @@ pub fn run(arguments: &[String]) -> Result<(), Failure> {
 }
 
 /// Prints each count with its bound.
-fn compare(counts: &BTreeMap<String, usize>, table: &str) -> Result<(), Failure> {
-    let bound = |folder: &str| {
-        let rows = table.lines().filter_map(|row| row.split_once(','));
-        rows.filter(|(of, _)| *of == folder).find_map(|(_, bound)| bound.parse::<usize>().ok())
-    };
+fn compare(counts: &BTreeMap<String, usize>, table: &str) -> Result {
     let mut exceeded = Vec::new();
     for (folder, lines) in counts {
-        match bound(folder) {
+        let bound = |row: &str| row.strip_prefix(&format!("{folder},"))?.parse::<usize>().ok();
+        match table.lines().find_map(bound) {
             Some(most) if *lines <= most => println!("{lines:6}  {folder} (at most {most})"),
             Some(most) => {
                 exceeded.push(format!("{folder}: {lines} lines of code, at most {most} are allowed"))
@@ -60,12 +50,10 @@ fn compare(counts: &BTreeMap<String, usize>, table: &str) -> Result<(), Failure>
 fn count(files: &[TextFile]) -> (BTreeMap<String, usize>, usize) {
     let (mut folders, mut tests) = (BTreeMap::new(), 0);
     for source in tidy::rust_sources(files) {
+        let folder = folder(&source.file.path);
         for (number, ..) in source.lines().filter(|(_, _, text)| is_code(text)) {
-            if source.is_test_line(number) {
-                tests += 1;
-            } else {
-                *folders.entry(folder(&source.file.path)).or_insert(0) += 1;
-            }
+            let is_test = source.is_test_line(number);
+            *if is_test { &mut tests } else { folders.entry(folder.clone()).or_insert(0) } += 1;
         }
     }
     (folders, tests)
@@ -80,8 +68,7 @@ fn folder(path: &str) -> String {
 
 /// Whether a line is neither blank nor only a comment.
 fn is_code(line: &str) -> bool {
-    let line = line.trim_start();
-    !line.is_empty() && !line.starts_with("//")
+    !line.trim_start().is_empty() && !line.trim_start().starts_with("//")
 }
 
 #[cfg(test)]

@@ -3,13 +3,10 @@
 //! `xtask/tools.txt` lists the tools. The bundled GMP, MPFR and MPC are made from source once per machine. They lie in a cache
 //! afterwards, and only the linker is needed.
 
-use std::env;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::Stdio;
 
-use crate::failure::Failure;
-use crate::process;
-use crate::repository::{below, read, root, rows};
+use crate::prelude::*;
+use crate::process::find_program;
 
 const TOOLS: &str = include_str!("../tools.txt");
 
@@ -17,15 +14,11 @@ const TOOLS: &str = include_str!("../tools.txt");
 ///
 /// # Errors
 /// With exit code 2, naming what is missing and how to install it.
-pub fn run() -> Result<(), Failure> {
+pub fn run() -> Result {
     let lock = read(&root().join("Cargo.lock"))?;
     let is_ready = gmp_cache().is_some_and(|cache| holds_libraries(&cache, &lock));
-    let (state, tools): (_, &[&str]) = if is_ready {
-        ("in the cache", &["cc"])
-    } else {
-        ("to be built once (about two minutes of CPU time)", &["cc", "make", "m4", "diff"])
-    };
-    require(tools)?;
+    require(if is_ready { &["cc"] } else { &["cc", "make", "m4", "diff"] })?;
+    let state = if is_ready { "in the cache" } else { "to be built once (about two minutes of CPU time)" };
     println!("machine: all tools found; GMP, MPFR and MPC {state}");
     Ok(())
 }
@@ -34,15 +27,14 @@ pub fn run() -> Result<(), Failure> {
 ///
 /// # Errors
 /// With exit code 2, naming what is missing and how to install it.
-pub fn require(tools: &[&str]) -> Result<(), Failure> {
+pub fn require(tools: &[&str]) -> Result {
     let missing = provide(tools)?;
     if missing.is_empty() {
         return Ok(());
     }
-    let packages = packages(&missing).join(" ");
+    let (missing, packages) = (missing.join(", "), packages(&missing).join(" "));
     Err(Failure::bad_input(format!(
-        "missing {}; install these packages (their names in Debian and Ubuntu): {packages}",
-        missing.join(", ")
+        "missing {missing}; install these packages (their names in Debian and Ubuntu): {packages}"
     )))
 }
 
@@ -50,7 +42,7 @@ pub fn require(tools: &[&str]) -> Result<(), Failure> {
 ///
 /// # Errors
 /// When an installer cannot be started.
-pub fn provide<'a>(tools: &[&'a str]) -> Result<Vec<&'a str>, Failure> {
+pub fn provide<'a>(tools: &[&'a str]) -> Result<Vec<&'a str>> {
     let before = missing(tools);
     if before.is_empty() {
         return Ok(before);
@@ -58,61 +50,53 @@ pub fn provide<'a>(tools: &[&'a str]) -> Result<Vec<&'a str>, Failure> {
     println!("machine: missing {}", before.join(", "));
     let (components, packages): (Vec<&str>, Vec<&str>) =
         packages(&before).into_iter().partition(|package| package.starts_with("rustup:"));
-    if !components.is_empty() && process::find_program("rustup").is_some() {
-        let components = components.iter().map(|component| component.trim_start_matches("rustup:"));
-        process::status(Command::new("rustup").args(["component", "add"]).args(components))?;
+    if !components.is_empty() && find_program("rustup").is_some() {
+        program("rustup", &format!("component add {}", components.join(" ").replace("rustup:", "")))
+            .code()?;
     }
-    if !packages.is_empty() && is_root() && process::find_program("apt-get").is_some() {
-        install(&packages)?;
+    if !packages.is_empty() && is_root() && find_program("apt-get").is_some() {
+        install(&packages.join(" "))?;
     }
     Ok(missing(tools))
 }
 
 /// Those of these tools that are not found.
 pub fn missing<'a>(tools: &[&'a str]) -> Vec<&'a str> {
-    tools.iter().copied().filter(|tool| !is_found(row(tool)[0])).collect()
+    tools.iter().copied().filter(|tool| !is_found(row(tool)[1])).collect()
 }
 
-/// How a tool is found, and its packages.
-fn row(tool: &str) -> [&'static str; 2] {
-    rows(TOOLS)
-        .find_map(|[name, found, packages]| (name == tool).then_some([found, packages]))
-        .unwrap_or_default()
+/// A tool, how it is found, and its packages.
+fn row(tool: &str) -> [&'static str; 3] {
+    rows(TOOLS).find(|[name, _, _]| *name == tool).unwrap_or_default()
 }
 
 fn packages(tools: &[&str]) -> Vec<&'static str> {
-    let mut packages: Vec<&str> = tools.iter().flat_map(|tool| row(tool)[1].split(' ')).collect();
-    packages.sort_unstable();
-    packages.dedup();
-    packages
+    let packages: BTreeSet<&str> = tools.iter().flat_map(|tool| row(tool)[2].split(' ')).collect();
+    packages.into_iter().collect()
 }
 
 fn is_found(ways: &str) -> bool {
-    ways.split(',').any(|way| match way.split(' ').collect::<Vec<_>>()[..] {
-        [program] => process::find_program(program).is_some(),
-        [program, ref arguments @ ..] => {
-            let run = Command::new(program).args(arguments).stdin(Stdio::null()).output();
-            run.is_ok_and(|output| output.status.success())
-        }
-        [] => false,
+    let succeeds =
+        |mut command: Command| command.stdin(Stdio::null()).output().is_ok_and(|it| it.status.success());
+    ways.split(',').any(|way| match way.split_once(' ') {
+        None => find_program(way).is_some(),
+        Some((name, words)) => succeeds(program(name, words)),
     })
 }
 
 /// Installs packages of Debian. A fresh image has no package lists, or stale ones; and a mirror may fail once.
-fn install(packages: &[&str]) -> Result<(), Failure> {
-    let apt_get = |words: &[&str]| {
-        let mut command = Command::new("apt-get");
-        command.env("DEBIAN_FRONTEND", "noninteractive").arg("--quiet").args(words);
-        process::status(&mut command)
+fn install(packages: &str) -> Result {
+    let apt_get = |words: &str| {
+        program("apt-get", &format!("--quiet {words}")).env("DEBIAN_FRONTEND", "noninteractive").code()
     };
-    let words = [&["install", "--yes", "--no-install-recommends"], packages].concat();
+    let install = format!("install --yes --no-install-recommends {packages}");
     for _ in 0..2 {
-        if apt_get(&words)? == 0 {
+        if apt_get(&install)? == 0 {
             return Ok(());
         }
-        apt_get(&["update"])?;
+        apt_get("update")?;
     }
-    apt_get(&words).map(drop)
+    apt_get(&install).map(drop)
 }
 
 /// Whether this is continuous integration, where nothing may be skipped.
@@ -122,37 +106,32 @@ pub fn is_continuous_integration() -> bool {
 
 /// Whether this program has root's rights.
 pub fn is_root() -> bool {
-    let id = Command::new("id").arg("-u").output();
-    id.is_ok_and(|output| output.stdout.trim_ascii() == b"0")
+    program("id", "-u").output().is_ok_and(|output| output.stdout.trim_ascii() == b"0")
 }
 
 /// Where `gmp-mpfr-sys` keeps what it has built. Flags of the compiler are a part of the path that only it knows.
 fn gmp_cache() -> Option<PathBuf> {
     let folder = |name: &str| env::var_os(name).filter(|value| !value.is_empty()).map(PathBuf::from);
-    if folder("CFLAGS").is_some() {
-        return None;
-    }
-    let of_home = |inner: &str| folder("HOME").map(|home| home.join(inner));
-    let system = if cfg!(target_os = "macos") {
-        of_home("Library/Caches")
-    } else {
-        folder("XDG_CACHE_HOME").or_else(|| of_home(".cache"))
+    let of_home = |inner: &str| Some(folder("HOME")?.join(inner).join("gmp-mpfr-sys"));
+    let of_system = || match folder("XDG_CACHE_HOME") {
+        _ if cfg!(target_os = "macos") => of_home("Library/Caches"),
+        Some(cache) => Some(cache.join("gmp-mpfr-sys")),
+        None => of_home(".cache"),
     };
-    folder("GMP_MPFR_SYS_CACHE").or_else(|| Some(system?.join("gmp-mpfr-sys")))
+    if folder("CFLAGS").is_some() { None } else { folder("GMP_MPFR_SYS_CACHE").or_else(of_system) }
 }
 
 /// Whether a cache has the libraries for the version that a lock file names; they are shared by all versions such as 1.7.x.
 fn holds_libraries(cache: &Path, lock: &str) -> bool {
     let version = lock.split("name = \"gmp-mpfr-sys\"\nversion = \"").nth(1).unwrap_or_default();
-    let parts: Vec<&str> = version.splitn(3, '.').collect();
-    let built = below(&cache.join(parts[..2.min(parts.len())].join("."))).unwrap_or_default();
+    let version: Vec<&str> = version.split('.').take(2).collect();
+    let built = below(&cache.join(version.join("."))).unwrap_or_default();
     ["libgmp.a", "libmpfr.a", "libmpc.a"].iter().all(|name| built.iter().any(|path| path.ends_with(name)))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::repository::write;
 
     #[test]
     fn the_libraries_are_found_where_the_package_puts_them() {

@@ -3,17 +3,15 @@
 //! It builds in a second without GMP, so it can name missing programs before anything else fails.
 
 mod accept;
-mod advisories;
-mod bench;
 #[cfg(target_os = "linux")]
 mod cluster_test;
+mod dependencies;
 mod failure;
 mod gated;
 mod interface;
-mod licences;
 mod lines;
 mod machine;
-mod open_fields;
+mod prelude;
 mod process;
 mod prove;
 mod repository;
@@ -27,53 +25,79 @@ mod wheels;
 
 use std::process::ExitCode;
 
-use failure::Failure;
+use prelude::*;
 
 const USAGE: &str = include_str!("../usage.txt");
 
+/// A task: its name, the options of which it takes at most one, and what it does with it; without one, with an empty text.
+type Task = (&'static str, &'static [&'static str], fn(&str) -> Result);
+
+const TASKS: &[Task] = &[
+    ("verify", &[], |_| verify::run()),
+    ("test", &["--slow"], test::run),
+    ("accept", &[], |_| accept::run()),
+    ("tidy", &[], |_| tidy::run()),
+    ("lines", &["--lower"], lines::run),
+    ("advisories", &[], |_| dependencies::advisories()),
+    ("licences", &[], |_| dependencies::licences()),
+    ("validate", &[], |_| validate::run()),
+    ("open-fields", &[], |_| open_fields()),
+    ("prove", &["--all", "--planted-faults"], prove::run),
+    ("wheel", &["--test", "--pages"], wheel::run),
+    ("wheels", &[], |_| wheels::run()),
+    ("sources", &[], |_| sources::run()),
+    ("semver", &[], |_| interface::semver()),
+    #[cfg(target_os = "linux")]
+    ("cluster-test", &[], |_| cluster_test::run()),
+    ("machine", &[], |_| machine::run()),
+];
+
 fn main() -> ExitCode {
-    let arguments: Vec<String> = std::env::args().skip(1).collect();
-    match run(&arguments) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => {
-            eprintln!("xtask: {}", failure.message);
-            ExitCode::from(failure.code)
+    let arguments: Vec<String> = env::args().skip(1).collect();
+    let result = run(&arguments);
+    if let Err(failure) = &result {
+        eprintln!("xtask: {}", failure.message);
+    }
+    ExitCode::from(result.map_or_else(|failure| failure.code, |()| 0))
+}
+
+fn run(arguments: &[String]) -> Result {
+    let (name, rest) = arguments.split_first().ok_or_else(|| Failure::bad_input(USAGE))?;
+    let wrong = |what: String| Err(Failure::bad_input(what));
+    match name.as_str() {
+        "bench" | "cost" | "coverage" | "sweep-cost" | "tables" | "timings" => return bench(name, rest),
+        "gated" => return gated::run(rest),
+        "tie" => return prove::tie(rest),
+        "help" | "--help" | "-h" if rest.is_empty() => {
+            print!("{USAGE}");
+            return Ok(());
         }
+        _ => {}
+    }
+    match (TASKS.iter().find(|(task, ..)| task == name), rest) {
+        (Some((.., task)), []) => task(""),
+        (Some((_, options, task)), [option]) if options.contains(&option.as_str()) => task(option),
+        (Some((_, options @ [_, ..], _)), _) => {
+            wrong(format!("`{name}` takes `{}` or nothing", options.join("`, `")))
+        }
+        (None, []) => wrong(format!("unknown command `{name}`\n\n{USAGE}")),
+        _ => wrong(format!("`{name}` takes no arguments\n\n{USAGE}")),
     }
 }
 
-fn run(arguments: &[String]) -> Result<(), Failure> {
-    let (command, rest) = arguments.split_first().ok_or_else(|| Failure::bad_input(USAGE))?;
-    match command.as_str() {
-        "bench" | "cost" | "coverage" | "sweep-cost" | "tables" | "timings" => bench::run(command, rest),
-        "gated" => gated::run(rest),
-        "lines" => lines::run(rest),
-        "prove" => prove::run(rest),
-        "test" => test::run(rest),
-        "tie" => prove::tie(rest),
-        "wheel" => wheel::run(rest),
-        _ if !rest.is_empty() => {
-            Err(Failure::bad_input(format!("`{command}` takes no arguments\n\n{USAGE}")))
-        }
-        "verify" => verify::run(),
-        "accept" => accept::run(),
-        "validate" => validate::run(),
-        #[cfg(target_os = "linux")]
-        "cluster-test" => cluster_test::run(),
-        "tidy" => tidy::run(),
-        "advisories" => advisories::run(),
-        "licences" => licences::run(),
-        "semver" => interface::semver(),
-        "sources" => sources::run(),
-        "wheels" => wheels::run(),
-        "open-fields" => open_fields::run(),
-        "machine" => machine::run(),
-        "help" | "--help" | "-h" => {
-            print!("{USAGE}");
-            Ok(())
-        }
-        unknown => Err(Failure::bad_input(format!("unknown command `{unknown}`\n\n{USAGE}"))),
-    }
+/// Runs a command of slipmode-bench; what is measured is built with the profile `dist`.
+fn bench(command: &str, arguments: &[String]) -> Result {
+    machine::run()?;
+    // Some commands measure nothing: the quick build is enough for them.
+    let profile = if matches!(command, "tables" | "timings") { "release" } else { "dist" };
+    let run = format!("run --profile {profile} --locked --quiet --package slipmode-bench -- {command}");
+    Failure::of_exit(cargo(&run).args(arguments).code()?, command)
+}
+
+/// Lists, with file and line, what only a person can state about the program and its paper, and has not stated yet.
+fn open_fields() -> Result {
+    let files = ["--", "metadata.toml", "paper.md", "paper.bib"];
+    git(&root(), "grep --line-number").arg("OPEN FIELD: ").args(files).check()
 }
 
 #[cfg(test)]

@@ -1,68 +1,72 @@
 //! Running other programs: always in the repository's root, never through a shell.
 
-use std::env;
-use std::ffi::OsString;
+use std::ffi::{OsStr, OsString};
 use std::io::{BufRead, BufReader};
-use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::{ExitStatus, Stdio};
 
-use crate::failure::Failure;
-use crate::repository;
+use crate::prelude::*;
 
-/// The cargo that started this program, in the repository's root.
-pub fn cargo(arguments: &[&str]) -> Command {
-    let program = env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+/// A program in the repository's root, with the arguments that stand in `words`, separated by spaces.
+pub fn program(program: impl AsRef<OsStr>, words: &str) -> Command {
     let mut command = Command::new(program);
-    command.args(arguments).current_dir(repository::root());
+    command.args(words.split_whitespace()).current_dir(root());
     command
 }
 
-/// Runs a command with its streams inherited and returns its exit code (1 when a signal ended it).
-///
-/// # Errors
-/// When the program cannot be started.
-pub fn status(command: &mut Command) -> Result<u8, Failure> {
-    let status = command.status().map_err(|error| cannot_start(command, &error))?;
-    Ok(status.code().and_then(|code| u8::try_from(code).ok()).unwrap_or(1))
+/// The cargo that started this program.
+pub fn cargo(words: &str) -> Command {
+    program(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()), words)
 }
 
-/// Runs a command that has to succeed.
-///
-/// # Errors
-/// When it cannot be started or does not exit with 0.
-pub fn check(command: &mut Command) -> Result<(), Failure> {
-    match status(command)? {
-        0 => Ok(()),
-        code => Err(Failure::check(format!("`{}` exited with {code}", words(command)))),
+/// The ways to run a command. Each fails when the program cannot be started.
+pub trait Run {
+    /// Runs it with its streams inherited and returns its exit code (1 when a signal ended it).
+    fn code(&mut self) -> Result<u8>;
+
+    /// Runs it; it has to succeed.
+    fn check(&mut self) -> Result;
+
+    /// Runs it quietly and returns what it printed on standard output; it has to succeed. Its standard error goes to ours.
+    fn text(&mut self) -> Result<String>;
+
+    /// Runs it, passes its standard output on line by line, hands each line to `listen`, and returns its exit code.
+    fn listen(&mut self, listen: impl FnMut(&str)) -> Result<u8>;
+}
+
+impl Run for Command {
+    fn code(&mut self) -> Result<u8> {
+        self.status().map(code_of).map_err(|error| cannot_start(self, &error))
     }
-}
 
-/// Runs a command quietly and returns what it printed on standard output.
-///
-/// # Errors
-/// When it cannot be started or does not exit with 0; its standard error goes to ours.
-pub fn output(command: &mut Command) -> Result<String, Failure> {
-    let output = command.stderr(Stdio::inherit()).output().map_err(|error| cannot_start(command, &error))?;
-    if !output.status.success() {
-        return Err(Failure::check(format!("`{}` failed", words(command))));
+    fn check(&mut self) -> Result {
+        match self.code()? {
+            0 => Ok(()),
+            code => Err(Failure::check(format!("`{}` exited with {code}", words(self)))),
+        }
     }
-    Ok(String::from_utf8_lossy(&output.stdout).into_owned())
-}
 
-/// Runs a command, passes its standard output on line by line, and hands each line to `listen`.
-///
-/// # Errors
-/// When the program cannot be started.
-pub fn listen(command: &mut Command, mut listen: impl FnMut(&str)) -> Result<u8, Failure> {
-    let mut child = command.stdout(Stdio::piped()).spawn().map_err(|error| cannot_start(command, &error))?;
-    if let Some(stdout) = child.stdout.take() {
-        for line in BufReader::new(stdout).lines().map_while(Result::ok) {
+    fn text(&mut self) -> Result<String> {
+        let output = self.stderr(Stdio::inherit()).output().map_err(|error| cannot_start(self, &error))?;
+        if !output.status.success() {
+            return Err(Failure::check(format!("`{}` failed", words(self))));
+        }
+        Ok(String::from_utf8_lossy(&output.stdout).into_owned())
+    }
+
+    fn listen(&mut self, mut listen: impl FnMut(&str)) -> Result<u8> {
+        let mut child = self.stdout(Stdio::piped()).spawn().map_err(|error| cannot_start(self, &error))?;
+        let lines =
+            child.stdout.take().map(|output| BufReader::new(output).lines().map_while(|line| line.ok()));
+        for line in lines.into_iter().flatten() {
             println!("{line}");
             listen(&line);
         }
+        child.wait().map(code_of).map_err(|error| cannot_start(self, &error))
     }
-    let status = child.wait().map_err(|error| cannot_start(command, &error))?;
-    Ok(status.code().and_then(|code| u8::try_from(code).ok()).unwrap_or(1))
+}
+
+fn code_of(status: ExitStatus) -> u8 {
+    status.code().and_then(|code| u8::try_from(code).ok()).unwrap_or(1)
 }
 
 /// Where a program is, as the shell would find it; the folders of daemons are looked through as well.
@@ -95,15 +99,14 @@ mod tests {
 
     #[test]
     fn a_failing_program_is_a_failed_check_and_a_missing_one_is_bad_input() {
-        let mut failing = cargo(&["no-such-subcommand"]);
-        assert_eq!(check(failing.stderr(Stdio::null())).unwrap_err().code, 1);
-        assert_eq!(check(&mut Command::new("no-such-program-anywhere")).unwrap_err().code, 2);
+        assert_eq!(cargo("no-such-subcommand").stderr(Stdio::null()).check().unwrap_err().code, 1);
+        assert_eq!(program("no-such-program-anywhere", "").check().unwrap_err().code, 2);
     }
 
     #[test]
     fn every_line_of_output_is_heard() {
         let mut heard = Vec::new();
-        let code = listen(&mut cargo(&["--version"]), |line| heard.push(line.to_string())).unwrap();
+        let code = cargo("--version").listen(|line| heard.push(line.to_string())).unwrap();
         assert_eq!(code, 0);
         assert!(heard.iter().any(|line| line.starts_with("cargo ")));
     }

@@ -1,12 +1,9 @@
 //! Where the repository is, which files it has, and what git says of it.
 
-use std::fs;
-use std::io::Write;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::io::{Error, Write};
+use std::process::Stdio;
 
-use crate::failure::Failure;
-use crate::process;
+use crate::prelude::*;
 
 /// The repository's root: the folder above this package.
 pub fn root() -> PathBuf {
@@ -15,19 +12,30 @@ pub fn root() -> PathBuf {
 }
 
 /// The failure to read or write a file.
-pub fn failure(path: &Path, error: &std::io::Error) -> Failure {
-    Failure::bad_input(format!("{}: {error}", path.display()))
+pub fn at(path: &Path) -> impl Fn(Error) -> Failure {
+    move |error| Failure::bad_input(format!("{}: {error}", path.display()))
 }
 
 /// A file's text.
-pub fn read(path: &Path) -> Result<String, Failure> {
-    fs::read_to_string(path).map_err(|error| failure(path, &error))
+pub fn read(path: &Path) -> Result<String> {
+    fs::read_to_string(path).map_err(at(path))
 }
 
 /// Writes a file, and the folders that it is in.
-pub fn write(path: &Path, text: &str) -> Result<(), Failure> {
-    let folder = path.parent().unwrap_or(path);
-    fs::create_dir_all(folder).and_then(|()| fs::write(path, text)).map_err(|error| failure(path, &error))
+pub fn write(path: &Path, text: &str) -> Result {
+    fs::create_dir_all(path.parent().unwrap_or(path)).and_then(|()| fs::write(path, text)).map_err(at(path))
+}
+
+/// Copies a file, and makes the folders that its copy is in.
+pub fn copy(from: &Path, to: &Path) -> Result {
+    let copied = fs::create_dir_all(to.parent().unwrap_or(to)).and_then(|()| fs::copy(from, to));
+    copied.map(drop).map_err(at(from))
+}
+
+/// Makes a folder that is empty.
+pub fn make_empty(folder: &Path) -> Result {
+    fs::remove_dir_all(folder).ok();
+    fs::create_dir_all(folder).map_err(at(folder))
 }
 
 /// The rows of a list with ` | ` between the fields; lines that begin with `#` are comments.
@@ -37,39 +45,34 @@ pub fn rows<const FIELDS: usize>(list: &str) -> impl Iterator<Item = [&str; FIEL
 }
 
 /// A command of git in a repository.
-pub fn git(root: &Path, words: &[&str]) -> Command {
-    let mut command = Command::new("git");
-    command.args(words).current_dir(root);
+pub fn git(root: &Path, words: &str) -> Command {
+    let mut command = program("git", words);
+    command.current_dir(root);
     command
 }
 
 /// The commit that is checked out.
-pub fn commit(root: &Path) -> Result<String, Failure> {
-    Ok(process::output(&mut git(root, &["rev-parse", "--short=12", "HEAD"]))?.trim().to_owned())
+pub fn commit(root: &Path) -> Result<String> {
+    Ok(git(root, "rev-parse --short=12 HEAD").text()?.trim().to_owned())
 }
 
 /// The digest of a text, as git computes that of a file.
-pub fn digest(text: &str) -> Result<String, Failure> {
-    let cannot = |error: std::io::Error| failure("git hash-object".as_ref(), &error);
-    let mut git = git(&root(), &["hash-object", "--stdin"]);
-    let mut child = git.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().map_err(cannot)?;
-    if let Some(mut input) = child.stdin.take() {
-        input.write_all(text.as_bytes()).map_err(cannot)?;
-    }
-    let output = child.wait_with_output().map_err(cannot)?;
+pub fn digest(text: &str) -> Result<String> {
+    let mut git = git(&root(), "hash-object --stdin");
+    let spawned = git.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn();
+    let output = spawned.and_then(|mut child| {
+        child.stdin.take().map_or(Ok(()), |mut input| input.write_all(text.as_bytes()))?;
+        child.wait_with_output()
+    });
+    let output = output.map_err(at("git hash-object".as_ref()))?;
     Ok(String::from_utf8_lossy(&output.stdout).trim().to_owned())
 }
 
-/// Paths of all files below the root, relative to it, with `/`, sorted; build products and version control left out.
+/// Paths of all files below a folder, relative to it, with `/`, sorted; build products and version control left out.
 ///
 /// # Errors
 /// When a folder cannot be read.
-pub fn files() -> Result<Vec<String>, Failure> {
-    below(&root())
-}
-
-/// The same of another folder.
-pub fn below(folder: &Path) -> Result<Vec<String>, Failure> {
+pub fn below(folder: &Path) -> Result<Vec<String>> {
     let mut found = Vec::new();
     for path in entries(folder)? {
         let name = file_name(&path);
@@ -90,28 +93,24 @@ pub fn below(folder: &Path) -> Result<Vec<String>, Failure> {
 ///
 /// # Errors
 /// When `reports/` cannot be read or holds no report at all.
-pub fn reports() -> Result<Vec<String>, Failure> {
-    let folder = root().join("reports");
-    let mut names = Vec::new();
-    for path in entries(&folder)? {
-        if path.join("report.toml").is_file() {
-            names.push(file_name(&path));
-        }
-    }
-    names.sort();
-    if names.is_empty() {
+pub fn reports() -> Result<Vec<String>> {
+    let mut folders = entries(&root().join("reports"))?;
+    folders.retain(|folder| folder.join("report.toml").is_file());
+    folders.sort();
+    if folders.is_empty() {
         return Err(Failure::bad_input("reports/ holds no folder with a report.toml"));
     }
-    Ok(names)
+    Ok(folders.iter().map(|folder| file_name(folder)).collect())
 }
 
 /// The paths in a folder, unsorted.
 ///
 /// # Errors
 /// When the folder cannot be read.
-pub fn entries(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
-    let cannot = |error| failure(folder, &error);
-    fs::read_dir(folder).map_err(cannot)?.map(|entry| entry.map(|e| e.path()).map_err(cannot)).collect()
+pub fn entries(folder: &Path) -> Result<Vec<PathBuf>> {
+    let entries =
+        fs::read_dir(folder).and_then(|all| all.map(|entry| entry.map(|entry| entry.path())).collect());
+    entries.map_err(at(folder))
 }
 
 /// The last component of a path as text.
@@ -152,7 +151,7 @@ mod tests {
 
     #[test]
     fn the_listing_has_this_file_and_no_build_products() {
-        let files = files().unwrap();
+        let files = below(&root()).unwrap();
         assert!(files.contains(&"xtask/src/repository.rs".to_string()));
         assert!(files.iter().all(|path| !path.starts_with("target/") && !path.starts_with(".git/")));
     }

@@ -1,33 +1,32 @@
 //! `cargo xtask test`: every check of the repository in one command, and a count of the tests at the end.
 
-use std::process::Command;
-use std::time::Instant;
-
-use crate::failure::Failure;
-use crate::{interface, licences, lines, machine, process, tidy, verify};
+use crate::prelude::*;
+use crate::{dependencies, interface, lines, machine, tidy, verify};
 
 /// A step's name and what it does.
-pub type Step = (&'static str, fn() -> Result<(), Failure>);
+pub type Step = (&'static str, fn() -> Result);
 
 const STEPS: [Step; 7] = [
-    ("fmt", format),
+    ("fmt", || cargo("fmt --all --check").check()),
     ("tidy", tidy::run),
-    ("lines", || lines::run(&[])),
-    ("licences", licences::run),
-    ("clippy", clippy),
-    ("core without features", core_without_features),
-    ("rustdoc", rustdoc),
+    ("lines", || lines::run("")),
+    ("licences", dependencies::licences),
+    ("clippy", || profiled("clippy --workspace --all-targets --locked --quiet -- --deny warnings").check()),
+    ("core without features", || {
+        profiled("check --package slipmode-core --no-default-features --locked --quiet").check()
+    }),
+    ("rustdoc", || {
+        let mut doc = profiled("doc --workspace --no-deps --locked --quiet");
+        doc.env("RUSTDOCFLAGS", "--deny warnings").check()?;
+        interface::count(&verify::target())
+    }),
 ];
 
-/// Runs all steps, even after one has failed, then all tests; ends with `N passed, N failed`.
+/// Runs all steps, even after one has failed, then all tests; ends with `N passed, N failed`. With `--slow`, slow tests have all repetitions.
 ///
 /// # Errors
 /// When any step or any test fails.
-pub fn run(arguments: &[String]) -> Result<(), Failure> {
-    let is_slow = arguments == ["--slow"];
-    if !is_slow && !arguments.is_empty() {
-        return Err(Failure::bad_input("`test` takes `--slow` or nothing"));
-    }
+pub fn run(option: &str) -> Result {
     machine::run()?;
     machine::require(&["fmt", "clippy"])?;
     let mut failed = Vec::new();
@@ -38,18 +37,19 @@ pub fn run(arguments: &[String]) -> Result<(), Failure> {
         }
     }
     let mut count = Count::default();
-    if timed("tests", || tests(&mut count, is_slow)).is_err() {
+    if timed("tests", || tests(&mut count, option == "--slow")).is_err() {
         failed.push("tests");
     }
     println!();
+    let failed = failed.join(", ");
     if !failed.is_empty() {
-        println!("failed: {}", failed.join(", "));
+        println!("failed: {failed}");
     }
     println!("{} passed, {} failed", count.passed, count.failed);
-    if failed.is_empty() { Ok(()) } else { Err(Failure::check(format!("failed: {}", failed.join(", ")))) }
+    if failed.is_empty() { Ok(()) } else { Err(Failure::check(format!("failed: {failed}"))) }
 }
 
-fn timed(name: &str, step: impl FnOnce() -> Result<(), Failure>) -> Result<(), Failure> {
+fn timed(name: &str, step: impl FnOnce() -> Result) -> Result {
     println!("== {name}");
     let start = Instant::now();
     let result = step();
@@ -58,43 +58,18 @@ fn timed(name: &str, step: impl FnOnce() -> Result<(), Failure>) -> Result<(), F
     result
 }
 
-fn format() -> Result<(), Failure> {
-    process::check(&mut process::cargo(&["fmt", "--all", "--check"]))
-}
-
 /// A command of cargo. Where continuous integration runs, the profile is the one that all its steps share; elsewhere it is the one
 /// that is compiled soonest after an edit.
-fn cargo(command: &str, arguments: &[&str]) -> Command {
-    let mut command = process::cargo(&[command]);
-    if machine::is_continuous_integration() {
-        command.args(["--profile", verify::profile()]);
-    }
-    command.args(arguments);
-    command
+fn profiled(words: &str) -> Command {
+    let (command, rest) = words.split_once(' ').unwrap_or((words, ""));
+    let is_shared = machine::is_continuous_integration();
+    let profile = if is_shared { format!("--profile {}", verify::profile()) } else { String::new() };
+    cargo(&format!("{command} {profile} {rest}"))
 }
 
-fn clippy() -> Result<(), Failure> {
-    let arguments = ["--workspace", "--all-targets", "--locked", "--quiet", "--", "--deny", "warnings"];
-    process::check(&mut cargo("clippy", &arguments))
-}
-
-fn core_without_features() -> Result<(), Failure> {
-    let arguments = ["--package", "slipmode-core", "--no-default-features", "--locked", "--quiet"];
-    process::check(&mut cargo("check", &arguments))
-}
-
-fn rustdoc() -> Result<(), Failure> {
-    let mut command = cargo("doc", &["--workspace", "--no-deps", "--locked", "--quiet"]);
-    process::check(command.env("RUSTDOCFLAGS", "--deny warnings"))?;
-    interface::count(&verify::target())
-}
-
-fn tests(count: &mut Count, is_slow: bool) -> Result<(), Failure> {
-    let mut command = cargo("test", &["--workspace", "--locked", "--no-fail-fast"]);
-    if is_slow {
-        command.env("SLIPMODE_SLOW", "1");
-    }
-    let code = process::listen(&mut command, |line| count.hear(line))?;
+fn tests(count: &mut Count, is_slow: bool) -> Result {
+    let mut command = profiled("test --workspace --locked --no-fail-fast");
+    let code = command.envs(is_slow.then_some(("SLIPMODE_SLOW", "1"))).listen(|line| count.hear(line))?;
     if code == 0 && count.failed == 0 && count.passed > 0 {
         return Ok(());
     }
@@ -113,9 +88,8 @@ struct Count {
 impl Count {
     /// Adds a line such as `test result: ok. 12 passed; 0 failed; …`; any other line changes nothing.
     fn hear(&mut self, line: &str) {
-        let Some(result) = line.strip_prefix("test result: ") else { return };
-        let (_, counts) = result.split_once(". ").unwrap_or_default();
-        for part in counts.split("; ") {
+        let result = line.strip_prefix("test result: ").and_then(|result| result.split_once(". "));
+        for part in result.unwrap_or_default().1.split("; ") {
             match part.split_once(' ') {
                 Some((number, "passed")) => self.passed += number.parse::<u64>().unwrap_or(0),
                 Some((number, "failed")) => self.failed += number.parse::<u64>().unwrap_or(0),

@@ -10,13 +10,9 @@ mod text_rules;
 mod views;
 mod wording;
 
-use std::collections::BTreeSet;
-use std::fmt;
-use std::fs;
-
-use crate::failure::Failure;
-use crate::repository;
+use crate::prelude::*;
 use rust_source::RustSource;
+pub use rust_source::comment_length;
 
 /// A text file of the repository.
 #[derive(Debug)]
@@ -47,46 +43,36 @@ pub struct Complaint {
     message: String,
 }
 
-impl fmt::Display for Complaint {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.line {
-            0 => write!(f, "{}: {}", self.path, self.message),
-            line => write!(f, "{}:{line}: {}", self.path, self.message),
-        }
-    }
-}
-
 /// Checks every rule on every file.
 ///
 /// # Errors
 /// When a rule is broken; all complaints at once.
-pub fn run() -> Result<(), Failure> {
-    let paths = repository::files()?;
+pub fn run() -> Result {
+    let paths = below(&root())?;
     let files = read(&paths)?;
-    let complaints = complaints(&files, &paths);
-    if complaints.is_empty() {
-        println!("tidy: {} files, no complaint", files.len());
-        return Ok(());
-    }
-    let lines: Vec<String> = complaints.iter().map(Complaint::to_string).collect();
-    Err(Failure::check(format!("tidy: {} complaints\n{}", lines.len(), lines.join("\n"))))
-}
-
-fn complaints(files: &[TextFile], paths: &[String]) -> Vec<Complaint> {
     let mut found = Vec::new();
-    for file in files {
+    for file in &files {
         text_rules::check(file, &mut found);
         views::check_template(file, &mut found);
-        references::check_links(file, paths, &mut found);
+        references::check_links(file, &paths, &mut found);
         wording::check_text(file, &mut found);
     }
-    for source in rust_sources(files) {
+    for source in rust_sources(&files) {
         rust_rules::check(&source, &mut found);
         floors::check(&source, &mut found);
         wording::check_command_line(&source, &mut found);
     }
-    references::check_data_is_read(files, paths, &mut found);
-    found
+    references::check_data_is_read(&files, &paths, &mut found);
+    if found.is_empty() {
+        println!("tidy: {} files, no complaint", files.len());
+        return Ok(());
+    }
+    let shown = |Complaint { path, line, message }: &Complaint| match line {
+        0 => format!("\n{path}: {message}"),
+        line => format!("\n{path}:{line}: {message}"),
+    };
+    let lines: String = found.iter().map(shown).collect();
+    Err(Failure::check(format!("tidy: {} complaints{lines}", found.len())))
 }
 
 /// All Rust files; those that another declares as tests are marked so.
@@ -101,15 +87,12 @@ pub fn rust_sources(files: &[TextFile]) -> Vec<RustSource<'_>> {
 }
 
 /// Reads every file that is text; binary files (fonts, archives) have no rules here.
-pub fn read(paths: &[String]) -> Result<Vec<TextFile>, Failure> {
-    let root = repository::root();
+pub fn read(paths: &[String]) -> Result<Vec<TextFile>> {
     let mut files = Vec::new();
     for path in paths {
-        let bytes = fs::read(root.join(path))
-            .map_err(|error| Failure::bad_input(format!("{path} cannot be read: {error}")))?;
-        if let Ok(text) = String::from_utf8(bytes) {
-            files.push(TextFile { path: path.clone(), text });
-        }
+        let place = root().join(path);
+        let text = String::from_utf8(fs::read(&place).map_err(at(&place))?).ok();
+        files.extend(text.map(|text| TextFile { path: path.clone(), text }));
     }
     Ok(files)
 }

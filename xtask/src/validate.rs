@@ -3,14 +3,10 @@
 //! `xtask/validate/` lists them and fixes their versions; they are installed below `target/validate/`. A validator whose tools are
 //! missing is named and skipped, except under continuous integration (`CI` is set), where all are required.
 
-use std::collections::BTreeSet;
-use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::Command;
-
-use crate::failure::Failure;
-use crate::repository::{self, failure, read, root, rows};
-use crate::{machine, process, verify};
+use crate::prelude::*;
+use crate::process::find_program;
+use crate::repository::{self, file_name};
+use crate::{machine, verify};
 
 const VALIDATORS: &str = include_str!("../validate/validators.txt");
 
@@ -18,16 +14,16 @@ const VALIDATORS: &str = include_str!("../validate/validators.txt");
 ///
 /// # Errors
 /// With exit code 1 when a validator finds a fault, 2 when a required one cannot be installed.
-pub fn run() -> Result<(), Failure> {
+pub fn run() -> Result {
     machine::run()?;
     verify::build()?;
     let reports = repository::reports()?;
-    let tools = rows(VALIDATORS).flat_map(|[_, tools, _]| tools.split(' '));
-    machine::provide(&tools.collect::<BTreeSet<_>>().into_iter().collect::<Vec<_>>())?;
+    let tools: BTreeSet<&str> = rows(VALIDATORS).flat_map(|[_, tools, _]| tools.split(' ')).collect();
+    machine::provide(&Vec::from_iter(tools))?;
     let pages = std::thread::scope(|scope| {
         // Packages are loaded while reports are made. If that fails, the validator that needs them tries again and reports it.
         scope.spawn(|| (npm().is_ok(), venv().is_ok()));
-        reports.iter().map(|name| make(name)).collect::<Result<Vec<_>, Failure>>()
+        reports.iter().map(|name| make(name)).collect::<Result<Vec<_>>>()
     })?;
     let (mut failed, mut skipped, mut passed) = (Vec::new(), Vec::new(), 0);
     for [name, tools, command] in rows(VALIDATORS) {
@@ -52,28 +48,24 @@ pub fn run() -> Result<(), Failure> {
 }
 
 /// Runs a validator: once, or once for each report.
-fn accepts(name: &str, command: &str, reports: &[String], pages: &[PathBuf]) -> Result<bool, Failure> {
+fn accepts(name: &str, command: &str, reports: &[String], pages: &[String]) -> Result<bool> {
     println!("validate: {name}");
     let each = if command.contains("{report}") { reports } else { &[String::new()] };
     let mut accepts = true;
     for report in each {
-        let mut words = Vec::new();
-        for word in command.split(' ') {
-            if word == "{pages}" {
-                words.extend(pages.iter().map(|page| page.display().to_string()));
-            } else {
-                words.push(filled_in(word, report)?);
-            }
-        }
-        let mut command = Command::new(&words[0]);
-        command.args(&words[1..]).current_dir(root().join("target/report"));
-        accepts &= process::status(&mut command)? == 0;
+        let words = command.split(' ').map(|word| match word {
+            "{pages}" => Ok(pages.to_vec()),
+            word => Ok(vec![filled_in(word, report)?]),
+        });
+        let words = words.collect::<Result<Vec<_>>>()?.concat();
+        let mut command = program(&words[0], "");
+        accepts &= command.args(&words[1..]).current_dir(root().join("target/report")).code()? == 0;
     }
     Ok(accepts)
 }
 
 /// A word of a command with its places filled in.
-fn filled_in(word: &str, report: &str) -> Result<String, Failure> {
+fn filled_in(word: &str, report: &str) -> Result<String> {
     let (head, rest) = word.split_once('{').unwrap_or((word, ""));
     let Some((place, tail)) = rest.split_once('}') else { return Ok(word.to_owned()) };
     let value = match place {
@@ -84,45 +76,45 @@ fn filled_in(word: &str, report: &str) -> Result<String, Failure> {
         "made" => workshop(),
         "report" => report.into(),
         "program" => verify::binary(),
-        "browser" => {
-            let spellings = ["chromium", "chromium-browser", "google-chrome"];
-            spellings.into_iter().find_map(process::find_program).unwrap_or_default()
-        }
+        "browser" => ["chromium", "chromium-browser", "google-chrome"]
+            .into_iter()
+            .find_map(find_program)
+            .unwrap_or_default(),
         _ => return Err(Failure::bad_input(format!("validators.txt: {{{place}}} is unknown"))),
     };
     Ok(format!("{head}{}{}", value.display().to_string().trim_end_matches('/'), filled_in(tail, report)?))
 }
 
 /// Makes a report and its archive. Its page, and the explorers of its scenes that have a slider and a map.
-fn make(name: &str) -> Result<Vec<PathBuf>, Failure> {
+fn make(name: &str) -> Result<Vec<String>> {
     let folder = format!("reports/{name}");
     let page = root().join("target/report").join(name).join("index.html");
-    if !is_current(&page, &folder)? {
-        process::check(&mut verify::slipmode(&["report", &folder]))?;
+    if !is_current(&page, &root().join(&folder))? {
+        verify::slipmode("report").arg(&folder).check()?;
     }
+    fs::create_dir_all(workshop()).map_err(at(&workshop()))?;
     let archive = workshop().join(format!("{name}.zip"));
-    fs::create_dir_all(workshop()).map_err(|error| failure(&workshop(), &error))?;
-    process::check(verify::slipmode(&["archive", &folder, "--codecheck", "--output"]).arg(&archive))?;
-    let mut pages = vec![page];
+    verify::slipmode("archive --codecheck --output").arg(&archive).arg(&folder).check()?;
+    let mut pages = vec![page.display().to_string()];
     let scenes = root().join(folder).join("scenes");
-    let names = if scenes.exists() { repository::below(&scenes)? } else { Vec::new() };
+    let names = if scenes.exists() { below(&scenes)? } else { Vec::new() };
     for scene in names.iter().map(|name| scenes.join(name)) {
         if read(&scene)?.contains("\n[map]") {
-            let page = workshop().join(repository::file_name(&scene.with_extension("html")));
-            process::check(verify::slipmode(&["explore"]).arg(&scene).arg("--output").arg(&page))?;
-            pages.push(page);
+            let page = workshop().join(file_name(&scene.with_extension("html")));
+            verify::slipmode("explore").arg(&scene).arg("--output").arg(&page).check()?;
+            pages.push(page.display().to_string());
         }
     }
     Ok(pages)
 }
 
 /// Whether `verify` has written this page after the program and all files of the report.
-fn is_current(page: &Path, report: &str) -> Result<bool, Failure> {
+fn is_current(page: &Path, report: &Path) -> Result<bool> {
     let written = |path: &Path| fs::metadata(path).and_then(|data| data.modified()).ok();
-    let Some(made) = written(page) else { return Ok(false) };
-    let folder = root().join(report);
-    let inputs = repository::below(&folder)?.into_iter().map(|path| folder.join(path));
-    Ok(inputs.chain([verify::binary()]).all(|path| written(&path).is_some_and(|time| time < made)))
+    let inputs = below(report)?.into_iter().map(|path| report.join(path)).chain([verify::binary()]);
+    let inputs: Vec<_> = inputs.map(|path| written(&path)).collect();
+    // A page that was not made has no time, and nothing is before it.
+    Ok(inputs.iter().all(|time| time.is_some() && *time < written(page)))
 }
 
 /// The folder for tools and archives.
@@ -135,60 +127,53 @@ fn definition(name: &str) -> PathBuf {
 }
 
 /// The folder of the packages that npm installs, each with the digest of the lock file.
-fn npm() -> Result<PathBuf, Failure> {
-    let (modules, files) =
-        (workshop().join("node_modules"), ["package.json", "package-lock.json", "pages.mjs"]);
-    let sources = files.map(definition);
+fn npm() -> Result<PathBuf> {
+    let modules = workshop().join("node_modules");
+    let sources = ["package.json", "package-lock.json", "pages.mjs"].map(definition);
     install(&modules, &sources, || {
         for source in &sources {
-            repository::write(&workshop().join(repository::file_name(source)), &read(source)?)?;
+            repository::copy(source, &workshop().join(file_name(source)))?;
         }
-        let options = ["ci", "--no-audit", "--no-fund", "--ignore-scripts", "--loglevel=error"];
-        process::check(Command::new("npm").args(options).current_dir(workshop()))
+        let options = "ci --no-audit --no-fund --ignore-scripts --loglevel=error";
+        program("npm", options).current_dir(workshop()).check()
     })?;
     Ok(modules)
 }
 
 /// The programs of the virtual environment of the validators.
-fn venv() -> Result<PathBuf, Failure> {
+fn venv() -> Result<PathBuf> {
     environment(&workshop().join("venv"), &definition("requirements.txt"))
 }
 
 /// The programs of a virtual environment that pip fills with the packages of a list, which has their digests.
-pub fn environment(folder: &Path, list: &Path) -> Result<PathBuf, Failure> {
+pub fn environment(folder: &Path, list: &Path) -> Result<PathBuf> {
     install(folder, &[list.to_path_buf()], || {
         new_environment(folder)?;
-        process::check(pip(folder).args(["--require-hashes", "--requirement"]).arg(list))
+        pip(folder).args(["--require-hashes", "--requirement"]).arg(list).check()
     })?;
     Ok(folder.join("bin"))
 }
 
 /// Makes an empty virtual environment.
-pub fn new_environment(folder: &Path) -> Result<(), Failure> {
-    process::check(Command::new("python3").args(["-m", "venv", "--clear"]).arg(folder))
+pub fn new_environment(folder: &Path) -> Result {
+    program("python3", "-m venv --clear").arg(folder).check()
 }
 
 /// A command that installs into a virtual environment.
 pub fn pip(environment: &Path) -> Command {
-    let mut command = Command::new(environment.join("bin/python"));
-    command.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check"]);
-    command
+    program(environment.join("bin/python"), "-m pip install --quiet --disable-pip-version-check")
 }
 
 /// Installs into a folder, unless the last installation there that succeeded had the same definitions.
-fn install(
-    folder: &Path,
-    definitions: &[PathBuf],
-    run: impl FnOnce() -> Result<(), Failure>,
-) -> Result<(), Failure> {
-    let wanted = definitions.iter().map(|path| read(path)).collect::<Result<String, Failure>>()?;
+fn install(folder: &Path, definitions: &[PathBuf], run: impl FnOnce() -> Result) -> Result {
+    let wanted = definitions.iter().map(|path| read(path)).collect::<Result<String>>()?;
     // Written last: an installation that failed or was killed is repeated.
     let stamp = folder.join(".installed-from");
     if read(&stamp).is_ok_and(|used| used == wanted) {
         return Ok(());
     }
     run()?;
-    repository::write(&stamp, &wanted)
+    write(&stamp, &wanted)
 }
 
 #[cfg(test)]
@@ -199,7 +184,7 @@ mod tests {
     fn an_installation_that_failed_is_repeated_and_one_that_succeeded_is_not() {
         let folder = std::env::temp_dir().join(format!("slipmode-validate-{}", std::process::id()));
         let mut runs = 0;
-        let mut attempt = |result: Result<(), Failure>| {
+        let mut attempt = |result: Result| {
             install(&folder, &[definition("requirements.txt")], || {
                 runs += 1;
                 result
@@ -246,7 +231,7 @@ mod tests {
 
     #[test]
     fn the_toolchain_file_names_the_least_version_of_the_manifest() {
-        let read = |name: &str| fs::read_to_string(repository::root().join(name)).unwrap();
+        let read = |name: &str| fs::read_to_string(root().join(name)).unwrap();
         let value = |text: &str, key: &str| -> String {
             let line = text.lines().find_map(|line| line.strip_prefix(key)).unwrap();
             line.trim_matches([' ', '=', '"']).to_string()

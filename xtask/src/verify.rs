@@ -1,30 +1,23 @@
 //! `cargo xtask verify`: every report run again and compared with its published copy.
 
-use std::env;
-use std::path::PathBuf;
-use std::process::Command;
-
-use crate::failure::Failure;
-use crate::{machine, process, repository};
+use crate::prelude::*;
+use crate::{machine, repository};
 
 /// Checks the machine, builds the release binary and verifies every report; the worst exit code wins.
 ///
 /// # Errors
 /// With the code of `slipmode verify`: 1 on drift, 2 on bad input; also when the machine lacks a tool or the build fails.
-pub fn run() -> Result<(), Failure> {
+pub fn run() -> Result {
     machine::run()?;
     build()?;
-    let mut worst = 0;
-    let mut unverified = Vec::new();
+    let (mut worst, mut unverified) = (0, Vec::new());
     for name in repository::reports()? {
-        let mut code = process::status(&mut slipmode(&["verify", &format!("reports/{name}")]))?;
-        if !repository::root().join("reports").join(&name).join("published").is_dir() {
+        let mut code = slipmode("verify").arg(format!("reports/{name}")).code()?;
+        if !root().join("reports").join(&name).join("published").is_dir() {
             eprintln!("verify: reports/{name} has no published copy; `cargo xtask accept` makes it");
             code = code.max(1);
         }
-        if code != 0 {
-            unverified.push(name);
-        }
+        unverified.extend((code != 0).then_some(name));
         worst = worst.max(code);
     }
     Failure::of_exit(worst, &format!("verify of {}", unverified.join(", ")))
@@ -39,8 +32,8 @@ pub fn profile() -> &'static str {
 ///
 /// # Errors
 /// When the build fails.
-pub fn build() -> Result<(), Failure> {
-    let mut command = process::cargo(&["build", "--profile", profile(), "--locked", "--bin", "slipmode"]);
+pub fn build() -> Result {
+    let mut command = cargo(&format!("build --profile {} --locked --bin slipmode", profile()));
     if env::var_os("CARGO_INCREMENTAL").is_none() {
         // The first build is a tenth shorter without what makes later ones short.
         command.env("CARGO_INCREMENTAL", "0");
@@ -49,14 +42,12 @@ pub fn build() -> Result<(), Failure> {
         // The features of shared dependencies are then those of the wheel and of the tests, which are built from the same parts.
         command.args(["--package", "slipmode", "--package", "slipmode-python"]);
     }
-    process::check(&mut command)
+    command.check()
 }
 
 /// A command of this binary, in the repository's root.
-pub fn slipmode(arguments: &[&str]) -> Command {
-    let mut command = Command::new(binary());
-    command.args(arguments).current_dir(repository::root());
-    command
+pub fn slipmode(words: &str) -> Command {
+    program(binary(), words)
 }
 
 /// The folder of what cargo builds, in which this program lies, too.

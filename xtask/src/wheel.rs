@@ -5,14 +5,11 @@
 //! With `--pages`, the site of `docs/` is made with such a wheel, whose docstrings it shows.
 
 use std::ffi::OsString;
-use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::Command;
 
-use crate::failure::Failure;
-use crate::repository::{entries, root};
+use crate::prelude::*;
+use crate::repository::entries;
 use crate::validate::{environment, new_environment, pip};
-use crate::{machine, process, verify};
+use crate::{machine, verify};
 
 /// The first use of the package, without the packages that are optional.
 pub const FIRST_USE: &str = "import slipmode; s = slipmode.Slider(a='0.004', b='0.006', d_c='10um', k='1e7', m='1000'); \
@@ -25,31 +22,27 @@ pub const WHEELS: &str = "target/wheels";
 ///
 /// # Errors
 /// With exit code 2 when Python or a tool is missing, 1 when the build or a test fails.
-pub fn run(arguments: &[String]) -> Result<(), Failure> {
-    let (is_test, is_site) = (arguments == ["--test"], arguments == ["--pages"]);
-    if !is_test && !is_site && !arguments.is_empty() {
-        return Err(Failure::bad_input("`wheel` takes `--test`, `--pages` or nothing"));
-    }
+pub fn run(option: &str) -> Result {
     machine::require(&["python3"])?;
-    if is_test && machine::is_continuous_integration() {
+    if option == "--test" && machine::is_continuous_integration() {
         // Elsewhere, the tests on older processors are skipped without it.
         machine::require(&["qemu-x86_64"])?;
     }
     machine::run()?;
     let tools = tools()?;
     remove_wheels();
-    let profile = if is_test || is_site { verify::profile() } else { "dist" };
-    let wheel = maturin(&tools, &["build", "--locked", "--profile", profile], &[])?;
-    if is_site {
+    let profile = if option.is_empty() { "dist" } else { verify::profile() };
+    let wheel = maturin(&tools, &format!("build --locked --profile {profile}"), &[])?;
+    if option == "--pages" {
         install(&tools, &wheel)?;
         return pages(&tools);
     }
-    maturin(&tools, &["sdist"], &[])?;
-    if is_test { test(&tools, &wheel) } else { Ok(()) }
+    maturin(&tools, "sdist", &[])?;
+    if option == "--test" { test(&tools, &wheel) } else { Ok(()) }
 }
 
 /// The environment of the tools.
-pub fn tools() -> Result<PathBuf, Failure> {
+pub fn tools() -> Result<PathBuf> {
     let folder = workshop("tools");
     environment(&folder, &root().join("python/tests/requirements.txt"))?;
     Ok(folder)
@@ -61,54 +54,55 @@ pub fn remove_wheels() {
 }
 
 /// Has maturin make a wheel or a source package, which is returned.
-pub fn maturin(tools: &Path, arguments: &[&str], variables: &[(&str, OsString)]) -> Result<PathBuf, Failure> {
+pub fn maturin(tools: &Path, words: &str, variables: &[(&str, OsString)]) -> Result<PathBuf> {
     let folder = root().join(WHEELS);
     let before = entries(&folder).unwrap_or_default();
-    let mut command = Command::new(tools.join("bin/maturin"));
-    command.args(arguments).arg("--out").arg(&folder).envs(variables.iter().cloned());
-    process::check(command.current_dir(root().join("python")))?;
+    let mut command = program(tools.join("bin/maturin"), words);
+    command.arg("--out").arg(&folder).envs(variables.iter().cloned());
+    command.current_dir(root().join("python")).check()?;
     let made = entries(&folder)?.into_iter().find(|path| !before.contains(path));
     made.ok_or_else(|| Failure::check("maturin made no new file"))
 }
 
 /// Installs a wheel where no compiler is found, and tests and checks it.
-pub fn test(tools: &Path, wheel: &Path) -> Result<(), Failure> {
+pub fn test(tools: &Path, wheel: &Path) -> Result {
     let fresh = workshop("fresh");
     new_environment(&fresh)?;
     // Without the folders of compilers.
-    let search_path = fresh.join("bin");
-    process::check(pip(&fresh).arg(wheel).env("PATH", &search_path))?;
-    let mut python = Command::new(fresh.join("bin/python"));
-    process::check(python.args(["-c", FIRST_USE]).env("PATH", &search_path).current_dir(&fresh))?;
+    pip(&fresh).arg(wheel).env("PATH", fresh.join("bin")).check()?;
+    use_first(&fresh).env("PATH", fresh.join("bin")).check()?;
     install(tools, wheel)?;
-    let folder = root().join("python");
-    let check = |program: &str, arguments: &[&str], files: &[PathBuf]| {
-        let mut command = Command::new(tools.join("bin").join(program));
-        process::check(command.args(arguments).args(files).current_dir(workshop("")))
+    let of_python = |path: &str| root().join("python").join(path);
+    let check = |name: &str, words: &str, files: &[PathBuf]| {
+        program(tools.join("bin").join(name), words).args(files).current_dir(workshop("")).check()
     };
-    let (settings, allowed) = (folder.join("pyproject.toml"), folder.join("tests/stubtest_allowed.txt"));
-    check(
-        "python",
-        &["-m", "pytest", "--quiet", "--numprocesses=auto", "--dist=worksteal", "--rootdir"],
-        &[folder.clone(), "-c".into(), settings.clone(), folder.join("tests")],
-    )?;
-    check("mypy", &["--config-file"], &[settings.clone(), folder.join("examples")])?;
-    check("stubtest", &["slipmode", "--mypy-config-file"], &[settings, "--allowlist".into(), allowed])?;
+    let settings = of_python("pyproject.toml");
+    let pytest = "-m pytest --quiet --numprocesses=auto --dist=worksteal --rootdir";
+    check("python", pytest, &[of_python(""), "-c".into(), settings.clone(), of_python("tests")])?;
+    check("mypy", "--config-file", &[settings.clone(), of_python("examples")])?;
+    let allowed = of_python("tests/stubtest_allowed.txt");
+    check("stubtest", "slipmode --mypy-config-file", &[settings, "--allowlist".into(), allowed])?;
     pages(tools)?;
-    check("twine", &["check", "--strict"], &entries(&root().join(WHEELS))?)?;
-    if cfg!(target_os = "linux") { check("auditwheel", &["show"], &[wheel.to_path_buf()]) } else { Ok(()) }
+    check("twine", "check --strict", &entries(&root().join(WHEELS))?)?;
+    if cfg!(target_os = "linux") { check("auditwheel", "show", &[wheel.to_path_buf()]) } else { Ok(()) }
+}
+
+/// The first use, in an environment and its folder.
+pub fn use_first(environment: &Path) -> Command {
+    let mut python = program(environment.join("bin/python"), "-c");
+    python.arg(FIRST_USE).current_dir(environment);
+    python
 }
 
 /// Installs a wheel beside the tools.
-fn install(tools: &Path, wheel: &Path) -> Result<(), Failure> {
-    process::check(pip(tools).args(["--force-reinstall", "--no-deps"]).arg(wheel))
+fn install(tools: &Path, wheel: &Path) -> Result {
+    pip(tools).args(["--force-reinstall", "--no-deps"]).arg(wheel).check()
 }
 
 /// Makes the site of `docs/`. Warnings are errors, such as a link that leads nowhere.
-fn pages(tools: &Path) -> Result<(), Failure> {
-    let mut sphinx = Command::new(tools.join("bin/sphinx-build"));
-    sphinx.args(["--quiet", "--fail-on-warning", "--fresh-env"]).arg(root().join("docs"));
-    process::check(sphinx.arg(workshop("pages")))
+fn pages(tools: &Path) -> Result {
+    let mut sphinx = program(tools.join("bin/sphinx-build"), "--quiet --fail-on-warning --fresh-env");
+    sphinx.arg(root().join("docs")).arg(workshop("pages")).check()
 }
 
 /// A folder for environments.

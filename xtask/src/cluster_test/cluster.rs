@@ -3,18 +3,15 @@
 //! When a signal ends this program, the kernel ends the daemons; the supervisor of a task that runs just then goes on asking
 //! for its controller until it is stopped.
 
-use std::ffi::OsStr;
-use std::fs::{self, File};
+use std::fs::{File, Permissions};
+use std::io::Read;
 use std::net::TcpListener;
 use std::os::unix::fs::PermissionsExt;
-use std::path::{Path, PathBuf};
-use std::process::{Child, Command, Stdio};
+use std::process::{Child, Stdio};
 
-use super::sessions;
-use super::wait_for;
-use crate::failure::Failure;
-use crate::process;
-use crate::repository::failure;
+use super::{sessions, wait_until};
+use crate::prelude::*;
+use crate::process::search_path;
 
 const CONFIGURATION: &str = include_str!("../../cluster/slurm.conf");
 
@@ -58,95 +55,71 @@ impl Task {
 
 impl Cluster {
     /// Starts the daemons in a new folder and waits until every node is idle.
-    pub fn start(place: &Path) -> Result<Self, Failure> {
-        let cannot = |error: std::io::Error| failure(place, &error);
-        fs::create_dir(place).map_err(cannot)?;
-        // munge requires folders that only its user can write to.
-        fs::set_permissions(place, fs::Permissions::from_mode(0o755)).map_err(cannot)?;
-        fs::create_dir(place.join("state")).map_err(cannot)?;
-        write_key(place).map_err(cannot)?;
-        fs::write(place.join("slurm.conf"), configuration(place, &free_ports().map_err(cannot)?))
-            .map_err(cannot)?;
+    pub fn start(place: &Path) -> Result<Self> {
+        make_folder(place).map_err(at(place))?;
         let mut cluster = Self { place: place.to_path_buf(), daemons: Vec::new() };
-        let at = |option: &str, name: &str| format!("{option}{}", place.join(name).display());
-        let munged = [
-            "--foreground".to_owned(),
-            "--force".to_owned(),
-            at("--socket=", "munge.sock"),
-            at("--key-file=", "munge.key"),
-            at("--pid-file=", "munged.pid"),
-            at("--log-file=", "munged.log"),
-            at("--seed-file=", "munged.seed"),
-        ];
-        cluster.spawn("munged", "munged", &munged)?;
-        let socket = place.join("munge.sock");
-        wait_for("munge", || Ok(socket.exists().then_some(())))?;
-        let configuration = at("", "slurm.conf");
-        cluster.spawn("slurmctld", "slurmctld", &["-D", "-c", "-f", &configuration])?;
+        // Slurm's configuration accepts no path with a space, so none is expected here.
+        let place = place.display();
+        let files = format!(
+            "--socket={place}/munge.sock --key-file={place}/munge.key --seed-file={place}/munged.seed"
+        );
+        let logs = format!("--pid-file={place}/munged.pid --log-file={place}/munged.log");
+        cluster.spawn("munged", &format!("munged --foreground --force {files} {logs}"))?;
+        let socket = cluster.place.join("munge.sock");
+        wait_until("munge", || Ok(socket.exists()))?;
+        cluster.spawn("slurmctld", &format!("slurmctld -D -c -f {place}/slurm.conf"))?;
         for node in NODES {
-            cluster.spawn(node, "slurmd", &["-D", "-N", node, "-f", &configuration])?;
+            cluster.spawn(node, &format!("slurmd -D -N {node} -f {place}/slurm.conf"))?;
         }
-        wait_for("three idle nodes", || {
-            let mut command = cluster.tool("sinfo");
+        wait_until("three idle nodes", || {
             // Until the controller listens, sinfo fails and says so; only its last word counts.
-            let output = command.args(["--noheader", "--format=%D %t"]).stderr(Stdio::null()).output();
-            Ok(output.is_ok_and(|output| output.stdout.trim_ascii() == b"3 idle").then_some(()))
+            let output =
+                cluster.tool("sinfo", "--noheader").arg("--format=%D %t").stderr(Stdio::null()).output();
+            Ok(output.is_ok_and(|output| output.stdout.trim_ascii() == b"3 idle"))
         })?;
         Ok(cluster)
     }
 
     /// Starts a daemon in the foreground that ends when this program does, however that comes about.
-    fn spawn(
-        &mut self,
-        name: &'static str,
-        program: &str,
-        arguments: &[impl AsRef<OsStr>],
-    ) -> Result<(), Failure> {
-        let cannot = |error: std::io::Error| failure(program.as_ref(), &error);
-        let log = File::create(self.place.join(format!("{name}.out"))).map_err(cannot)?;
-        let mut command = self.tool("setpriv");
-        command.args(["--pdeathsig", "TERM", program]).args(arguments);
-        command.stdin(Stdio::null()).stdout(log.try_clone().map_err(cannot)?).stderr(log);
-        self.daemons.push((name, command.spawn().map_err(cannot)?));
+    fn spawn(&mut self, name: &'static str, words: &str) -> Result {
+        let mut command = self.tool("setpriv", &format!("--pdeathsig TERM {words}"));
+        let log = File::create(self.place.join(format!("{name}.out")));
+        let daemon =
+            log.and_then(|log| command.stdin(Stdio::null()).stdout(log.try_clone()?).stderr(log).spawn());
+        self.daemons.push((name, daemon.map_err(at(name.as_ref()))?));
         Ok(())
     }
 
     /// A program of the cluster's user.
-    fn tool(&self, name: &str) -> Command {
-        let mut command = Command::new(name);
-        command.env("SLURM_CONF", self.place.join("slurm.conf")).env("PATH", process::search_path());
+    fn tool(&self, name: &str, words: &str) -> Command {
+        let mut command = program(name, words);
+        command.env("SLURM_CONF", self.place.join("slurm.conf")).env("PATH", search_path());
         command
     }
 
     /// Runs the script that submits an array, for all its tasks or some.
-    pub fn submit(&self, script: &str, tasks: Option<&str>) -> Result<(), Failure> {
-        process::output(self.tool("sh").arg(script).args(tasks)).map(drop)
+    pub fn submit(&self, script: &str, tasks: Option<&str>) -> Result {
+        self.tool("sh", "").arg(script).args(tasks).text().map(drop)
     }
 
     /// What is queued or runs.
-    pub fn tasks(&self) -> Result<Vec<Task>, Failure> {
-        let listed =
-            process::output(self.tool("squeue").args(["--noheader", "--array", "--format=%K %t %N"]))?;
+    pub fn tasks(&self) -> Result<Vec<Task>> {
+        let listed = self.tool("squeue", "--noheader --array").arg("--format=%K %t %N").text()?;
         Ok(listed.lines().filter_map(Task::parse).collect())
     }
 
     /// Cancels everything, and waits for what the living nodes run.
-    pub fn cancel_all(&self) -> Result<(), Failure> {
-        process::output(self.tool("scancel").args(["--user", "root"]))?;
-        wait_for("the cancelled tasks", || Ok((!self.tasks()?.iter().any(Task::is_running)).then_some(())))
+    pub fn cancel_all(&self) -> Result {
+        self.tool("scancel", "--user root").text()?;
+        wait_until("the cancelled tasks", || Ok(!self.tasks()?.iter().any(Task::is_running)))
     }
 
     /// Kills a node at once: its daemon and every session that it started. Returns how many processes that were.
-    pub fn kill_node(&mut self, node: &str) -> Result<usize, Failure> {
+    pub fn kill_node(&mut self, node: &str) -> Result<usize> {
         let mut killed = 0;
-        for (name, daemon) in &mut self.daemons {
-            if *name == node {
-                daemon
-                    .kill()
-                    .and_then(|()| daemon.wait())
-                    .map_err(|error| Failure::check(error.to_string()))?;
-                killed += 1;
-            }
+        for (_, daemon) in self.daemons.iter_mut().filter(|(name, _)| *name == node) {
+            daemon.kill().and_then(|()| daemon.wait()).map_err(|error| Failure::check(error.to_string()))?;
+            killed += 1;
         }
         Ok(killed + sessions::kill(&self.marks(node))?)
     }
@@ -159,7 +132,7 @@ impl Cluster {
     /// Prints the ends of the daemons' logs.
     pub fn tell_logs(&self) {
         for (name, _) in &self.daemons {
-            let log = fs::read_to_string(self.place.join(format!("{name}.out"))).unwrap_or_default();
+            let log = read(&self.place.join(format!("{name}.out"))).unwrap_or_default();
             let lines: Vec<&str> = log.lines().collect();
             eprintln!("--- {name}");
             lines[lines.len().saturating_sub(15)..].iter().for_each(|line| eprintln!("{line}"));
@@ -179,20 +152,24 @@ impl Drop for Cluster {
     }
 }
 
-/// A key of random bytes that only we can read.
-fn write_key(place: &Path) -> std::io::Result<()> {
-    use std::io::Read;
-    let mut key = vec![0; 1024];
-    File::open("/dev/urandom")?.read_exact(&mut key)?;
-    let path = place.join("munge.key");
-    fs::write(&path, key)?;
-    fs::set_permissions(path, fs::Permissions::from_mode(0o400))
+/// Makes the folder with the configuration and a key of random bytes that only we can read.
+fn make_folder(place: &Path) -> std::io::Result<()> {
+    fs::create_dir(place)?;
+    // munge requires folders that only its user can write to.
+    fs::set_permissions(place, Permissions::from_mode(0o755))?;
+    fs::create_dir(place.join("state"))?;
+    let mut bytes = vec![0; 1024];
+    File::open("/dev/urandom")?.read_exact(&mut bytes)?;
+    let key = place.join("munge.key");
+    fs::write(&key, bytes)?;
+    fs::set_permissions(key, Permissions::from_mode(0o400))?;
+    fs::write(place.join("slurm.conf"), configuration(place, &free_ports()?))
 }
 
 /// Free ports: of the controller, and of each node.
 fn free_ports() -> std::io::Result<Vec<u16>> {
-    let listeners: Vec<TcpListener> =
-        (0..=NODES.len()).map(|_| TcpListener::bind("127.0.0.1:0")).collect::<Result<_, _>>()?;
+    let listeners = (0..=NODES.len()).map(|_| TcpListener::bind("127.0.0.1:0"));
+    let listeners = listeners.collect::<Result<Vec<_>, _>>()?;
     listeners.iter().map(|listener| Ok(listener.local_addr()?.port())).collect()
 }
 

@@ -1,10 +1,8 @@
 //! The processes that a node started: found by their environment, ended with their whole sessions.
 
-use std::fs;
-use std::process::{Command, Stdio};
+use std::process::Stdio;
 
-use crate::failure::Failure;
-use crate::process;
+use crate::prelude::*;
 
 /// Kills, with SIGKILL, every session that has a process with all these variables. Returns how many processes that were.
 ///
@@ -12,7 +10,7 @@ use crate::process;
 ///
 /// # Errors
 /// When `kill` cannot be started.
-pub fn kill(variables: &[String]) -> Result<usize, Failure> {
+pub fn kill(variables: &[String]) -> Result<usize> {
     let ids = fs::read_dir("/proc").into_iter().flatten().flatten();
     let ids: Vec<String> = ids.map(|entry| entry.file_name().to_string_lossy().into_owned()).collect();
     let own = session("self");
@@ -20,11 +18,11 @@ pub fn kill(variables: &[String]) -> Result<usize, Failure> {
     let marked = ids.iter().filter(|id| has(id, variables)).filter_map(|id| session(id));
     let sessions: Vec<u32> = marked.filter(|session| Some(*session) != own).collect();
     let is_condemned = |id: &&String| session(id).is_some_and(|session| sessions.contains(&session));
-    let condemned: Vec<&String> =
-        ids.iter().filter(|id| id.bytes().all(|byte| byte.is_ascii_digit())).filter(is_condemned).collect();
+    let processes = ids.iter().filter(|id| id.bytes().all(|byte| byte.is_ascii_digit()));
+    let condemned: Vec<&String> = processes.filter(is_condemned).collect();
     if !condemned.is_empty() {
         // Some may have ended meanwhile: that is what is wanted.
-        process::status(Command::new("kill").arg("-KILL").args(&condemned).stderr(Stdio::null()))?;
+        program("kill", "-KILL").args(&condemned).stderr(Stdio::null()).code()?;
     }
     Ok(condemned.len())
 }

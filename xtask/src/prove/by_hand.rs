@@ -1,16 +1,15 @@
 //! The hand-written theorems with one of their equations altered: Coq must refuse the file.
 
-use std::process::Command;
-
+use super::files::Library;
 use super::{Said, Task};
-use crate::failure::Failure;
-use crate::{machine, process, repository};
+use crate::machine;
+use crate::prelude::*;
 
 /// The folder of the altered files.
 const FOLDER: &str = "by_hand/";
 
 /// A task for each row of `proofs/equations.csv`: its file, with twice its definition.
-pub fn altered(library: &[(String, String)], table: &str) -> Result<Vec<Task>, Failure> {
+pub fn altered(library: &Library, table: &str) -> Result<Vec<Task>> {
     let task = |row: &str| {
         let mut fields = row.split(',');
         let (file, name) = (fields.next()?, fields.next()?);
@@ -41,12 +40,12 @@ pub fn refusal(task: &Task, message: String) -> Said {
 }
 
 /// Has Gappa check the rounding errors of the 64-bit filter too, installing it where that is possible.
-pub fn second_opinion() -> Result<(), Failure> {
+pub fn second_opinion() -> Result {
     if !machine::provide(&["gappa"])?.is_empty() {
         println!("prove: no second opinion on rounding errors, because gappa is not installed");
         return Ok(());
     }
-    process::check(Command::new("gappa").arg(repository::root().join("proofs/row_filter.gappa")))?;
+    program("gappa", "proofs/row_filter.gappa").check()?;
     println!("prove: gappa accepts the rounding errors of the 64-bit filter");
     Ok(())
 }
@@ -58,7 +57,7 @@ mod tests {
     #[test]
     fn the_definition_of_each_row_is_altered_and_a_missing_one_is_an_error() {
         let text = "From A Require B.\nLet c (V : R) := M / V.\nLet d := a.\n".to_owned();
-        let library = [("Slider".to_owned(), text)];
+        let library = vec![("Slider".to_owned(), text)];
         let tasks = altered(&library, "file,name\nSlider,c\n").unwrap();
         assert!(tasks[0].text.contains("\nLet c (V : R) := 2 * (M / V).\nLet d := a.\n"));
         assert_eq!(tasks[0].theorems, ["fault_Slider_c"]);

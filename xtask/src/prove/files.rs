@@ -1,41 +1,30 @@
 //! Files of the proofs: the library in the order of its imports, and the generated ones.
 
-use std::path::Path;
+use crate::prelude::*;
+use crate::tidy::comment_length;
 
-use crate::failure::Failure;
-use crate::repository::{below, read};
+/// Name and text of each module of the library.
+pub type Library = Vec<(String, String)>;
 
 /// Words that let a file state what it does not prove.
-const FORBIDDEN: [&str; 9] = [
-    "Admitted",
-    "admit",
-    "Axiom",
-    "Axioms",
-    "Parameter",
-    "Parameters",
-    "Conjecture",
-    "Hypothesis",
-    "Declare",
-];
+const FORBIDDEN: &str = "Admitted admit Axiom Axioms Parameter Parameters Conjecture Hypothesis Declare";
 
 /// The library's modules, each after those that it imports.
-pub fn library(folder: &Path) -> Result<Vec<(String, String)>, Failure> {
-    let mut waiting = Vec::new();
+pub fn library(folder: &Path) -> Result<Library> {
+    let mut modules = Vec::new();
     for path in below(folder)? {
         if let Some(name) = path.strip_suffix(".v") {
-            waiting.push((name.to_owned(), read(&folder.join(&path))?));
+            modules.push((name.to_owned(), read(&folder.join(&path))?));
         }
     }
-    in_order(waiting)
+    in_order(modules)
 }
 
-fn in_order(mut waiting: Vec<(String, String)>) -> Result<Vec<(String, String)>, Failure> {
-    let mut ordered: Vec<(String, String)> = Vec::new();
+fn in_order(mut waiting: Library) -> Result<Library> {
+    let mut ordered = Library::new();
     while !waiting.is_empty() {
-        let ready = |(_, text): &(String, String)| {
-            imports(text).iter().all(|name| ordered.iter().any(|(known, _)| known == name))
-        };
-        let next = waiting.iter().position(ready);
+        let is_known = |name: &&str| ordered.iter().any(|(known, _)| known == name);
+        let next = waiting.iter().position(|(_, text)| imports(text).iter().all(is_known));
         let next =
             next.ok_or_else(|| Failure::check("proofs/: a module imports one that is missing or itself"))?;
         ordered.push(waiting.remove(next));
@@ -44,14 +33,13 @@ fn in_order(mut waiting: Vec<(String, String)>) -> Result<Vec<(String, String)>,
 }
 
 /// The text of all modules of the library, in its order, on which a text rests.
-pub fn imported(library: &[(String, String)], text: &str) -> String {
-    let mut wanted: Vec<&str> = imports(text);
-    let mut found: Vec<&str> = Vec::new();
+pub fn imported(library: &Library, text: &str) -> String {
+    let (mut wanted, mut found) = (imports(text), Vec::new());
     // A module stands after those that it imports.
     for (name, text) in library.iter().rev() {
         if wanted.contains(&name.as_str()) {
             wanted.extend(imports(text));
-            found.push(text);
+            found.push(text.as_str());
         }
     }
     found.into_iter().rev().collect()
@@ -65,10 +53,10 @@ fn imports(text: &str) -> Vec<&str> {
 }
 
 /// Refuses a text that assumes what it should prove.
-pub fn check_text(name: &str, text: &str) -> Result<(), Failure> {
+pub fn check_text(name: &str, text: &str) -> Result {
     let is_inner = |c: char| c.is_alphanumeric() || c == '_' || c == '\'';
-    let plain = without_comments(text);
-    match plain.split(|c| !is_inner(c)).find(|word| FORBIDDEN.contains(word)) {
+    let is_forbidden = |word: &&str| FORBIDDEN.split(' ').any(|forbidden| forbidden == *word);
+    match without_comments(text).split(|c| !is_inner(c)).find(is_forbidden) {
         Some(word) => Err(Failure::check(format!("{name}: has the word {word}"))),
         None => Ok(()),
     }
@@ -76,23 +64,13 @@ pub fn check_text(name: &str, text: &str) -> Result<(), Failure> {
 
 /// The text without its comments, which may lie in each other.
 fn without_comments(text: &str) -> String {
-    let (mut plain, mut depth, mut rest) = (String::new(), 0_usize, text);
-    while let Some(first) = rest.chars().next() {
-        let step = if rest.starts_with("(*") {
-            depth += 1;
-            2
-        } else if depth > 0 && rest.starts_with("*)") {
-            depth -= 1;
-            2
-        } else {
-            if depth == 0 {
-                plain.push(first);
-            }
-            first.len_utf8()
-        };
-        rest = &rest[step..];
+    let (mut plain, mut rest) = (String::new(), text);
+    while let Some((before, _)) = rest.split_once("(*") {
+        plain += before;
+        rest = &rest[before.len()..];
+        rest = &rest[comment_length(rest, ["(*", "*)"])..];
     }
-    plain
+    plain + rest
 }
 
 /// The names after this word at the beginning of a line.

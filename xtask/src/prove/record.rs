@@ -2,11 +2,9 @@
 //!
 //! A digest covers the version of Coq, the file's text and the modules of the library on which it rests.
 
-use std::collections::BTreeMap;
-
-use super::{Said, Task};
-use crate::failure::Failure;
-use crate::repository::{self, read, write};
+use super::{Digests, Said, Task, assumptions};
+use crate::prelude::*;
+use crate::repository;
 
 const HEADER: &str = "file,digest,commit,assumes\n";
 
@@ -49,25 +47,41 @@ impl Record {
         Some((said, &row.commit))
     }
 
+    /// The files of which the record knows what Coq says, and the others.
+    pub fn split(&self, tasks: Vec<Task>, digests: &Digests) -> (Vec<(Task, Said)>, Vec<Task>) {
+        let (mut known, mut left, mut commits) = (Vec::new(), Vec::new(), BTreeSet::new());
+        for task in tasks {
+            if let Some((said, commit)) = self.known(&task.file, &digests[&task.file]) {
+                commits.insert(commit);
+                known.push((task, said));
+            } else {
+                left.push(task);
+            }
+        }
+        if !known.is_empty() {
+            let (count, all) = (known.len(), known.len() + left.len());
+            let commits = Vec::from_iter(commits).join(", ");
+            println!(
+                "prove: {count} of {all} files are as they were when Coq checked them, at commit {commits}; `prove --all` checks them again"
+            );
+        }
+        (known, left)
+    }
+
     /// The table with what Coq says now; a file that is as it was keeps its commit. Whether it differs from the one on disk.
-    pub fn update(
-        &self,
-        checked: &[(Task, Said)],
-        digests: &BTreeMap<String, String>,
-    ) -> Result<bool, Failure> {
-        let commit = repository::commit(&repository::root())?;
+    pub fn update(&self, checked: &[(Task, Said)], digests: &Digests) -> Result<bool> {
+        let commit = repository::commit(&root())?;
         let row = |(task, said): &(Task, Said)| {
             let digest = digests.get(&task.file)?;
-            let axioms = said.as_ref().map(|output| super::assumptions::listed(output).unwrap_or_default());
+            let axioms = said.as_ref().map(|output| assumptions::listed(output).unwrap_or_default());
             let assumes = axioms.map_or(REFUSED.to_owned(), |axioms| axioms.join(" "));
             let known = self.rows.get(&task.file).filter(|row| row.digest == *digest);
             let commit = known.map_or(commit.as_str(), |row| &row.commit);
             Some(format!("{},{digest},{commit},{assumes}\n", task.file))
         };
-        let mut rows: Vec<String> = checked.iter().filter_map(row).collect();
-        rows.sort();
-        let text = format!("{HEADER}{}", rows.concat());
-        let differs = read(&path()).is_ok_and(|known| known != text) || !path().is_file();
+        let rows = checked.iter().filter_map(row).collect::<BTreeSet<String>>();
+        let text = format!("{HEADER}{}", rows.into_iter().collect::<String>());
+        let differs = read(&path()).ok().as_ref() != Some(&text);
         if differs {
             write(&path(), &text)?;
         }
@@ -75,8 +89,8 @@ impl Record {
     }
 }
 
-fn path() -> std::path::PathBuf {
-    repository::root().join("proofs/checked.csv")
+fn path() -> PathBuf {
+    root().join("proofs/checked.csv")
 }
 
 #[cfg(test)]

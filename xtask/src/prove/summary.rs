@@ -1,16 +1,14 @@
 //! What was proved: theorems, steps by kind with their obstacles, and assumptions.
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use super::assumptions::{listed, refused};
 use super::{Mode, Said, Task};
-use crate::failure::Failure;
+use crate::prelude::*;
 
 /// Prints the counts. The list of accepted theorems.
 ///
 /// # Errors
 /// When theorems assume too much, or an altered one was not refused. A theorem that is not accepted is named, and not in the list.
-pub fn print(steps: &Steps, checked: &[(Task, Said)], mode: Mode) -> Result<String, Failure> {
+pub fn print(steps: &Steps, checked: &[(Task, Said)], mode: Mode) -> Result<String> {
     let (mut faults, mut axioms, mut proved) = (Vec::new(), BTreeMap::new(), BTreeSet::new());
     for (Task { file, theorems, .. }, said) in checked {
         let judged = match said {
@@ -77,7 +75,7 @@ impl Steps {
     ///
     /// # Errors
     /// When a line has another number of fields.
-    pub fn read(steps: &str, files: &str) -> Result<Self, Failure> {
+    pub fn read(steps: &str, files: &str) -> Result<Self> {
         let lines = steps.lines().skip(1).map(|line| fields("steps.tsv", line));
         let files = files.lines().map(|line| fields("files.tsv", line));
         Ok(Self { lines: lines.collect::<Result<_, _>>()?, files: files.collect::<Result<_, _>>()? })
@@ -134,7 +132,7 @@ impl Steps {
 }
 
 /// The fields of a line.
-fn fields<const COUNT: usize>(list: &str, line: &str) -> Result<[String; COUNT], Failure> {
+fn fields<const COUNT: usize>(list: &str, line: &str) -> Result<[String; COUNT]> {
     let fields: Vec<String> = line.split('\t').map(str::to_owned).collect();
     fields.try_into().map_err(|_| Failure::check(format!("{list}: {line}")))
 }
@@ -231,7 +229,7 @@ mod tests {
     const FILES: &str =
         "library/Slider.v\t00dd\t\nr/claim_S1.v\t00cc\tidentity_1\nr/claim_S4.v\t00bb\tidentity_1 sign_1\n";
 
-    fn result(output: Said, mode: Mode) -> Result<String, Failure> {
+    fn result(output: Said, mode: Mode) -> Result<String> {
         let task = Task {
             file: "r/claim_S1".into(),
             text: String::new(),

@@ -3,11 +3,8 @@
 //! That theorems state a claim is a person's judgement. The task therefore shows the claim as resolved, what was found on it and the
 //! theorems, and writes only the rows that it is given.
 
-use std::collections::BTreeSet;
-
 use super::generate;
-use crate::failure::Failure;
-use crate::repository::{below, read, root, write};
+use crate::prelude::*;
 use crate::{machine, verify};
 
 /// A row that has moved: the number of its line, the line as it would be, and what a person reads before.
@@ -21,7 +18,7 @@ struct Moved {
 ///
 /// # Errors
 /// When the program cannot list them, or a claim has none.
-pub fn run(arguments: &[String]) -> Result<(), Failure> {
+pub fn run(arguments: &[String]) -> Result {
     machine::run()?;
     verify::build()?;
     let generated = generate(&root().join("target/proofs"))?;
@@ -66,7 +63,7 @@ fn ids_of(moved: &[Moved], report: &str) -> Vec<String> {
 }
 
 /// The table with the rows of these claims as they would be; each is shown.
-fn rewritten(table: &str, moved: &[Moved], report: &str, ids: &[String]) -> Result<String, Failure> {
+fn rewritten(table: &str, moved: &[Moved], report: &str, ids: &[String]) -> Result<String> {
     let mut lines: Vec<&str> = table.lines().collect();
     for id in ids {
         let is_own = |one: &&Moved| claim_of(&one.row) == [report, id];

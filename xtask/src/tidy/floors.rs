@@ -5,18 +5,19 @@ use super::rust_source::{RustSource, word_positions};
 
 /// The source folder of each library with its top modules, from the lowest floor to the highest; modules on one floor may not import
 /// each other. What one library may take from another is in its `Cargo.toml`.
-const LIBRARIES: [(&str, &str); 3] = [
-    ("crates/core/src/", "number < roots < friction < theory stability dynamics < checked"),
-    ("crates/plot/src/", "table < figure"),
-    (
+const LIBRARIES: [[&str; 2]; 3] = [
+    ["crates/core/src/", "number < roots < friction < theory stability dynamics < checked"],
+    ["crates/plot/src/", "table < figure"],
+    [
         "src/",
         "scene < sweep comparison fitting < csv experiments < explorer claims charts < theorems < report < archive < cli < main",
-    ),
+    ],
 ];
 
 /// Complains about imports of an equal or higher floor, and about paths that hide their floor.
 pub fn check(source: &RustSource, found: &mut Vec<Complaint>) {
-    let inside = |(folder, floors): &(_, _)| Some((*floors, source.file.path.strip_prefix(*folder)?));
+    let inside =
+        |[folder, floors]: &[&'static str; 2]| Some((*floors, source.file.path.strip_prefix(folder)?));
     let Some((floors, inside)) = LIBRARIES.iter().find_map(inside) else { return };
     let module = inside.split('/').next().unwrap_or(inside).trim_end_matches(".rs");
     // The library's root stands on no floor.
@@ -24,8 +25,9 @@ pub fn check(source: &RustSource, found: &mut Vec<Complaint>) {
         return;
     }
     let Some(height) = floor(floors, module) else {
-        let message = format!("module `{module}` has no floor in the table of xtask tidy");
-        found.push(source.file.complaint(0, message));
+        found.push(
+            source.file.complaint(0, format!("module `{module}` has no floor in the table of xtask tidy")),
+        );
         return;
     };
     for (position, name) in ["crate::", "slipmode::"].iter().flat_map(|root| imports(&source.code, root)) {
@@ -66,22 +68,24 @@ fn imports(code: &str, root: &str) -> Vec<(usize, String)> {
 
 /// The first identifier of a path, or of each entry of a braced group.
 fn heads(path: &str) -> Vec<String> {
-    let identifier = |text: &str| -> String {
-        text.trim_start().chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect()
+    let (mut depth, mut heads) = (0_u32, Vec::new());
+    let mut begin = |rest: &str| {
+        heads.push(
+            rest.trim_start().chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect::<String>(),
+        );
     };
     if !path.starts_with('{') {
-        return vec![identifier(path)];
+        begin(path);
     }
-    let (mut depth, mut heads) = (0_u32, Vec::new());
     for (position, character) in path.char_indices() {
-        match character {
-            '{' => depth += 1,
-            '}' => depth -= 1,
-            _ => {}
-        }
+        depth = match character {
+            '{' => depth + 1,
+            '}' if depth > 0 => depth - 1,
+            _ => depth,
+        };
         match (depth, character) {
             (0, _) => break,
-            (1, '{' | ',') => heads.push(identifier(&path[position + 1..])),
+            (1, '{' | ',') => begin(&path[position + 1..]),
             _ => {}
         }
     }

@@ -1,8 +1,7 @@
 //! What is named exists, and what exists is named: links between files, and data that tests read.
 
-use std::collections::BTreeSet;
-
 use super::{Complaint, TextFile};
+use crate::prelude::*;
 
 /// Folders whose every file some test has to read.
 const TEST_DATA: [&str; 3] = ["tests/data/", "tests/golden/", "tests/vectors/"];
@@ -19,7 +18,7 @@ pub fn check_data_is_read(files: &[TextFile], paths: &[String], found: &mut Vec<
         let walked = &path["tests/".len()..path.len() - "/".len() - name.len()];
         let is_mentioned = |text: &str| text.contains(name) || !folder.is_empty() && text.contains(walked);
         if !sources().any(|source| is_mentioned(&source.text)) {
-            let message = "no test mentions this file: read it or delete it".to_string();
+            let message = "no test mentions this file: read it or delete it".into();
             found.push(Complaint { path: path.clone(), line: 0, message });
         }
     }
@@ -68,7 +67,8 @@ fn targets(line: &str) -> impl Iterator<Item = &str> {
 
 fn is_local(target: &str) -> bool {
     !target.is_empty()
-        && !["#", "mailto:"].iter().any(|start| target.starts_with(start))
+        && !target.starts_with('#')
+        && !target.starts_with("mailto:")
         && !target.contains("://")
 }
 

@@ -2,7 +2,7 @@
 
 use super::Complaint;
 use super::rust_source::{RustSource, word_positions};
-use crate::repository::rows;
+use crate::prelude::*;
 
 const LONGEST_FILE: usize = 600;
 
@@ -32,52 +32,41 @@ pub fn check(source: &RustSource, found: &mut Vec<Complaint>) {
         if !is_in(places) || is_in(except) {
             continue;
         }
-        for (number, code, _) in source.lines() {
-            let is_checked = tests == "with tests" || !source.is_test_line(number);
-            for word in
-                words.split(' ').filter(|word| is_checked && word_positions(code, word).next().is_some())
-            {
+        let is_checked = |number| tests == "with tests" || !source.is_test_line(number);
+        for (number, code, _) in source.lines().filter(|(number, ..)| is_checked(*number)) {
+            for word in words.split(' ').filter(|word| word_positions(code, word).next().is_some()) {
                 found.push(source.file.complaint(number, format!("`{word}`: {message}")));
             }
         }
     }
-    if is_program {
-        check_claims(source, found);
-        check_equations(source, found);
-    }
-}
-
-/// Whether a claim of the first paper's report is named: `"B8"`, or `claim B8`.
-fn check_claims(source: &RustSource, found: &mut Vec<Complaint>) {
-    for (number, _, text) in source.lines_outside_tests() {
-        let after =
-            |mark: &str| text.match_indices(mark).map(|(at, mark)| at + mark.len()).collect::<Vec<_>>();
-        let starts = [after("\""), after("claim "), after("claims ")].concat();
-        if starts.into_iter().any(|at| is_claim(&text[at..])) {
+    for (number, _, text) in source.lines_outside_tests().filter(|_| is_program) {
+        if names_claim(text) {
             let message =
                 "the program knows no claim: its words, criterion and procedure stand in claims.toml";
             found.push(source.file.complaint(number, message));
         }
-    }
-}
-
-/// Whether a text cites an equation of the first paper by its number. A comment may: it says where a formula comes from.
-fn check_equations(source: &RustSource, found: &mut Vec<Complaint>) {
-    for (number, _, text) in source.lines_outside_tests() {
-        let text = text.split("//").next().unwrap_or_default().to_lowercase();
-        let after = |mark: &str| {
-            let is_cited = |(at, _): (usize, &str)| {
-                let is_whole = !text[..at].ends_with(|c: char| c.is_alphanumeric() || c == '_');
-                is_whole && text[at + mark.len()..].starts_with(|c: char| c.is_ascii_digit())
-            };
-            text.match_indices(mark).any(is_cited)
-        };
-        if ["eq ", "eqs ", "equation ", "equations "].into_iter().any(after) {
+        if cites_equation(text) {
             let message =
                 "the program knows no number of an equation: texts name its role in braces (`scene::cited`)";
             found.push(source.file.complaint(number, message));
         }
     }
+}
+
+/// Whether a claim of the first paper's report is named: `"B8"`, or `claim B8`.
+fn names_claim(text: &str) -> bool {
+    ["\"", "claim ", "claims "].iter().any(|mark| text.split(mark).skip(1).any(is_claim))
+}
+
+/// Whether a text cites an equation of the first paper by its number. A comment may: it says where a formula comes from.
+fn cites_equation(text: &str) -> bool {
+    let text = text.split("//").next().unwrap_or_default().to_lowercase();
+    ["eq ", "eqs ", "equation ", "equations "].iter().any(|mark| {
+        text.match_indices(mark).any(|(at, _)| {
+            let is_whole = !text[..at].ends_with(|c: char| c.is_alphanumeric() || c == '_');
+            is_whole && text[at + mark.len()..].starts_with(|c: char| c.is_ascii_digit())
+        })
+    })
 }
 
 /// Whether a text begins with the id of such a claim.

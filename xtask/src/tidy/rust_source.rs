@@ -35,8 +35,8 @@ impl<'a> RustSource<'a> {
             name => format!("{folder}/{}", name.trim_end_matches(".rs")),
         };
         let declared = self.code.match_indices(TEST_MARKER).filter_map(|(start, marker)| {
-            let item = &self.code[start + marker.len()..item_end(&self.code, start + marker.len())];
-            item.trim().rsplit_once("mod ").map(|(_, name)| name.to_string())
+            let start = start + marker.len();
+            Some(self.code[start..item_end(&self.code, start)].trim().rsplit_once("mod ")?.1)
         });
         declared.flat_map(|name| [format!("{folder}/{name}.rs"), format!("{folder}/{name}/mod.rs")]).collect()
     }
@@ -66,12 +66,15 @@ const TEST_MARKER: &str = "#[cfg(test)]";
 
 /// Byte positions of a word in code, where neither neighbour continues an identifier of the word.
 pub fn word_positions<'a>(code: &'a str, word: &'a str) -> impl Iterator<Item = usize> + 'a {
-    let is_part = |c: char| c.is_alphanumeric() || c == '_';
     code.match_indices(word).map(|(position, _)| position).filter(move |position| {
         let (before, after) = (&code[..*position], &code[position + word.len()..]);
         let (begins_inside, ends_inside) = (before.ends_with(is_part), after.starts_with(is_part));
         !(begins_inside && word.starts_with(is_part) || ends_inside && word.ends_with(is_part))
     })
+}
+
+fn is_part(c: char) -> bool {
+    c.is_alphanumeric() || c == '_'
 }
 
 fn test_lines(path: &str, code: &str) -> Vec<bool> {
@@ -102,10 +105,9 @@ fn item_end(code: &str, start: usize) -> usize {
 
 /// Replaces comments and the insides of literals by spaces, keeping line breaks.
 fn blank(text: &str) -> String {
-    let mut code = String::with_capacity(text.len());
-    let mut rest = text;
+    let (mut code, mut rest) = (String::with_capacity(text.len()), text);
     while let Some(first) = rest.chars().next() {
-        let length = literal_length(rest, code.chars().next_back()).unwrap_or(0);
+        let length = literal_length(rest, code.ends_with(is_part));
         if length == 0 {
             code.push(first);
             rest = &rest[first.len_utf8()..];
@@ -117,47 +119,38 @@ fn blank(text: &str) -> String {
     code
 }
 
-/// The length in bytes of the comment or literal that `rest` begins with, if any.
-fn literal_length(rest: &str, previous: Option<char>) -> Option<usize> {
-    let up_to = |end: Option<usize>| Some(end.unwrap_or(rest.len()));
+/// The length in bytes of the comment or literal that `rest` begins with; 0 without any. A word's last letters begin none.
+fn literal_length(rest: &str, is_inside_word: bool) -> usize {
     if rest.starts_with("//") {
-        return up_to(rest.find('\n'));
+        return rest.find('\n').unwrap_or(rest.len());
     }
     if rest.starts_with("/*") {
-        return Some(block_comment_length(rest));
+        return comment_length(rest, ["/*", "*/"]);
     }
     if rest.starts_with('"') {
-        return Some(quoted_length(rest, '"'));
+        return quoted_length(rest, '"');
     }
     if let Some(inside) = rest.strip_prefix('\'') {
         // A lifetime has no second quotation mark.
         let is_character = inside.starts_with('\\') || inside.chars().nth(1) == Some('\'');
-        return is_character.then(|| quoted_length(rest, '\''));
+        return if is_character { quoted_length(rest, '\'') } else { 0 };
     }
-    if previous.is_some_and(|c| c.is_alphanumeric() || c == '_') {
-        return None;
-    }
-    let raw = ["br", "cr", "r"].iter().find_map(|prefix| rest.strip_prefix(prefix))?;
-    let inside = raw.trim_start_matches('#').strip_prefix('"')?;
+    let raw = ["br", "cr", "r"].iter().find_map(|prefix| rest.strip_prefix(prefix));
+    let Some(raw) = raw.filter(|_| !is_inside_word) else { return 0 };
+    let Some(inside) = raw.trim_start_matches('#').strip_prefix('"') else { return 0 };
     let close = format!("\"{}", "#".repeat(raw.len() - inside.len() - 1));
-    up_to(inside.find(&close).map(|end| rest.len() - inside.len() + end + close.len()))
+    inside.find(&close).map_or(rest.len(), |end| rest.len() - inside.len() + end + close.len())
 }
 
-fn block_comment_length(rest: &str) -> usize {
-    let (mut depth, mut position) = (0_u32, 0);
-    while position < rest.len() {
-        position += match &rest.as_bytes()[position..] {
-            [b'*', b'/', ..] if depth == 1 => return position + 2,
-            [b'*', b'/', ..] => {
-                depth -= 1;
-                2
-            }
-            [b'/', b'*', ..] => {
-                depth += 1;
-                2
-            }
-            _ => 1,
-        };
+/// The length in bytes of the comment that `rest` begins with, which may hold others.
+pub fn comment_length(rest: &str, [open, close]: [&str; 2]) -> usize {
+    let (mut depth, mut inside) = (0, rest);
+    while let Some(at) = [open, close].iter().filter_map(|mark| inside.find(mark)).min() {
+        depth += if inside[at..].starts_with(open) { 1 } else { -1 };
+        inside = &inside[at + open.len()..];
+        if depth == 0 {
+            return rest.len() - inside.len();
+        }
     }
     rest.len()
 }

@@ -1,7 +1,7 @@
 //! Rules for every text file: clean line ends, no notes to oneself, nothing that belongs to one machine.
 
 use super::{Complaint, TextFile};
-use crate::repository;
+use crate::prelude::*;
 
 const UNFINISHED_WORDS: [&str; 4] = ["TODO", "FIXME", "XXX", "HACK"];
 
@@ -14,52 +14,45 @@ const REGISTRY_HOSTS: [&str; 5] = ["crates.io", "pypi.org", "npmjs", "proxy.gola
 /// The source of every package in the lock file.
 const LOCK_SOURCE: &str = "source = \"registry+https://github.com/rust-lang/crates.io-index\"";
 
+/// Files that programs or other people have written.
+const GENERATED: [&str; 6] =
+    ["/published/", "tests/golden/", "proptest-regressions", "/snapshots/", "LICENSE-", "COPYING"];
+
 /// Checks all rules of this file; written-by-program files and this rule's own words are exempt where it says so.
 pub fn check(file: &TextFile, found: &mut Vec<Complaint>) {
-    if file.path == "Cargo.lock" || file.path.ends_with("/Cargo.lock") {
-        check_lock(file, found);
-        return;
-    }
-    let is_generated =
-        ["/published/", "tests/golden/", "proptest-regressions", "/snapshots/", "LICENSE-", "COPYING"]
-            .iter()
-            .any(|part| file.path.contains(part));
+    let is_lock = file.path == "Cargo.lock" || file.path.ends_with("/Cargo.lock");
+    let is_ours = !is_lock && !GENERATED.iter().any(|part| file.path.contains(part));
     let holds_the_words = file.path == "xtask/src/tidy/text_rules.rs";
     // Not `lines()`, which would hide a carriage return.
     for (index, line) in file.text.split('\n').enumerate() {
-        if !is_generated && let Some(message) = whitespace(line) {
-            found.push(file.complaint(index + 1, message));
-        }
-        if !holds_the_words && let Some(message) = unfinished_word(line).or_else(|| machine_path(line)) {
-            found.push(file.complaint(index + 1, message));
-        }
+        let message = if is_lock {
+            let is_foreign = line.starts_with("source = ") && line != LOCK_SOURCE;
+            is_foreign.then(|| "a package from elsewhere than the default registry".into())
+        } else if holds_the_words {
+            None
+        } else {
+            unfinished_word(line).or_else(|| machine_path(line))
+        };
+        let space = whitespace(line).filter(|_| is_ours).map(String::from);
+        found.extend(space.into_iter().chain(message).map(|message| file.complaint(index + 1, message)));
     }
-    if !is_generated && !file.text.is_empty() && (!file.text.ends_with('\n') || file.text.ends_with("\n\n")) {
+    if is_ours && !file.text.is_empty() && (!file.text.ends_with('\n') || file.text.ends_with("\n\n")) {
         found.push(file.complaint(0, "a text file ends with exactly one line break"));
     }
 }
 
-fn check_lock(file: &TextFile, found: &mut Vec<Complaint>) {
-    for (index, line) in file.text.lines().enumerate() {
-        if line.starts_with("source = ") && line != LOCK_SOURCE {
-            found.push(file.complaint(index + 1, "a package from elsewhere than the default registry"));
-        }
+fn whitespace(line: &str) -> Option<&'static str> {
+    match line {
+        _ if line.contains('\t') => Some("a tab: indent with spaces"),
+        _ if line.ends_with([' ', '\r']) => Some("trailing whitespace"),
+        _ => None,
     }
-}
-
-fn whitespace(line: &str) -> Option<String> {
-    if line.contains('\t') {
-        return Some("a tab: indent with spaces".into());
-    }
-    line.ends_with([' ', '\r']).then(|| "trailing whitespace".into())
 }
 
 fn unfinished_word(line: &str) -> Option<String> {
-    let is_word = |unfinished: &&&str| {
-        let mut words = line.split(|c: char| !c.is_alphanumeric() && c != '_');
-        words.any(|word| word == **unfinished)
-    };
-    UNFINISHED_WORDS.iter().find(is_word).map(|word| format!("`{word}`: do it or drop it"))
+    let words = line.split(|c: char| !c.is_alphanumeric() && c != '_');
+    let word = UNFINISHED_WORDS.iter().find(|unfinished| words.clone().any(|word| word == **unfinished))?;
+    Some(format!("`{word}`: do it or drop it"))
 }
 
 fn machine_path(line: &str) -> Option<String> {
@@ -71,9 +64,10 @@ fn machine_path(line: &str) -> Option<String> {
 }
 
 fn machine_folders() -> Vec<String> {
-    let checkout = repository::root().to_string_lossy().trim_matches('/').to_string();
-    let own = (!checkout.is_empty()).then_some(checkout);
-    MACHINE_FOLDERS.map(String::from).into_iter().chain(own).collect()
+    let checkout = root().to_string_lossy().trim_matches('/').to_string();
+    let mut folders = Vec::from(MACHINE_FOLDERS.map(String::from));
+    folders.extend((!checkout.is_empty()).then_some(checkout));
+    folders
 }
 
 /// Whether the line has a path that begins at the root with this folder and goes on.

@@ -22,21 +22,15 @@ pub fn check_template(file: &TextFile, found: &mut Vec<Complaint>) {
 /// Whether a template expression, whitespace-control dashes removed, uses `+ - * / %` outside strings.
 fn has_arithmetic(inside: &str) -> bool {
     let expression = inside.strip_prefix('-').unwrap_or(inside);
-    let expression = expression.strip_suffix('-').unwrap_or(expression);
-    let mut quote = None;
-    expression.chars().any(|character| match quote {
-        Some(open) => {
-            if character == open {
-                quote = None;
-            }
-            false
+    let mut rest = expression.strip_suffix('-').unwrap_or(expression);
+    while let Some(at) = rest.find(['"', '\'', '`', '+', '-', '*', '/', '%']) {
+        let quote = &rest[at..=at];
+        if !"\"'`".contains(quote) {
+            return true;
         }
-        None if matches!(character, '"' | '\'' | '`') => {
-            quote = Some(character);
-            false
-        }
-        None => matches!(character, '+' | '-' | '*' | '/' | '%'),
-    })
+        rest = rest[at + 1..].split_once(quote).map_or("", |(_, after)| after);
+    }
+    false
 }
 
 #[cfg(test)]

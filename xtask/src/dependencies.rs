@@ -1,9 +1,8 @@
 //! `cargo xtask licences`: every dependency's licence expression against the list of allowed ones.
+//! `cargo xtask advisories`: the locked packages against the RustSec database.
 
-use std::collections::BTreeSet;
-
-use crate::failure::Failure;
-use crate::process;
+use crate::prelude::*;
+use crate::process::find_program;
 
 /// The licence expressions that are allowed, as packages write them, and those that are for one package only.
 const ALLOWED: &str = include_str!("../licences.txt");
@@ -12,30 +11,20 @@ const ALLOWED: &str = include_str!("../licences.txt");
 ///
 /// # Errors
 /// When a licence is not allowed; each such package is named.
-pub fn run() -> Result<(), Failure> {
-    let arguments = [
-        "tree",
-        "--workspace",
-        "--locked",
-        "--edges=normal,build,dev",
-        "--prefix=none",
-        "--no-dedupe",
-        "--format={p}|{l}",
-    ];
-    let listing = process::output(&mut process::cargo(&arguments))?;
+pub fn licences() -> Result {
+    let tree =
+        "tree --workspace --locked --edges=normal,build,dev --prefix=none --no-dedupe --format={p}|{l}";
+    let listing = cargo(tree).text()?;
     let packages = packages(&listing);
-    let refused: Vec<String> = packages
-        .iter()
-        .filter(|(name, licence)| !is_allowed(name, licence))
-        .map(|(name, licence)| format!("{name}: licence `{licence}` is not allowed"))
-        .collect();
     if packages.is_empty() {
         return Err(Failure::check("licences: cargo lists no packages"));
     }
-    if !refused.is_empty() {
-        return Err(Failure::check(format!("licences:\n{}", refused.join("\n"))));
+    let refused = packages.iter().filter(|(name, licence)| !is_allowed(name, licence));
+    let refused = refused.map(|(name, licence)| format!("\n{name}: licence `{licence}` is not allowed"));
+    match refused.collect::<String>() {
+        refused if refused.is_empty() => println!("licences: {} packages, all allowed", packages.len()),
+        refused => return Err(Failure::check(format!("licences:{refused}"))),
     }
-    println!("licences: {} packages, all allowed", packages.len());
     Ok(())
 }
 
@@ -44,8 +33,7 @@ fn packages(listing: &str) -> BTreeSet<(&str, &str)> {
     let package = |line| {
         let (package, licence) = str::rsplit_once(line, '|')?;
         // cargo marks a package that depends on itself in tests with `(*)`.
-        let licence = licence.trim().trim_end_matches("(*)").trim_end();
-        Some((package.split_whitespace().next()?, licence))
+        Some((package.split_whitespace().next()?, licence.trim().trim_end_matches("(*)").trim_end()))
     };
     listing.lines().filter_map(package).collect()
 }
@@ -53,6 +41,24 @@ fn packages(listing: &str) -> BTreeSet<(&str, &str)> {
 fn is_allowed(package: &str, licence: &str) -> bool {
     let for_this_package = format!("{licence} | {package}");
     !licence.is_empty() && ALLOWED.lines().any(|line| line == licence || line == for_this_package)
+}
+
+/// Checks every locked package against the database, which comes over the network.
+/// Without the database or the program `cargo-deny`, the check is skipped with a message.
+///
+/// # Errors
+/// With exit code 1 when there is an advisory against a locked package.
+pub fn advisories() -> Result {
+    let deny = |words: &str| cargo(&format!("deny --workspace --locked {words}"));
+    if find_program("cargo-deny").is_none() {
+        println!("advisories: skipped: no cargo-deny (cargo install cargo-deny)");
+    } else if deny("fetch db").code()? != 0 {
+        println!("advisories: skipped: the database cannot be fetched");
+    } else {
+        deny("check --disable-fetch advisories").check()?;
+        println!("advisories: none against the locked packages");
+    }
+    Ok(())
 }
 
 #[cfg(test)]
