@@ -13,10 +13,8 @@ pub fn run() -> Result {
     verify::build()?;
     for name in repository::reports()? {
         let code = verify::slipmode("report --for-publication").arg(format!("reports/{name}")).code()?;
-        if code != 0 {
-            let message = format!("report {name} exited with {code}; its published copy is unchanged");
-            return Err(Failure { code, message });
-        }
+        let message = || format!("report {name} exited with {code}; its published copy is unchanged");
+        ensure(code == 0, || Failure { code, message: message() })?;
         let published = root().join("reports").join(&name).join("published");
         replace(&root().join("target/report").join(&name), &published)?;
         println!("accept: reports/{name}/published/ rewritten; check `git diff --text`");

@@ -34,9 +34,7 @@ pub fn run() -> Result {
     let lacking = if machine::is_root() { machine::provide(&PROGRAMS)? } else { vec!["the rights of root"] };
     if !lacking.is_empty() {
         let message = format!("no {}", lacking.join(", "));
-        if machine::is_continuous_integration() {
-            return Err(Failure::bad_input(message));
-        }
+        ensure(!machine::is_continuous_integration(), || Failure::bad_input(&message))?;
         println!("cluster-test: skipped: {message}");
         return Ok(());
     }
@@ -68,9 +66,8 @@ fn rehearse(cluster: &mut Cluster, place: &Path) -> Result {
     wait_until("the other tasks to end", || Ok(!cluster.tasks()?.iter().any(is_other)))?;
     let missing = slipmode(&["merge", &out, "--shards", &shards, "--missing"])?;
     let missing = missing.trim_end();
-    if missing != shard.to_string() {
-        return Err(Failure::check(format!("missing shards `{missing}`, but shard {shard} was killed")));
-    }
+    let wrong = || Failure::check(format!("missing shards `{missing}`, but shard {shard} was killed"));
+    ensure(missing == shard.to_string(), wrong)?;
     println!("cluster-test: missing, and submitted again: {missing}");
     cluster.cancel_all()?;
     cluster.submit(&submit, Some(missing))?;
@@ -81,9 +78,8 @@ fn rehearse(cluster: &mut Cluster, place: &Path) -> Result {
     let sums = program("sha256sum", "").args([&merged, &expected]).text()?;
     print!("{sums}");
     let digests: Vec<&str> = sums.split_whitespace().step_by(2).collect();
-    if digests.len() != 2 || digests[0] != digests[1] {
-        return Err(Failure::check("the cluster's bytes are not those of one process"));
-    }
+    let wrong = || Failure::check("the cluster's bytes are not those of one process");
+    ensure(digests.len() == 2 && digests[0] == digests[1], wrong)?;
     println!("cluster-test: passed in {} s", began.elapsed().as_secs());
     Ok(())
 }
@@ -106,9 +102,8 @@ fn wait_for<T>(what: &str, mut ask: impl FnMut() -> Result<Option<T>>) -> Result
         if let Some(answer) = ask()? {
             return Ok(answer);
         }
-        if began.elapsed() > PATIENCE {
-            return Err(Failure::check(format!("waited {} s in vain for {what}", PATIENCE.as_secs())));
-        }
+        let wrong = || Failure::check(format!("waited {} s in vain for {what}", PATIENCE.as_secs()));
+        ensure(began.elapsed() <= PATIENCE, wrong)?;
         thread::sleep(Duration::from_millis(50));
     }
 }

@@ -16,15 +16,12 @@ pub fn licences() -> Result {
         "tree --workspace --locked --edges=normal,build,dev --prefix=none --no-dedupe --format={p}|{l}";
     let listing = cargo(tree).text()?;
     let packages = packages(&listing);
-    if packages.is_empty() {
-        return Err(Failure::check("licences: cargo lists no packages"));
-    }
+    ensure(!packages.is_empty(), || Failure::check("licences: cargo lists no packages"))?;
     let refused = packages.iter().filter(|(name, licence)| !is_allowed(name, licence));
-    let refused = refused.map(|(name, licence)| format!("\n{name}: licence `{licence}` is not allowed"));
-    match refused.collect::<String>() {
-        refused if refused.is_empty() => println!("licences: {} packages, all allowed", packages.len()),
-        refused => return Err(Failure::check(format!("licences:{refused}"))),
-    }
+    let refused: String =
+        refused.map(|(name, licence)| format!("\n{name}: licence `{licence}` is not allowed")).collect();
+    ensure(refused.is_empty(), || Failure::check(format!("licences:{refused}")))?;
+    println!("licences: {} packages, all allowed", packages.len());
     Ok(())
 }
 

@@ -12,6 +12,11 @@ pub struct Failure {
     pub message: String,
 }
 
+/// The failure, unless this is so.
+pub fn ensure(is_so: bool, failure: impl FnOnce() -> Failure) -> Result {
+    if is_so { Ok(()) } else { Err(failure()) }
+}
+
 impl Failure {
     /// A check failed (exit code 1).
     pub fn check(message: impl Into<String>) -> Self {
@@ -25,6 +30,6 @@ impl Failure {
 
     /// Success when an exit code is 0; otherwise a failure with the same code.
     pub fn of_exit(code: u8, what: &str) -> Result {
-        if code == 0 { Ok(()) } else { Err(Self { code, message: format!("{what} exited with {code}") }) }
+        ensure(code == 0, || Self { code, message: format!("{what} exited with {code}") })
     }
 }

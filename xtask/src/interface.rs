@@ -23,10 +23,8 @@ pub fn count(target: &Path) -> Result {
         };
     }
     println!("slipmode-core has {functions} public functions (at most {MOST_FUNCTIONS})");
-    if (1..=MOST_FUNCTIONS).contains(&functions) {
-        return Ok(());
-    }
-    Err(Failure::check(format!("slipmode-core: {functions} public functions, wanted: 1 to {MOST_FUNCTIONS}")))
+    let wrong = || format!("slipmode-core: {functions} public functions, wanted: 1 to {MOST_FUNCTIONS}");
+    ensure((1..=MOST_FUNCTIONS).contains(&functions), || Failure::check(wrong()))
 }
 
 /// Has `cargo-semver-checks` compare the interface with that of the last release before this commit.

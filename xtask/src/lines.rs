@@ -43,7 +43,7 @@ fn compare(counts: &BTreeMap<String, usize>, table: &str) -> Result {
             }
         }
     }
-    if exceeded.is_empty() { Ok(()) } else { Err(Failure::check(exceeded.join("\n"))) }
+    ensure(exceeded.is_empty(), || Failure::check(exceeded.join("\n")))
 }
 
 /// Lines of code of each folder, and lines of tests.

@@ -29,13 +29,10 @@ pub fn run() -> Result {
 /// With exit code 2, naming what is missing and how to install it.
 pub fn require(tools: &[&str]) -> Result {
     let missing = provide(tools)?;
-    if missing.is_empty() {
-        return Ok(());
-    }
-    let (missing, packages) = (missing.join(", "), packages(&missing).join(" "));
-    Err(Failure::bad_input(format!(
-        "missing {missing}; install these packages (their names in Debian and Ubuntu): {packages}"
-    )))
+    let (names, packages) = (missing.join(", "), packages(&missing).join(" "));
+    let message =
+        || format!("missing {names}; install these packages (their names in Debian and Ubuntu): {packages}");
+    ensure(missing.is_empty(), || Failure::bad_input(message()))
 }
 
 /// Installs what is missing of these tools where that is possible. Those that are missing still.

@@ -7,6 +7,6 @@ pub use std::path::{Path, PathBuf};
 pub use std::process::Command;
 pub use std::time::Instant;
 
-pub use crate::failure::{Failure, Result};
+pub use crate::failure::{Failure, Result, ensure};
 pub use crate::process::{Run, cargo, program};
 pub use crate::repository::{at, below, git, read, root, rows, write};

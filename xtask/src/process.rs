@@ -39,17 +39,13 @@ impl Run for Command {
     }
 
     fn check(&mut self) -> Result {
-        match self.code()? {
-            0 => Ok(()),
-            code => Err(Failure::check(format!("`{}` exited with {code}", words(self)))),
-        }
+        let code = self.code()?;
+        ensure(code == 0, || Failure::check(format!("`{}` exited with {code}", words(self))))
     }
 
     fn text(&mut self) -> Result<String> {
         let output = self.stderr(Stdio::inherit()).output().map_err(|error| cannot_start(self, &error))?;
-        if !output.status.success() {
-            return Err(Failure::check(format!("`{}` failed", words(self))));
-        }
+        ensure(output.status.success(), || Failure::check(format!("`{}` failed", words(self))))?;
         Ok(String::from_utf8_lossy(&output.stdout).into_owned())
     }
 

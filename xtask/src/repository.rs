@@ -97,9 +97,7 @@ pub fn reports() -> Result<Vec<String>> {
     let mut folders = entries(&root().join("reports"))?;
     folders.retain(|folder| folder.join("report.toml").is_file());
     folders.sort();
-    if folders.is_empty() {
-        return Err(Failure::bad_input("reports/ holds no folder with a report.toml"));
-    }
+    ensure(!folders.is_empty(), || Failure::bad_input("reports/ holds no folder with a report.toml"))?;
     Ok(folders.iter().map(|folder| file_name(folder)).collect())
 }
 

@@ -46,7 +46,7 @@ pub fn run(option: &str) -> Result {
         println!("failed: {failed}");
     }
     println!("{} passed, {} failed", count.passed, count.failed);
-    if failed.is_empty() { Ok(()) } else { Err(Failure::check(format!("failed: {failed}"))) }
+    ensure(failed.is_empty(), || Failure::check(format!("failed: {failed}")))
 }
 
 fn timed(name: &str, step: impl FnOnce() -> Result) -> Result {
@@ -70,12 +70,10 @@ fn profiled(words: &str) -> Command {
 fn tests(count: &mut Count, is_slow: bool) -> Result {
     let mut command = profiled("test --workspace --locked --no-fail-fast");
     let code = command.envs(is_slow.then_some(("SLIPMODE_SLOW", "1"))).listen(|line| count.hear(line))?;
-    if code == 0 && count.failed == 0 && count.passed > 0 {
-        return Ok(());
-    }
+    let is_passed = code == 0 && count.failed == 0 && count.passed > 0;
     // A test program that was not built, or that died, prints no count: it is a failure all the same.
-    count.failed = count.failed.max(1);
-    Err(Failure::check(format!("cargo test exited with {code}")))
+    count.failed = count.failed.max(u64::from(!is_passed));
+    ensure(is_passed, || Failure::check(format!("cargo test exited with {code}")))
 }
 
 /// Tests passed and failed, summed over all test programs.

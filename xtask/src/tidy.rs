@@ -63,16 +63,14 @@ pub fn run() -> Result {
         wording::check_command_line(&source, &mut found);
     }
     references::check_data_is_read(&files, &paths, &mut found);
-    if found.is_empty() {
-        println!("tidy: {} files, no complaint", files.len());
-        return Ok(());
-    }
     let shown = |Complaint { path, line, message }: &Complaint| match line {
         0 => format!("\n{path}: {message}"),
         line => format!("\n{path}:{line}: {message}"),
     };
     let lines: String = found.iter().map(shown).collect();
-    Err(Failure::check(format!("tidy: {} complaints{lines}", found.len())))
+    ensure(found.is_empty(), || Failure::check(format!("tidy: {} complaints{lines}", found.len())))?;
+    println!("tidy: {} files, no complaint", files.len());
+    Ok(())
 }
 
 /// All Rust files; those that another declares as tests are marked so.

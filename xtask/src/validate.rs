@@ -37,12 +37,9 @@ pub fn run() -> Result {
             failed.push(name);
         }
     }
-    if !failed.is_empty() {
-        return Err(Failure::check(format!("faults found by {}", failed.join(", "))));
-    }
-    if !skipped.is_empty() && machine::is_continuous_integration() {
-        return Err(Failure::bad_input(format!("required here, but not installed: {}", skipped.join(", "))));
-    }
+    ensure(failed.is_empty(), || Failure::check(format!("faults found by {}", failed.join(", "))))?;
+    let required = || Failure::bad_input(format!("required here, but not installed: {}", skipped.join(", ")));
+    ensure(skipped.is_empty() || !machine::is_continuous_integration(), required)?;
     println!("validate: {passed} validators passed, {} skipped", skipped.len());
     Ok(())
 }

@@ -36,10 +36,8 @@ pub fn print(steps: &Steps, checked: &[(Task, Said)], mode: Mode) -> Result<Stri
         }
         println!("prove: Coq accepted {} of {all} theorems in {} files", proved.len(), checked.len());
     } else {
-        println!(
-            "prove: Coq refused {} of {all} altered theorems, none of them by a time limit",
-            proved.len()
-        );
+        let refused = proved.len();
+        println!("prove: Coq refused {refused} of {all} altered theorems, none of them by a time limit");
     }
     if faults.is_empty() { Ok(steps.record(&proved)) } else { Err(Failure::check(faults.join("\n"))) }
 }
@@ -85,10 +83,8 @@ impl Steps {
     fn record(&self, proved: &BTreeSet<&str>) -> String {
         let theorems = self.lines.iter().filter(|[.., theorem, _, _]| proved.contains(theorem.as_str()));
         let theorems = theorems.map(|[.., theorem, digest, _]| format!("{theorem} {digest}\n"));
-        let is_proved = |[_, _, names]: &&[String; 3]| {
-            names.split(' ').all(|name| name.is_empty() || proved.contains(name))
-        };
-        let files = self.files.iter().filter(is_proved);
+        let is_proved = |name: &str| name.is_empty() || proved.contains(name);
+        let files = self.files.iter().filter(|[_, _, names]| names.split(' ').all(is_proved));
         let files = files.map(|[path, digest, _]| format!("{path} {digest}\n"));
         theorems.chain(files).collect::<BTreeSet<String>>().into_iter().collect()
     }
@@ -96,12 +92,11 @@ impl Steps {
     /// A line for each kind of step, one for each step without a theorem that Coq accepted, and the table of claims.
     fn coverage(&self, proved: &BTreeSet<&str>) -> String {
         let (mut kinds, mut open) = (BTreeMap::new(), String::new());
-        let mut claims: BTreeMap<[&str; 2], Claim<'_>> = BTreeMap::new();
+        let mut claims = BTreeMap::<[&str; 2], Claim<'_>>::new();
         for [report, claim, proof, step, kind, theorem, _, obstacle] in &self.lines {
             let is_proved = proved.contains(theorem.as_str());
             let why = if theorem.is_empty() { obstacle } else { "Coq did not accept it" };
-            let claim_of = claims.entry([report, claim]).or_default();
-            claim_of.add(kind, (theorem, is_proved), (proof, why));
+            claims.entry([report, claim]).or_default().add(kind, (theorem, is_proved), why);
             let counts: &mut [usize; 2] = kinds.entry(kind).or_default();
             counts[0] += usize::from(is_proved);
             counts[1] += 1;
@@ -116,18 +111,18 @@ impl Steps {
         text += &open;
         // A claim without a line on whole theorems is decided by computations besides.
         claims.retain(|_, claim| claim.is_exact);
+        let mut counts = [0; 5];
         for ([report, id], claim) in &claims {
-            text += &format!("{report:<18} {id:<4} {}\n", claim.row());
+            let (way, row) = claim.row();
+            counts[way as usize] += 1;
+            text += &format!("{report:<18} {id:<4} {row}\n");
         }
-        let count = |way: Way| claims.values().filter(|claim| claim.way() == way).count();
-        let [generated, by_hand] = [Way::Generated, Way::ByHand].map(count);
+        let [generated, by_hand, steps, argued, open] = counts;
         let (whole, all) = (generated + by_hand, claims.len());
         text += &format!("claims decided exactly: {all}, of which {whole} are whole theorems");
         text += &format!(" ({} %): {generated} generated, {by_hand} by hand\n", 100 * whole / all.max(1));
-        let [steps, argued, open] = [Way::Steps, Way::Argued, Way::Open].map(count);
-        text + &format!(
-            "the others: {steps} by steps, {argued} with an argued step, {open} with a step that is not proved\n"
-        )
+        text += &format!("the others: {steps} by steps, {argued} with an argued step, ");
+        text + &format!("{open} with a step that is not proved\n")
     }
 }
 
@@ -144,7 +139,7 @@ const WHOLE: &str = "whole";
 const BY_HAND: &str = "by hand";
 
 /// How Coq has checked a claim.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, Copy)]
 enum Way {
     /// A theorem for each formula, written from it.
     Generated,
@@ -166,48 +161,40 @@ struct Claim<'s> {
     is_open: bool,
     has_formulas: bool,
     by_hand: Vec<&'s str>,
-    /// Why it is no theorem by itself: the proof, and the obstacle.
-    obstacles: Vec<[&'s str; 2]>,
+    /// Why it is no theorem by itself.
+    obstacles: BTreeSet<&'s str>,
     /// Whether a theorem by hand is missing.
     is_untied: bool,
 }
 
 impl<'s> Claim<'s> {
-    fn add(&mut self, kind: &str, (theorem, is_proved): (&'s str, bool), obstacle: (&'s str, &'s str)) {
+    fn add(&mut self, kind: &str, (theorem, is_proved): (&'s str, bool), obstacle: &'s str) {
         self.is_exact |= matches!(kind, WHOLE | BY_HAND);
         match kind {
             WHOLE if is_proved => self.has_formulas = true,
             BY_HAND if is_proved => self.by_hand.push(theorem),
             WHOLE | BY_HAND => {
                 self.is_untied |= kind == BY_HAND;
-                self.obstacles.push(obstacle.into());
+                self.obstacles.insert(obstacle);
             }
             "argued" => self.is_argued = true,
             _ => self.is_open |= !is_proved,
         }
     }
 
-    fn way(&self) -> Way {
+    /// How it was checked, and the same in words.
+    fn row(&self) -> (Way, String) {
+        let reasons = Vec::from_iter(self.obstacles.iter().copied()).join("; ");
         match self {
-            _ if self.obstacles.is_empty() && self.has_formulas => Way::Generated,
-            _ if !self.by_hand.is_empty() && !self.is_untied => Way::ByHand,
-            _ if self.is_open => Way::Open,
-            _ if self.is_argued => Way::Argued,
-            _ => Way::Steps,
-        }
-    }
-
-    fn row(&self) -> String {
-        let mut reasons: Vec<&str> = self.obstacles.iter().map(|[_, why]| *why).collect();
-        reasons.sort_unstable();
-        reasons.dedup();
-        let reasons = reasons.join("; ");
-        match self.way() {
-            Way::Generated => "whole (generated)".to_owned(),
-            Way::ByHand => format!("whole (by hand: {})", self.by_hand.join(", ")),
-            Way::Steps => format!("by steps: {reasons}"),
-            Way::Argued => format!("argued: {reasons}"),
-            Way::Open => format!("not all steps: {reasons}"),
+            _ if self.obstacles.is_empty() && self.has_formulas => {
+                (Way::Generated, "whole (generated)".into())
+            }
+            _ if !self.by_hand.is_empty() && !self.is_untied => {
+                (Way::ByHand, format!("whole (by hand: {})", self.by_hand.join(", ")))
+            }
+            _ if self.is_open => (Way::Open, format!("not all steps: {reasons}")),
+            _ if self.is_argued => (Way::Argued, format!("argued: {reasons}")),
+            _ => (Way::Steps, format!("by steps: {reasons}")),
         }
     }
 }

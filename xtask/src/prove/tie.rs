@@ -24,9 +24,8 @@ pub fn run(arguments: &[String]) -> Result {
     let generated = generate(&root().join("target/proofs"))?;
     let mut moved = Vec::new();
     for path in below(&generated)? {
-        let Some(line) = path.strip_prefix("ties/").and_then(|path| path.strip_suffix(".txt")) else {
-            continue;
-        };
+        let line = path.strip_prefix("ties/").and_then(|path| path.strip_suffix(".txt"));
+        let Some(line) = line else { continue };
         let line = line.parse().map_err(|_| Failure::check(format!("{path}: no number of a line")))?;
         let text = read(&generated.join(&path))?;
         let (row, to_read) = text.split_once('\n').unwrap_or((&text, ""));
@@ -42,8 +41,7 @@ pub fn run(arguments: &[String]) -> Result {
     };
     let path = root().join("proofs/claims.csv");
     let ids = if ids.is_empty() { ids_of(&moved, report) } else { ids.to_vec() };
-    let text = rewritten(&read(&path)?, &moved, report, &ids)?;
-    write(&path, &text)?;
+    write(&path, &rewritten(&read(&path)?, &moved, report, &ids)?)?;
     println!(
         "tie: proofs/claims.csv is written; `cargo xtask prove` has Coq accept the theorems for these claims"
     );
@@ -59,22 +57,20 @@ fn claim_of(row: &str) -> [&str; 2] {
 /// The claims of a report whose rows have moved.
 fn ids_of(moved: &[Moved], report: &str) -> Vec<String> {
     let claims = moved.iter().map(|one| claim_of(&one.row)).filter(|[name, _]| *name == report);
-    claims.map(|[_, id]| id.to_owned()).collect::<BTreeSet<String>>().into_iter().collect()
+    Vec::from_iter(claims.map(|[_, id]| id.to_owned()).collect::<BTreeSet<String>>())
 }
 
 /// The table with the rows of these claims as they would be; each is shown.
 fn rewritten(table: &str, moved: &[Moved], report: &str, ids: &[String]) -> Result<String> {
     let mut lines: Vec<&str> = table.lines().collect();
     for id in ids {
-        let is_own = |one: &&Moved| claim_of(&one.row) == [report, id];
-        let mut own = moved.iter().filter(is_own).peekable();
-        if own.peek().is_none() {
-            return Err(Failure::bad_input(format!("{report} {id}: no row of proofs/claims.csv has moved")));
-        }
+        let is_own = |row: &str| claim_of(row) == [report, id];
+        let own: Vec<&Moved> = moved.iter().filter(|one| is_own(&one.row)).collect();
+        let missing = || Failure::bad_input(format!("{report} {id}: no row of proofs/claims.csv has moved"));
+        ensure(!own.is_empty(), missing)?;
         for Moved { line, row, to_read } in own {
-            let place = lines.get_mut(line - 1).filter(|known| claim_of(known) == [report, id]);
-            let place = place
-                .ok_or_else(|| Failure::check(format!("proofs/claims.csv:{line}: not the row of {id}")))?;
+            let wrong = || Failure::check(format!("proofs/claims.csv:{line}: not the row of {id}"));
+            let place = lines.get_mut(line - 1).filter(|known| is_own(known)).ok_or_else(wrong)?;
             println!("--- {report} {id}\n{to_read}");
             *place = row;
         }

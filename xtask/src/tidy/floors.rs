@@ -25,10 +25,8 @@ pub fn check(source: &RustSource, found: &mut Vec<Complaint>) {
         return;
     }
     let Some(height) = floor(floors, module) else {
-        found.push(
-            source.file.complaint(0, format!("module `{module}` has no floor in the table of xtask tidy")),
-        );
-        return;
+        let message = format!("module `{module}` has no floor in the table of xtask tidy");
+        return found.push(source.file.complaint(0, message));
     };
     for (position, name) in ["crate::", "slipmode::"].iter().flat_map(|root| imports(&source.code, root)) {
         let message = match floor(floors, &name) {
@@ -69,11 +67,8 @@ fn imports(code: &str, root: &str) -> Vec<(usize, String)> {
 /// The first identifier of a path, or of each entry of a braced group.
 fn heads(path: &str) -> Vec<String> {
     let (mut depth, mut heads) = (0_u32, Vec::new());
-    let mut begin = |rest: &str| {
-        heads.push(
-            rest.trim_start().chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect::<String>(),
-        );
-    };
+    let is_end = |c: char| !c.is_alphanumeric() && c != '_';
+    let mut begin = |rest: &str| heads.extend(rest.trim_start().split(is_end).next().map(str::to_owned));
     if !path.starts_with('{') {
         begin(path);
     }

@@ -66,10 +66,8 @@ fn targets(line: &str) -> impl Iterator<Item = &str> {
 }
 
 fn is_local(target: &str) -> bool {
-    !target.is_empty()
-        && !target.starts_with('#')
-        && !target.starts_with("mailto:")
-        && !target.contains("://")
+    let is_elsewhere = target.starts_with("mailto:") || target.contains("://");
+    !target.is_empty() && !target.starts_with('#') && !is_elsewhere
 }
 
 /// The path from the root that a link in `from` means.
