@@ -22,8 +22,8 @@ pub fn draw(chart: &EquationChart) -> (Figure, Table) {
         None => lines::draw(chart),
         Some(map) => modes::draw(chart, map),
     };
-    let figure = Figure::own(&chart.caption, &chart.caption_markdown, svg);
-    (figure.with_data(&[&chart.caption.id]), table)
+    let figure = Figure::new(&chart.caption, "", &chart.caption_markdown, svg);
+    (figure.with_data(std::slice::from_ref(&chart.caption.id)), table)
 }
 
 /// Values of variables.

@@ -1,6 +1,6 @@
 //! What an experiment is: a section of a scene, what is computed for it, and the tables and figures that show it.
 
-use crate::experiments::{FigureMaker, References, Scene, SceneOutcome, TableMaker, Work};
+use crate::experiments::{Drawer, References, Scene, SceneOutcome, TableMaker, Work};
 use crate::scene::section::ReadSection;
 use slipmode_core::friction::Slider;
 use slipmode_core::number::Rational;
@@ -17,8 +17,8 @@ pub trait Experiment: ReadSection {
     /// The tables that show it.
     const TABLES: &'static [&'static [TableMaker]] = &[];
 
-    /// The figures that show it.
-    const FIGURES: &'static [&'static [FigureMaker]] = &[];
+    /// What draws the figures that show it.
+    const FIGURES: &'static [&'static [Drawer]] = &[];
 
     /// What the section asks of the machine.
     fn work(&self) -> Work;

@@ -31,7 +31,7 @@ pub mod work;
 pub mod zones;
 
 pub use experiment::{Experiment, Requirement, Setting};
-pub use figures::{Figure, FigureMaker};
+pub use figures::{Drawer, Figure, FigureMaker, Words};
 pub use outcome::{Outcome, References};
 pub use registry::{Need, Scene, SceneOutcome, figure_makers, table_makers};
 pub use run::{Needs, Progress, all_needs, run};

@@ -2,11 +2,12 @@
 
 use crate::experiments::experiment::{Experiment, Setting};
 use crate::experiments::scene::{Head, read_experiment};
-use crate::experiments::{FigureMaker, References, TableMaker, Work};
+use crate::experiments::{Drawer, FigureMaker, References, TableMaker, Work};
 use crate::scene::ParametersSection;
 use crate::scene::section::Section;
 use crate::sweep::SweepSection;
 use slipmode_core::number::Rational;
+use std::sync::LazyLock;
 
 /// Makes everything that lists experiments from one line for each: what it is about, the word for the computation, the
 /// key of the scene's section, and the section's type.
@@ -111,11 +112,18 @@ macro_rules! experiments {
             [$($(#[cfg($condition)])? <$section as Experiment>::TABLES,)*].into_iter().flatten().copied().flatten()
         }
 
-        /// All figures of the experiments.
-        pub fn figure_makers() -> impl Iterator<Item = &'static FigureMaker> {
+        /// What draws the figures of the experiments.
+        fn drawers() -> impl Iterator<Item = &'static Drawer> {
             [$($(#[cfg($condition)])? <$section as Experiment>::FIGURES,)*].into_iter().flatten().copied().flatten()
         }
     };
+}
+
+/// All figures of the experiments.
+pub fn figure_makers() -> impl Iterator<Item = &'static FigureMaker> {
+    static MAKERS: LazyLock<Vec<FigureMaker>> =
+        LazyLock::new(|| drawers().filter_map(FigureMaker::new).collect());
+    MAKERS.iter()
 }
 
 use crate::experiments as x;

@@ -115,7 +115,7 @@ pub fn produce_scene(
     let outcome =
         experiments::run(std::slice::from_ref(scene), &experiments::all_needs(), references, progress);
     let context = Context::new(equations, &outcome);
-    let figures: Vec<Figure> = figure_makers().filter_map(|maker| (maker.make)(&outcome)).collect();
+    let figures: Vec<Figure> = figure_makers().filter_map(|maker| maker.figure(&outcome)).collect();
     // Tables that need nothing computed are about the paper, not about the scene.
     let tables: Vec<Table> = all_table_makers()
         .filter(|maker| !maker.needs.is_empty())
@@ -195,7 +195,7 @@ impl Wanted {
             }
         }
         for figure in wanted.figures.clone() {
-            let made = figure_maker(&figure).map_or(&[][..], |maker| maker.data);
+            let made = figure_maker(&figure).map_or(&[][..], |maker| &maker.data);
             made.iter().for_each(|id| wanted.include(BlockKind::Table, id));
             let measured = folder.measured.chart(&figure).map_or(&[][..], |measured| &measured.data);
             measured.iter().for_each(|id| wanted.include(BlockKind::Table, id));
@@ -232,15 +232,14 @@ impl Wanted {
     }
 
     fn needs(&self) -> Needs {
-        let of_figures = self.figures.iter().filter_map(|id| figure_maker(id)).flat_map(|maker| maker.needs);
+        let of_figures = self.figures.iter().filter_map(|id| figure_maker(id)).flat_map(|maker| &maker.needs);
         let of_tables = self.tables.iter().filter_map(|id| table_maker(id)).flat_map(|maker| maker.needs);
         of_figures.chain(of_tables).copied().collect()
     }
 
     fn figures(&self, outcome: &Outcome, apart: &Apart) -> Result<Vec<Figure>, ReportError> {
-        let made = |maker: &FigureMaker| (maker.make)(outcome).map(|figure| figure.with_data(maker.data));
         let shown = |id: &String| match figure_maker(id) {
-            Some(maker) => Some((maker.id, made(maker))),
+            Some(maker) => Some((maker.id, maker.figure(outcome))),
             None => {
                 apart.figures.iter().find(|one| one.id == *id).map(|one| (one.id.as_str(), Some(one.clone())))
             }

@@ -1,28 +1,20 @@
 //! The figure of the asymptotes' errors along the boundary.
 
 use crate::experiments::boundary::BoundaryOutcome;
-use crate::experiments::{Figure, FigureMaker, Need, SceneOutcome};
-use crate::scene::cited;
+use crate::experiments::{Drawer, SceneOutcome, Words};
 use slipmode_core::number::Rational;
 use slipmode_core::stability::boundary::ErrorPair;
 use slipmode_core::stability::{ArcFrame, Asymptote};
-use slipmode_plot::figure::{Axis, Caption, LineChart, Reference, Series};
+use slipmode_plot::figure::{Axis, LineChart, Reference, Series};
 
-pub(crate) const FIGURES: &[FigureMaker] =
-    &[FigureMaker::new("deviation", &[Need::Boundary], &["boundary"], |outcome| {
-        along_arcs(outcome.potentially_unstable()?)
-    })];
+pub(crate) const FIGURES: &[Drawer] =
+    &[("deviation", |outcome, words| along_arcs(outcome.potentially_unstable()?, words))];
 
-const ALONG: &str = "Signed relative error of each of the four asymptotes along the exact boundary, against the inertial parameter. Errors of {quasi-static-upper, quasi-static-lower} fall in proportion to the inertial parameter towards low velocity; those of {inertial-upper, inertial-lower} fall towards the other end of their arcs.";
-const CAPTION: &str = "Signed relative error of each asymptote along its arc, for a < b: error of σ at the same velocity for {quasi-static-upper, quasi-static-lower}, error of V0 at the same normal stress for {inertial-upper, inertial-lower}. The lower arc turns back at the cusp.";
-
-fn along_arcs(scene: &SceneOutcome) -> Option<Figure> {
+fn along_arcs(scene: &SceneOutcome, words: &Words) -> Option<String> {
     let outcome = scene.boundary.as_ref()?;
     let beta = scene.slider()?.effect_ratio();
-    let caption =
-        Caption::new("deviation", "Relative error of the asymptotes along the boundary", &cited(ALONG));
     let chart = LineChart {
-        caption,
+        caption: words.caption.clone(),
         x: Axis::log10("Inertial parameter *η* on the boundary", "", 1e-6, 1e6),
         y: Axis::signed_log10("exact/asymptote − 1", "", 1e-4, -1.0, 10.0),
         series: Asymptote::ALL.into_iter().map(|asymptote| error_series(outcome, &beta, asymptote)).collect(),
@@ -31,7 +23,7 @@ fn along_arcs(scene: &SceneOutcome) -> Option<Figure> {
             Reference::Horizontal { at: -0.01, label: "−1 %".into() },
         ],
     };
-    Some(Figure::own(&chart.caption, &cited(CAPTION), chart.svg()))
+    Some(chart.svg())
 }
 
 fn error_series(outcome: &BoundaryOutcome, beta: &Rational, asymptote: Asymptote) -> Series {

@@ -9,12 +9,12 @@ pub use run::{BoundaryOutcome, END_ERROR, boundary_outcome};
 pub use section::BoundarySection;
 pub use tables::{boundary_columns, boundary_row, pair_line_columns, pair_line_row, vanishes};
 
-use crate::experiments::{Experiment, FigureMaker, Setting, TableMaker, Work};
+use crate::experiments::{Drawer, Experiment, Setting, TableMaker, Work};
 
 impl Experiment for BoundarySection {
     type Outcome = BoundaryOutcome;
     const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
-    const FIGURES: &'static [&'static [FigureMaker]] = &[figures::FIGURES];
+    const FIGURES: &'static [&'static [Drawer]] = &[figures::FIGURES];
 
     fn work(&self) -> Work {
         // On each of two arcs.

@@ -1,23 +1,17 @@
 //! The figure of the asymptotes' largest errors.
 
 use crate::experiments::effect_ratio_sweep::{SweepOutcome, SweepRow};
-use crate::experiments::{Figure, FigureMaker, Need};
+use crate::experiments::{Drawer, Words};
 use crate::scene::cited;
 use slipmode_core::number::{Ball, nearest_f64};
-use slipmode_plot::figure::{Axis, Caption, LineChart, Reference, Series};
+use slipmode_plot::figure::{Axis, LineChart, Reference, Series};
 
-pub(crate) const FIGURES: &[FigureMaker] =
-    &[FigureMaker::new("corners", &[Need::EffectRatioSweep], &["corners"], |outcome| {
-        worst_errors(outcome.scenes.iter().find_map(|scene| scene.effect_ratio_sweep.as_ref())?)
-    })];
+pub(crate) const FIGURES: &[Drawer] = &[("corners", |outcome, words| {
+    worst_errors(outcome.scenes.iter().find_map(|scene| scene.effect_ratio_sweep.as_ref())?, words)
+})];
 
-const WORST: &str = "Largest error of the asymptotes against the ratio of evolution to direct effect: the largest distance in log10 between the exact boundary and the nearer asymptote, for the upper and the lower arc.";
-const CAPTION: &str =
-    "Largest error of the asymptotes, which depends only on b/a. Every point is an enclosure.";
-
-fn worst_errors(sweep: &SweepOutcome) -> Option<Figure> {
+fn worst_errors(sweep: &SweepOutcome, words: &Words) -> Option<String> {
     let (first, last) = (sweep.rows.first()?, sweep.rows.last()?);
-    let caption = Caption::new("corners", "Largest error of the asymptotes against b/a", WORST);
     let line = |label: &str, value: &dyn Fn(&SweepRow) -> Option<&Ball>| {
         Series::line(
             label,
@@ -29,7 +23,7 @@ fn worst_errors(sweep: &SweepOutcome) -> Option<Figure> {
         )
     };
     let chart = LineChart {
-        caption,
+        caption: words.caption.clone(),
         x: Axis::log10(
             "*β* = *b*/*a*",
             "",
@@ -47,5 +41,5 @@ fn worst_errors(sweep: &SweepOutcome) -> Option<Figure> {
         ],
         references: vec![Reference::Vertical { at: 1.0, label: "*a* = *b*".into() }],
     };
-    Some(Figure::own(&chart.caption, CAPTION, chart.svg()))
+    Some(chart.svg())
 }

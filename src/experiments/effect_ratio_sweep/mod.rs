@@ -9,13 +9,13 @@ pub use run::{SweepOutcome, SweepRow, sweep_effect_ratio};
 pub use section::EffectRatioSweepSection;
 
 use crate::experiments::work::certified_point_s;
-use crate::experiments::{Experiment, FigureMaker, Requirement, Setting, TableMaker, Work};
+use crate::experiments::{Drawer, Experiment, Requirement, Setting, TableMaker, Work};
 
 impl Experiment for EffectRatioSweepSection {
     type Outcome = SweepOutcome;
     const REQUIREMENT: Requirement = Requirement::Nothing;
     const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
-    const FIGURES: &'static [&'static [FigureMaker]] = &[figures::FIGURES];
+    const FIGURES: &'static [&'static [Drawer]] = &[figures::FIGURES];
 
     fn work(&self) -> Work {
         let ratios = f64::from(self.effect_ratio.points) + 2.0 * self.near_equal.len() as f64;

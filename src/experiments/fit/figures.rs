@@ -2,37 +2,22 @@
 
 use super::run::FitOutcome;
 use crate::experiments::trajectories::curves::{extent, linear_axis};
-use crate::experiments::{Figure, FigureMaker, Need, Outcome};
+use crate::experiments::{Drawer, Outcome, Words, figure_makers};
 use crate::fitting::{Estimate, Fit, Fits, Parameter, StepRecord, slider};
 use slipmode_core::dynamics::{DrivenControl, DrivenSlider, Piece, drive};
 use slipmode_plot::figure::{Axis, Caption, LineChart, Panel, Panels, Reference, Series};
 
-const NEEDS: &[Need] = &[Need::Fit];
-
-pub(crate) const FIGURES: &[FigureMaker] = &[
-    FigureMaker::new("fit-record", NEEDS, &["fit"], |outcome| {
+pub(crate) const FIGURES: &[Drawer] = &[
+    ("fit-record", |outcome, words| {
         let (_, found) = fitted(outcome)?;
-        let svg = fit_picture(&found.record, found.fits.as_ref().ok()?);
-        Some(Figure::own(&record_caption(), RECORD_CAPTION, svg))
+        Some(record_panels(&found.record, found.fits.as_ref().ok()?, &words.caption).svg())
     }),
-    FigureMaker::new("fit-step", NEEDS, &["fit"], |outcome| {
+    ("fit-step", |outcome, words| {
         let (fit, found) = fitted(outcome)?;
-        let chart = step_chart(fit, &found.record)?;
-        Some(Figure::own(&chart.caption, STEP_CAPTION, chart.svg()))
+        Some(step_chart(fit, &found.record, words)?.svg())
     }),
-    FigureMaker::new("fit-profiles", NEEDS, &["fit"], |outcome| {
-        let (fit, _) = fitted(outcome)?;
-        let panels = profile_panels(fit);
-        Some(Figure::own(&panels.caption, PROFILE_CAPTION, panels.svg()))
-    }),
+    ("fit-profiles", |outcome, words| Some(profile_panels(fitted(outcome)?.0, words).svg())),
 ];
-
-const RECORD_CAPTION: &str = "Above: friction (spring stress over the normal stress at the start) against the displacement of the load point, measured and fitted. Below: measured less fitted, with one standard deviation of the noise on each side. Each step of velocity raises or lowers the friction at once by a for each unit of ln V, as far as the spring lets it; over D_c it then changes by b for each unit.";
-const RECORD_DESCRIPTION: &str = "Two charts against the displacement of the load point: the measured friction with the fitted curve, and the residuals, which scatter about zero where the model follows the record.";
-const STEP_CAPTION: &str = "The fitted friction on a machine so stiff that slider and load point move together, as the velocity rises tenfold. Friction rises at once by a ln 10, then falls over D_c by b ln 10, so that (a − b) ln 10 remains. A spring lowers and delays the peak: therefore a cannot be read off a record.";
-const STEP_DESCRIPTION: &str = "A curve of friction against displacement that jumps up at the step and falls over the critical slip distance to its new level, with lines at the levels before the step, at the peak and long after it, and at the critical slip distance.";
-const PROFILE_CAPTION: &str = "A chart for each value: the distance from the best fit in standard errors, while this value is held and all others are fitted again. The 95 % interval is where the curve is within the lines. A straight curve means that the standard error alone gives the interval.";
-const PROFILE_DESCRIPTION: &str = "Small charts, one for each fitted value. Each has a rising curve that crosses zero at the best value and two horizontal lines at the 95 % quantile.";
 
 /// Height of the chart of the record, and of a profile.
 const HEIGHT: f64 = 190.0;
@@ -44,13 +29,14 @@ fn fitted(outcome: &Outcome) -> Option<(&Fit, &FitOutcome)> {
     outcome.each(|scene| &scene.fit).find_map(|(_, found)| Some((&found.fits.as_ref().ok()?.best, found)))
 }
 
-fn record_caption() -> Caption {
-    Caption::new("fit-record", "Record and fit", RECORD_DESCRIPTION)
-}
-
-/// The record with its fit, and the residuals.
+/// The record with its fit, and the residuals, as SVG.
 #[must_use]
 pub fn fit_picture(record: &StepRecord, fits: &Fits) -> String {
+    let maker = figure_makers().find(|maker| maker.id == "fit-record");
+    maker.map_or_else(String::new, |maker| record_panels(record, fits, maker.caption()).svg())
+}
+
+fn record_panels(record: &StepRecord, fits: &Fits, caption: &Caption) -> Panels {
     let fit = &fits.best;
     let (unit, size) = length_unit(record.displacements_m.last().copied().unwrap_or_default());
     let ways = || record.displacements_m.iter().map(|way| way / size);
@@ -63,8 +49,8 @@ pub fn fit_picture(record: &StepRecord, fits: &Fits) -> String {
         linear_axis(title, "", values.iter().copied()).unwrap_or_else(|| Axis::linear(title, "", 0.0, 1.0))
     };
     let deviation = fit.residuals.standard_deviation;
-    let panels = Panels {
-        caption: record_caption(),
+    Panels {
+        caption: caption.clone(),
         columns: 1,
         height: HEIGHT,
         panels: vec![
@@ -88,8 +74,7 @@ pub fn fit_picture(record: &StepRecord, fits: &Fits) -> String {
                     .into(),
             },
         ],
-    };
-    panels.svg()
+    }
 }
 
 /// The unit in which a displacement has few digits, and its size in m.
@@ -120,7 +105,7 @@ const STEP_SAMPLES: u32 = 400;
 const STIFF: f64 = 3e3;
 
 /// A step of velocity with what a, b and D_c do to the friction.
-fn step_chart(fit: &Fit, record: &StepRecord) -> Option<LineChart> {
+fn step_chart(fit: &Fit, record: &StepRecord, words: &Words) -> Option<LineChart> {
     let fitted = slider(&fit.point, None, fit.given.law);
     let (a, b, distance) = (fitted.direct_effect, fitted.evolution_effect, fitted.critical_slip_distance_m);
     let stiffness_pa_per_m = STIFF * a * record.normal_stress_pa / distance;
@@ -155,7 +140,7 @@ fn step_chart(fit: &Fit, record: &StepRecord) -> Option<LineChart> {
     let heights = [0.0, 1.1 * a * decade, (a - b) * decade].map(|change| fitted.reference_friction + change);
     let along = Reference::Vertical { at: distance / size, label: "*D*_c".into() };
     Some(LineChart {
-        caption: Caption::new("fit-step", "What a, b and D_c do", STEP_DESCRIPTION),
+        caption: words.caption.clone(),
         x: Axis::linear(
             "Displacement since the step",
             unit,
@@ -168,10 +153,10 @@ fn step_chart(fit: &Fit, record: &StepRecord) -> Option<LineChart> {
     })
 }
 
-fn profile_panels(fit: &Fit) -> Panels {
+fn profile_panels(fit: &Fit, words: &Words) -> Panels {
     let quantile = fit.residuals.half_width();
     Panels {
-        caption: Caption::new("fit-profiles", "Profiles of the fitted values", PROFILE_DESCRIPTION),
+        caption: words.caption.clone(),
         columns: 2,
         height: PROFILE_HEIGHT,
         panels: fit.estimates.iter().filter_map(|estimate| profile_panel(estimate, quantile)).collect(),

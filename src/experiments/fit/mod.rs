@@ -13,13 +13,13 @@ pub use run::FitOutcome;
 pub use section::FitSection;
 pub use words::{estimate_words, fit_words, shares_of_modes};
 
-use crate::experiments::{Experiment, FigureMaker, Requirement, Setting, TableMaker, Work};
+use crate::experiments::{Drawer, Experiment, Requirement, Setting, TableMaker, Work};
 
 impl Experiment for FitSection {
     type Outcome = FitOutcome;
     const REQUIREMENT: Requirement = Requirement::Nothing;
     const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
-    const FIGURES: &'static [&'static [FigureMaker]] = &[figures::FIGURES];
+    const FIGURES: &'static [&'static [Drawer]] = &[figures::FIGURES];
 
     fn work(&self) -> Work {
         Work::points(self.laws.len() as f64, SECONDS)

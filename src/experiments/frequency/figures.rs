@@ -2,24 +2,19 @@
 
 use crate::experiments::frequency::{FrequencyLine, FrequencyOutcome};
 use crate::experiments::shared::axes::{axes, boundary_lines, transition_line};
-use crate::experiments::{Figure, FigureMaker, Need, SceneOutcome};
+use crate::experiments::{Drawer, SceneOutcome, Words};
 use crate::scene::cited;
 use std::cmp::Ordering;
 
 use slipmode_core::friction::Slider;
 use slipmode_core::number::format::rational_to_decimal;
 use slipmode_core::number::{Ball, Rational, nearest_f64};
-use slipmode_plot::figure::{Axis, Caption, Inset, LineChart, Reference, Series};
+use slipmode_plot::figure::{Axis, Inset, LineChart, Reference, Series};
 
-pub(crate) const FIGURES: &[FigureMaker] =
-    &[FigureMaker::new("fig-2", &[Need::Frequency, Need::Map, Need::Boundary], &["frequency"], |outcome| {
-        frequency_lines(outcome.potentially_unstable()?)
-    })];
+pub(crate) const FIGURES: &[Drawer] =
+    &[("fig-2", |outcome, words| frequency_lines(outcome.potentially_unstable()?, words))];
 
-const DESCRIPTION: &str = "Largest imaginary part against loading velocity at constant normal stresses, on logarithmic axes. At the critical normal stress it follows {frequency-limit} at low velocity and approaches the natural frequency at high velocity. The frequency is zero in the gaps of a line.";
-const CAPTION: &str = "Largest imaginary part along lines of constant normal stress (compare fig 2 of the paper), with {frequency-limit} and the natural angular frequency. In the gaps of a line all roots are real. The inset shows where the lines lie, with the exact boundary and the transition. The inset of the paper is its coloured fig 1; the reference line at the natural frequency is added here.";
-
-fn frequency_lines(scene: &SceneOutcome) -> Option<Figure> {
+fn frequency_lines(scene: &SceneOutcome, words: &Words) -> Option<String> {
     let (parameters, outcome) = (scene.slider()?, scene.frequency.as_ref()?);
     let velocities = &outcome.loading_velocity_m_per_s;
     let (first, last) = (*velocities.first()?, *velocities.last()?);
@@ -28,18 +23,13 @@ fn frequency_lines(scene: &SceneOutcome) -> Option<Figure> {
     let mut series: Vec<Series> = lines.iter().map(|line| line_series(outcome, line)).collect();
     series.push(crossing_series(parameters, natural, first, last));
     let chart = LineChart {
-        caption: Caption::new(
-            "fig-2",
-            "Largest imaginary part at constant normal stress",
-            &cited(DESCRIPTION),
-        ),
+        caption: words.caption.clone(),
         x: Axis::log10("Loading velocity *V*_0", "m/s", first, last),
         y: Axis::log10("max Im(*s*)", "1/s", natural * 1e-4, natural * 3.0),
         series,
         references: vec![Reference::Horizontal { at: natural, label: "*ω*_n = √(*K*/*M*)".into() }],
     };
-    let inset = inset(scene, &lines);
-    Some(Figure::new(&chart.caption, "Figure 2", &cited(CAPTION), chart.svg_with(inset.as_ref())))
+    Some(chart.svg_with(inset(scene, &lines).as_ref()))
 }
 
 /// Normal stresses above the critical one, those below it, and the critical one: solid, dashed and dotted, as in the paper.

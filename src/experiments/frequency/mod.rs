@@ -9,12 +9,12 @@ pub use run::{FrequencyLine, FrequencyOutcome, frequency_lines};
 pub use section::FrequencySection;
 
 use crate::experiments::work::DECISION_S;
-use crate::experiments::{Experiment, FigureMaker, Requirement, Setting, TableMaker, Work};
+use crate::experiments::{Drawer, Experiment, Requirement, Setting, TableMaker, Work};
 
 impl Experiment for FrequencySection {
     type Outcome = FrequencyOutcome;
     const REQUIREMENT: Requirement = Requirement::CriticalNormalStress;
-    const FIGURES: &'static [&'static [FigureMaker]] = &[figures::FIGURES];
+    const FIGURES: &'static [&'static [Drawer]] = &[figures::FIGURES];
     const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
 
     fn work(&self) -> Work {

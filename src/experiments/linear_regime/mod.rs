@@ -13,11 +13,11 @@ pub use run::{LinearRegimeOutcome, Mismatch, ModeRuns, linear_regime};
 pub use section::LinearRegimeSection;
 pub use steady_sliding::{SteadyRun, steady_sliding};
 
-use crate::experiments::{Experiment, FigureMaker, Setting, TableMaker, Work};
+use crate::experiments::{Drawer, Experiment, Setting, TableMaker, Work};
 
 impl Experiment for LinearRegimeSection {
     type Outcome = LinearRegimeOutcome;
-    const FIGURES: &'static [&'static [FigureMaker]] = &[figures::FIGURES];
+    const FIGURES: &'static [&'static [Drawer]] = &[figures::FIGURES];
     const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
 
     fn work(&self) -> Work {

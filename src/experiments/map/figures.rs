@@ -7,46 +7,16 @@ use crate::experiments::shared::Grid;
 use crate::experiments::shared::axes::{asymptote_lines, axes, boundary_lines, cusp_mark, transition_line};
 use crate::experiments::shared::bands::{FINE, band_lines};
 use crate::experiments::shared::map_readout::readout;
-use crate::experiments::{Figure, FigureMaker, Need, SceneOutcome};
-use crate::scene::cited;
+use crate::experiments::{Drawer, SceneOutcome, Words};
 use slipmode_core::number::nearest_f64;
 use slipmode_core::stability::Arc;
 use slipmode_core::stability::boundary::BoundaryPoint;
-use slipmode_plot::figure::{Axis, Caption, ColourScale, HeatMap, Line, LineRole};
+use slipmode_plot::figure::{Axis, ColourScale, HeatMap, Line, LineRole};
 
-pub(crate) const FIGURES: &[FigureMaker] = &[
-    FigureMaker::new("fig-1", &[Need::Map, Need::Boundary], &["boundary"], |outcome| {
-        frequency_map(outcome.potentially_unstable()?, &FIG_1)
-    }),
-    FigureMaker::new("fig-6a", &[Need::Map, Need::Boundary], &["boundary"], |outcome| {
-        frequency_map(outcome.never_unstable()?, &FIG_6A)
-    }),
+pub(crate) const FIGURES: &[Drawer] = &[
+    ("fig-1", |outcome, words| frequency_map(outcome.potentially_unstable()?, words)),
+    ("fig-6a", |outcome, words| frequency_map(outcome.never_unstable()?, words)),
 ];
-
-/// The words around a map.
-pub(crate) struct Words {
-    pub id: &'static str,
-    pub label: &'static str,
-    pub title: &'static str,
-    pub caption: &'static str,
-    pub description: &'static str,
-}
-
-pub(crate) const FIG_1: Words = Words {
-    id: "fig-1",
-    label: "Figure 1",
-    title: "Largest imaginary part of the roots of {characteristic}, a < b",
-    caption: "Largest imaginary part of the three roots for a < b (compare fig 1 of the paper). Every point was classified exactly. Solid line: exact boundary. Dashed lines: its four asymptotes. White line: transition. Thin lines divide the brightest colours. The paper shows the asymptotes and the colours; the exact boundary and the cusp are added here.",
-    description: "Map over loading velocity and normal stress. Two areas without colour do not oscillate, one at high and one at low normal stress. Exact lines that join pairs of dashed asymptotes bound them. The lower area ends in a cusp to the right of the asymptotes' corner. The frequency rises from left to right and saturates at the natural frequency.",
-};
-
-pub(crate) const FIG_6A: Words = Words {
-    id: "fig-6a",
-    label: "Figure 6a",
-    title: "Largest imaginary part of the roots of {characteristic}, a ≥ b",
-    caption: "Largest imaginary part of the three roots for a ≥ b (compare fig 6a of the paper). Every point was classified exactly. There is no transition. The paper draws the asymptotes of fig 3a here; the line of {inertial-lower} and the contours of this slider lie at other velocities, because they depend on a and not on b.",
-    description: "Map over loading velocity and normal stress for a not below b: areas without colour do not oscillate, at low and, unless a equals b, at high normal stress. Exact lines that join pairs of dashed asymptotes bound them. There is no transition line.",
-};
 
 pub(crate) fn theory_lines(
     scene: &SceneOutcome,
@@ -87,13 +57,13 @@ fn error_bands(scene: &SceneOutcome, x: &Axis, y: &Axis) -> Vec<Line> {
     region.map_or_else(Vec::new, |region| band_lines(region, x, y, FINE))
 }
 
-fn frequency_map(scene: &SceneOutcome, words: &Words) -> Option<Figure> {
+fn frequency_map(scene: &SceneOutcome, words: &Words) -> Option<String> {
     let (map, boundary) = (scene.map.as_ref()?, scene.boundary.as_ref()?);
     let (x, y) = axes(map)?;
     let parameters = scene.slider()?;
     let natural = parameters.map(nearest_f64).natural_angular_frequency_per_s();
     let heat_map = HeatMap {
-        caption: Caption::new(words.id, &cited(words.title), words.description),
+        caption: words.caption.clone(),
         columns: map.loading_velocity_m_per_s.len(),
         values: frequencies(map),
         colours: ColourScale::new("max Im(*s*)", "1/s", (natural * 1e-4, natural), STEPS).with_contours(
@@ -107,12 +77,7 @@ fn frequency_map(scene: &SceneOutcome, words: &Words) -> Option<Figure> {
         x,
         y,
     };
-    Some(Figure::new(
-        &heat_map.caption,
-        words.label,
-        &cited(words.caption),
-        heat_map.svg_with(Some(&readout(map, boundary))),
-    ))
+    Some(heat_map.svg_with(Some(&readout(map, boundary))))
 }
 
 /// Colour steps of the map: six a decade.

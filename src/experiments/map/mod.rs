@@ -9,11 +9,11 @@ pub use run::{MapPoint, classify_rectangle};
 pub use section::MapSection;
 
 use crate::experiments::shared::Grid;
-use crate::experiments::{Experiment, FigureMaker, Setting, TableMaker, Work};
+use crate::experiments::{Drawer, Experiment, Setting, TableMaker, Work};
 
 impl Experiment for MapSection {
     type Outcome = Grid<MapPoint>;
-    const FIGURES: &'static [&'static [FigureMaker]] = &[figures::FIGURES];
+    const FIGURES: &'static [&'static [Drawer]] = &[figures::FIGURES];
     const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
 
     fn work(&self) -> Work {

@@ -16,14 +16,14 @@ pub use kicks::{Border, SmallestKick};
 pub use run::{NearRun, NearTransitionOutcome, near_transition};
 pub use section::{KicksSection, NearTransitionSection};
 
-use crate::experiments::{Experiment, FigureMaker, Requirement, Setting, TableMaker, Work};
+use crate::experiments::{Drawer, Experiment, Requirement, Setting, TableMaker, Work};
 use slipmode_core::number::nearest_f64;
 
 impl Experiment for NearTransitionSection {
     type Outcome = NearTransitionOutcome;
     const REQUIREMENT: Requirement = Requirement::CriticalNormalStress;
     const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
-    const FIGURES: &'static [&'static [FigureMaker]] = &[figures::FIGURES];
+    const FIGURES: &'static [&'static [Drawer]] = &[figures::FIGURES];
 
     fn work(&self) -> Work {
         let grid = self.inertial_parameter.len() as f64 * self.stiffness_over_critical.len() as f64;

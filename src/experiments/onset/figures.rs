@@ -1,22 +1,21 @@
 //! Runs on either side of the onset of oscillation, with the velocities of theory (fig 4).
 
 use crate::experiments::onset::ShownRun;
-use crate::experiments::{Figure, FigureMaker, Need, Outcome};
-use crate::scene::cited;
+use crate::experiments::{Drawer, Outcome, Words};
 use slipmode_core::number::format::round_digits;
 use slipmode_core::number::nearest_f64;
 use slipmode_core::stability::Asymptote;
-use slipmode_plot::figure::{Axis, Caption, LineChart, Reference, Series};
+use slipmode_plot::figure::{Axis, LineChart, Reference, Series};
 
-pub(crate) const FIGURES: &[FigureMaker] = &[
-    FigureMaker::new("fig-4a", &[Need::Onset], &["onset", "onset-runs"], |outcome| runs(outcome, 0, "a")),
-    FigureMaker::new("fig-4b", &[Need::Onset], &["onset", "onset-runs"], |outcome| runs(outcome, 1, "b")),
+pub(crate) const FIGURES: &[Drawer] = &[
+    ("fig-4a", |outcome, words| runs(outcome, 0, words)),
+    ("fig-4b", |outcome, words| runs(outcome, 1, words)),
 ];
 
 /// The lowest velocity shown, in units of V_l; the highest is that of the runs.
 const LOWEST: f64 = 0.6;
 
-fn runs(outcome: &Outcome, index: usize, letter: &str) -> Option<Figure> {
+fn runs(outcome: &Outcome, index: usize, words: &mut Words) -> Option<String> {
     let scene = outcome.potentially_unstable()?;
     let found = scene.onset.as_ref()?;
     let mut lines = found.lines.iter().filter(|line| line.asymptote == Asymptote::InertialLower);
@@ -30,26 +29,17 @@ fn runs(outcome: &Outcome, index: usize, letter: &str) -> Option<Figure> {
         round_digits(found.value / line.asymptote_velocity_m_per_s.to_f64(), 4)
     });
     let law = line.seen.first().map_or("", |seen| seen.law.as_str());
-    let visible = round_digits(nearest_f64(&found.visible), 3);
-    let id = format!("fig-4{letter}");
-    let title =
-        format!("Velocity after a start at a tenth of the loading velocity, σ = {stress} Pa, {law} law");
-    let description = format!(
-        "Velocity divided by loading velocity against loaded distance divided by critical slip distance for {} loading velocities. Below the boundary, at {exact} times the velocity of {{inertial-lower}}, the velocity rises once above the loading velocity and returns without falling below it. Well above the boundary it oscillates.",
-        line.shown.len()
-    );
+    let (count, visible) = (line.shown.len().to_string(), round_digits(nearest_f64(&found.visible), 3));
+    words.fill(&[("stress", &stress), ("law", law), ("count", &count), ("exact", &exact), ("seen", &seen)]);
+    words.fill(&[("visible", &visible)]);
     let chart = LineChart {
-        caption: Caption::new(&id, &title, &cited(&description)),
+        caption: words.caption.clone(),
         x: Axis::linear("Loaded distance *V*_l *t*/*D*_c", "", 0.0, until),
         y: Axis::linear("*V*/*V*_l", "", LOWEST, (5.0 * highest).ceil() / 5.0),
         series: line.shown.iter().map(series).chain(line.at_boundary.as_ref().map(boundary_series)).collect(),
         references: vec![Reference::Horizontal { at: 1.0, label: String::new() }],
     };
-    let caption = cited(&format!(
-        "Runs at σ = {stress} Pa with the {law} law on either side of the onset (compare fig 4{letter} of the paper, whose caption must mean Pa). Velocities are in units of that of {{inertial-lower}}. The exact boundary lies at {exact}. From {seen} on, V rises again by {visible} V_l after its first peak. The single rise above V_l below the boundary is no oscillation; it occurs because the spring must shorten. The run at the exact boundary is added to those of the paper."
-    ));
-    (!line.shown.is_empty())
-        .then(|| Figure::new(&chart.caption, &format!("Figure 4{letter}"), &caption, chart.svg()))
+    (!line.shown.is_empty()).then(|| chart.svg())
 }
 
 fn series(run: &ShownRun) -> Series {

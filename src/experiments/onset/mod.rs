@@ -14,13 +14,13 @@ pub use search::{Located, SeenOnset};
 pub use section::OnsetSection;
 
 use crate::experiments::work::SEARCH_RUNS;
-use crate::experiments::{Experiment, FigureMaker, Setting, TableMaker, Work};
+use crate::experiments::{Drawer, Experiment, Setting, TableMaker, Work};
 use slipmode_core::number::nearest_f64;
 
 impl Experiment for OnsetSection {
     type Outcome = OnsetOutcome;
     const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
-    const FIGURES: &'static [&'static [FigureMaker]] = &[figures::FIGURES];
+    const FIGURES: &'static [&'static [Drawer]] = &[figures::FIGURES];
 
     fn work(&self) -> Work {
         let runs = SEARCH_RUNS * self.laws.len() as f64 + self.velocity_over_asymptote.len() as f64;

@@ -6,19 +6,13 @@ use crate::experiments::shared::axes::axes;
 use crate::experiments::shared::map_readout::readout;
 use crate::experiments::trajectories::curves::point_marks;
 use crate::experiments::zones::figures::present_zones;
-use crate::experiments::{Figure, FigureMaker, Need, Outcome, SceneOutcome};
+use crate::experiments::{Drawer, Outcome, SceneOutcome, Words};
 use slipmode_core::number::nearest_f64;
-use slipmode_plot::figure::{Axis, Caption, PointMark, Side, ZoneMap};
+use slipmode_plot::figure::{Axis, PointMark, Side, ZoneMap};
 
-const NEEDS: &[Need] = &[Need::OperatingPoint, Need::Map, Need::Boundary];
+pub(crate) const FIGURES: &[Drawer] = &[("operating-map", |outcome, words| operating_map(outcome, words))];
 
-pub(crate) const FIGURES: &[FigureMaker] = &[FigureMaker::new("operating-map", NEEDS, &[], operating_map)];
-
-const TITLE: &str = "Slip modes around the operating point";
-const CAPTION: &str = "Slip modes of the middle values, decided exactly at every point, within the operating range and half a decade around it. Bands: where the lines lie for the values within the error bars. A line that is not drawn does not cross this range.";
-const DESCRIPTION: &str = "Map of the slip modes over loading velocity and normal stress, with the operating point, the points of the runs, and the lines between the modes that cross it.";
-
-fn operating_map(outcome: &Outcome) -> Option<Figure> {
+fn operating_map(outcome: &Outcome, words: &Words) -> Option<String> {
     let scene = outcome.scenes.iter().find(|scene| scene.operating_point.is_some())?;
     let (map, boundary) = (scene.map.as_ref()?, scene.boundary.as_ref()?);
     let (x, y) = axes(map)?;
@@ -27,7 +21,7 @@ fn operating_map(outcome: &Outcome) -> Option<Figure> {
     let marks =
         if runs.is_empty() { operating_point_mark(scene, &x, &y).into_iter().collect() } else { runs };
     let zones = ZoneMap {
-        caption: Caption::new("operating-map", TITLE, DESCRIPTION),
+        caption: words.caption.clone(),
         zones: present_zones(modes, map.loading_velocity_m_per_s.len(), &x, &y),
         lines: known_lines(scene, boundary, &x, &y),
         marks,
@@ -35,7 +29,7 @@ fn operating_map(outcome: &Outcome) -> Option<Figure> {
         x,
         y,
     };
-    Some(Figure::own(&zones.caption, CAPTION, zones.svg_with(Some(&readout(map, boundary)))))
+    Some(zones.svg_with(Some(&readout(map, boundary))))
 }
 
 /// The scene's operating point as a mark on a map, its name towards the middle; none when the scene states none, or outside of the axes.

@@ -16,13 +16,13 @@ pub use words::{operating_point_words, range_words, what_decides_words, what_lea
 pub(crate) use figures::operating_point_mark;
 pub(crate) use words::error_bars;
 
-use crate::experiments::{Experiment, FigureMaker, Requirement, Setting, TableMaker, Work};
+use crate::experiments::{Drawer, Experiment, Requirement, Setting, TableMaker, Work};
 
 impl Experiment for OperatingPointSection {
     type Outcome = OperatingPointOutcome;
     const REQUIREMENT: Requirement = Requirement::OperatingPoint;
     const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
-    const FIGURES: &'static [&'static [FigureMaker]] = &[figures::FIGURES];
+    const FIGURES: &'static [&'static [Drawer]] = &[figures::FIGURES];
 
     fn work(&self) -> Work {
         Work::points(1.0, SECONDS)

@@ -2,27 +2,21 @@
 
 use crate::experiments::boundary::BoundaryOutcome;
 use crate::experiments::zones::figures::present_zones;
-use crate::experiments::{Figure, FigureMaker, Need, SceneOutcome};
+use crate::experiments::{Drawer, SceneOutcome, Words};
 use slipmode_core::number::nearest_f64;
 use slipmode_core::stability::Arc;
-use slipmode_plot::figure::{Axis, Caption, Line, LineRole, ZoneMap};
+use slipmode_plot::figure::{Axis, Line, LineRole, ZoneMap};
 
-pub(crate) const FIGURES: &[FigureMaker] =
-    &[FigureMaker::new("own-weight", &[Need::OwnWeight, Need::Boundary], &[], |outcome| {
-        outcome.scenes.iter().find_map(plane)
-    })];
+pub(crate) const FIGURES: &[Drawer] =
+    &[("own-weight", |outcome, words| outcome.scenes.iter().find_map(|scene| plane(scene, words)))];
 
-const TITLE: &str = "Slip modes of a slider under its own weight";
-const DESCRIPTION: &str = "Map of the slip modes over loading velocity and stiffness over mass. Below and to the right of the transition sliding is unstable. At low velocity the transition is level, at high velocity it rises with the square of the velocity.";
-const CAPTION: &str = "Slip modes of a slider whose weight is its normal stress, σ = M g, decided exactly at every point, over loading velocity and K/M. The slip modes depend on K and M through K/M only. Dotted line: K/M of this report.";
-
-fn plane(scene: &SceneOutcome) -> Option<Figure> {
+fn plane(scene: &SceneOutcome, words: &Words) -> Option<String> {
     let (found, boundary) = (scene.own_weight.as_ref()?, scene.boundary.as_ref()?);
     let (velocities, ratios) = (&found.loading_velocity_m_per_s, &found.stiffness_over_mass_per_s2);
     let x = Axis::log10("Loading velocity *V*_0", "m/s", *velocities.first()?, *velocities.last()?);
     let y = Axis::log10("*K*/*M*", "1/s²", *ratios.first()?, *ratios.last()?);
     let map = ZoneMap {
-        caption: Caption::new("own-weight", TITLE, DESCRIPTION),
+        caption: words.caption.clone(),
         zones: present_zones(found.slip_modes.iter().copied(), velocities.len(), &x, &y),
         lines: lines(scene, boundary, [x.min, x.max])?,
         marks: Vec::new(),
@@ -30,7 +24,7 @@ fn plane(scene: &SceneOutcome) -> Option<Figure> {
         x,
         y,
     };
-    Some(Figure::own(&map.caption, CAPTION, map.svg()))
+    Some(map.svg())
 }
 
 /// Vertices of the transition.

@@ -8,12 +8,12 @@ pub use run::{OwnWeightOutcome, own_weight};
 pub use section::OwnWeightSection;
 
 use crate::experiments::work::DECISION_S;
-use crate::experiments::{Experiment, FigureMaker, Setting, TableMaker, Work};
+use crate::experiments::{Drawer, Experiment, Setting, TableMaker, Work};
 
 impl Experiment for OwnWeightSection {
     type Outcome = OwnWeightOutcome;
     const TABLES: &'static [&'static [TableMaker]] = &[];
-    const FIGURES: &'static [&'static [FigureMaker]] = &[figures::FIGURES];
+    const FIGURES: &'static [&'static [Drawer]] = &[figures::FIGURES];
 
     fn work(&self) -> Work {
         Work::points(self.points() as f64, DECISION_S)

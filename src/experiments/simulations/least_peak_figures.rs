@@ -5,26 +5,18 @@ use crate::experiments::shared::axes::axes;
 use crate::experiments::shared::map_readout::simulated_readout;
 use crate::experiments::simulations::map_figure::{least_peak_line, peak_velocity};
 use crate::experiments::simulations::{LeastPeak, SimulatedPoint};
-use crate::experiments::{Figure, FigureMaker, Need, SceneOutcome};
+use crate::experiments::{Drawer, SceneOutcome, Words};
 use crate::scene::cited;
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::format::round_digits;
 use slipmode_core::number::nearest_f64;
 use slipmode_core::stability::Asymptote;
-use slipmode_plot::figure::{
-    Axis, Caption, ColourScale, HeatMap, Line, LineChart, LineRole, Reference, Series,
-};
+use slipmode_plot::figure::{Axis, ColourScale, HeatMap, Line, LineChart, LineRole, Reference, Series};
 
-pub(crate) const FIGURES: &[FigureMaker] = &[
-    FigureMaker::new("fig-5a", &[Need::Simulations], &["simulations", "least-peaks"], |outcome| {
-        map(outcome.potentially_unstable()?)
-    }),
-    FigureMaker::new("fig-5b", &[Need::Simulations], &["simulations", "least-peaks"], |outcome| {
-        curves(outcome.potentially_unstable()?, EvolutionLaw::Slip, "fig-5b", "Figure 5b")
-    }),
-    FigureMaker::new("fig-5b-aging", &[Need::Simulations], &["simulations", "least-peaks"], |outcome| {
-        curves(outcome.potentially_unstable()?, EvolutionLaw::Aging, "fig-5b-aging", "Figure 5b, aging law")
-    }),
+pub(crate) const FIGURES: &[Drawer] = &[
+    ("fig-5a", |outcome, words| map(outcome.potentially_unstable()?, words)),
+    ("fig-5b", |outcome, words| curves(outcome.potentially_unstable()?, EvolutionLaw::Slip, words)),
+    ("fig-5b-aging", |outcome, words| curves(outcome.potentially_unstable()?, EvolutionLaw::Aging, words)),
 ];
 
 /// The velocity at which the paper normalises, 10^−5.5 m/s.
@@ -45,9 +37,7 @@ fn normalised(grid: &Grid<SimulatedPoint>) -> Option<Vec<f64>> {
     Some(grid.values.chunks(grid.loading_velocity_m_per_s.len()).flat_map(row).collect())
 }
 
-const MAP: &str = "Map over loading velocity and normal stress of the peak velocity divided by that at the lowest loading velocities. From left to right it falls to a flat minimum close to the line of {inertial-upper} and rises steeply beyond it.";
-
-fn map(scene: &SceneOutcome) -> Option<Figure> {
+fn map(scene: &SceneOutcome, words: &mut Words) -> Option<String> {
     let outcome = scene.simulations.as_ref()?;
     let (law, grid) = outcome.grids.first()?;
     let (x, mut y) = axes(grid)?;
@@ -64,7 +54,7 @@ fn map(scene: &SceneOutcome) -> Option<Figure> {
     };
     let said = scene.boundary.as_ref().map(|boundary| simulated_readout(&shown, boundary));
     let low = values.iter().copied().filter(|value| *value > 0.0).fold(f64::INFINITY, f64::min);
-    let law_word = law.as_str();
+    words.fill(&[("law", law.as_str())]);
     let eq18 = |stress: f64| {
         let slider = scene.slider()?.map(nearest_f64);
         Some(Asymptote::InertialUpper.value(&slider, &stress))
@@ -79,9 +69,8 @@ fn map(scene: &SceneOutcome) -> Option<Figure> {
         let stress = least.normal_stress_pa;
         Line::new("normal stresses of fig 5b", LineRole::Section, vec![(from, stress), (to, stress)])
     });
-    let title = format!("Peak velocity divided by that at 10^−5.5 m/s, {law_word} law, a < b");
     let map = HeatMap {
-        caption: Caption::new("fig-5a", &title, &cited(MAP)),
+        caption: words.caption.clone(),
         columns,
         colours: ColourScale::new(
             "Normalised peak",
@@ -97,14 +86,7 @@ fn map(scene: &SceneOutcome) -> Option<Figure> {
         x,
         y,
     };
-    Some(Figure::new(
-        &map.caption,
-        "Figure 5a",
-        &cited(&format!(
-            "Peak velocity of the limit cycle with the {law_word} law, divided by that at 10⁻⁵·⁵ m/s and the same normal stress (compare fig 5a of the paper). The dashed line is {{inertial-upper}}. The dotted line joins the minima found by minimisation, which the paper does not have: it reads the minimum off the colours. The paper colours its lines of constant normal stress one by one."
-        )),
-        map.svg_with(said.as_ref()),
-    ))
+    Some(map.svg_with(said.as_ref()))
 }
 
 /// Normalised peak that takes the brightest colour, with all above it: the valley is what the figure is about.
@@ -123,7 +105,7 @@ const CURVES: usize = 5;
 const LOWEST: f64 = 1e-2;
 const HIGHEST: f64 = 10.0;
 
-fn curves(scene: &SceneOutcome, law: EvolutionLaw, id: &str, label: &str) -> Option<Figure> {
+fn curves(scene: &SceneOutcome, law: EvolutionLaw, words: &mut Words) -> Option<String> {
     let outcome = scene.simulations.as_ref()?;
     let (_, grid) = outcome.grids.iter().find(|(of, _)| *of == law)?;
     let of_law: Vec<&LeastPeak> = outcome.least_peaks.iter().filter(|least| least.law == law).collect();
@@ -136,26 +118,15 @@ fn curves(scene: &SceneOutcome, law: EvolutionLaw, id: &str, label: &str) -> Opt
     let heights = || series.iter().flat_map(|line| &line.points).filter(|p| p.0 > LOWEST && p.0 < HIGHEST);
     let (low, high) =
         (heights().map(|p| p.1).fold(f64::INFINITY, f64::min), heights().map(|p| p.1).fold(0.0, f64::max));
-    let description = format!(
-        "Normalised peak velocity with the {} law against loading velocity divided by that of {{inertial-upper}}, for several normal stresses. Every curve falls to a flat minimum near 1 and rises beyond it.",
-        law.as_str()
-    );
-    let title = cited(&format!(
-        "Normalised peak velocity against V_l divided by that of {{inertial-upper}}, {} law",
-        law.as_str()
-    ));
+    words.fill(&[("asymptote", "{inertial-upper}")]);
     let chart = LineChart {
-        caption: Caption::new(id, &title, &description),
+        caption: words.caption.clone(),
         x: Axis::log10(&cited("*V*_l / velocity of {inertial-upper}"), "", LOWEST, HIGHEST),
         y: Axis::linear("Peak velocity / that at 10^{−5.5} m/s", "", 0.8 * low, 1.25 * high),
         series,
         references: vec![Reference::Vertical { at: 1.0, label: cited("{inertial-upper}") }],
     };
-    let caption = cited(&format!(
-        "Normalised peak velocity of the limit cycle with the {} law against the loading velocity divided by that of {{inertial-upper}} (compare fig 5b of the paper), with the minima found by minimisation. Every marker is a converged run. The paper joins the runs of its grid by lines and has no minima between them.",
-        law.as_str()
-    ));
-    (!chosen.is_empty()).then(|| Figure::new(&chart.caption, label, &caption, chart.svg()))
+    (!chosen.is_empty()).then(|| chart.svg())
 }
 
 /// The normal stresses whose curves are drawn.

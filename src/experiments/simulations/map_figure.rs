@@ -6,26 +6,19 @@ use crate::experiments::shared::axes::axes;
 use crate::experiments::shared::map_readout::simulated_readout;
 use crate::experiments::simulations::{LeastPeak, SimulatedPoint, SimulationsOutcome};
 use crate::experiments::trajectories::curves::point_marks;
-use crate::experiments::{Figure, FigureMaker, Need, SceneOutcome};
-use crate::scene::cited;
+use crate::experiments::{Drawer, SceneOutcome, Words};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::nearest_f64;
 use slipmode_core::stability::Asymptote;
-use slipmode_plot::figure::{Caption, ColourScale, HeatMap, Line, LineRole, PointMark, Side};
+use slipmode_plot::figure::{ColourScale, HeatMap, Line, LineRole, PointMark, Side};
 
-pub(crate) const FIGURES: &[FigureMaker] = &[FigureMaker::new(
-    "fig-3a",
-    &[Need::Simulations, Need::Boundary],
-    &["simulations", "least-peaks"],
-    |outcome| peak_map(outcome.potentially_unstable()?),
-)];
+pub(crate) const FIGURES: &[Drawer] =
+    &[("fig-3a", |outcome, words| peak_map(outcome.potentially_unstable()?, words))];
 
-const TITLE: &str = "Peak velocity of the simulated limit cycles, slip law, a < b";
-const DESCRIPTION: &str = "Map over loading velocity and normal stress. Simulations that end in steady sliding fill the lower left, without colour, up to the line of the transition. Beyond it the peak velocity rises with normal stress; from left to right it falls to a minimum near {inertial-upper} and then rises.";
 const LETTERS: &str = " Letters mark the points of figs 3b to 3g, and 4a and 4b their runs.";
-const CAPTION: &str = "Peak velocity of the limit cycle, simulated on a grid with the slip law (compare fig 3a of the paper), with the exact boundary, its asymptotes and the transition of the linear theory. Points that end in steady sliding have no colour. The dotted line joins the lowest peak velocities at given normal stress (compare fig 5). The edge of the colour lies half-way between grid points. The paper has one circle a simulation and an approximate line between fast and slow oscillation; the exact boundary and the line of lowest peaks are added here.";
 
-fn peak_map(scene: &SceneOutcome) -> Option<Figure> {
+fn peak_map(scene: &SceneOutcome, words: &mut Words) -> Option<String> {
+    words.fill(&[("letters", if scene.trajectories.is_some() { LETTERS } else { "" })]);
     let outcome = scene.simulations.as_ref()?;
     let (_, grid) = outcome.grids.iter().find(|(law, _)| *law == LAW)?;
     let (x, y) = axes(grid)?;
@@ -37,7 +30,7 @@ fn peak_map(scene: &SceneOutcome) -> Option<Figure> {
     let mut lines = theory_lines(scene, boundary, &x, &y);
     lines.push(least_peak_line(outcome, LAW));
     let map = HeatMap {
-        caption: Caption::new("fig-3a", TITLE, &cited(DESCRIPTION)),
+        caption: words.caption.clone(),
         columns: grid.loading_velocity_m_per_s.len(),
         colours: ColourScale::new(
             "Peak velocity",
@@ -57,14 +50,7 @@ fn peak_map(scene: &SceneOutcome) -> Option<Figure> {
         x,
         y,
     };
-    highest.is_normal().then(|| {
-        Figure::new(
-            &map.caption,
-            "Figure 3a",
-            &if scene.trajectories.is_some() { format!("{CAPTION}{LETTERS}") } else { CAPTION.into() },
-            map.svg_with(Some(&simulated_readout(grid, boundary))),
-        )
-    })
+    highest.is_normal().then(|| map.svg_with(Some(&simulated_readout(grid, boundary))))
 }
 
 /// The runs of figs 4a and 4b; the fastest of each has the name of its figure.

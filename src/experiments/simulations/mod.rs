@@ -19,14 +19,14 @@ pub use vibration_limit::{STEP as VIBRATION_STEP, StrongVibration, strong_vibrat
 pub use words::range_of_velocities;
 
 use crate::experiments::work::rectangle_points;
-use crate::experiments::{Experiment, FigureMaker, Setting, TableMaker, Work};
+use crate::experiments::{Drawer, Experiment, Setting, TableMaker, Work};
 use slipmode_core::number::nearest_f64;
 
 impl Experiment for SimulationsSection {
     type Outcome = SimulationsOutcome;
     const TABLES: &'static [&'static [TableMaker]] =
         &[tables::TABLES, deep_stick_slip::TABLES, run_tables::TABLES];
-    const FIGURES: &'static [&'static [FigureMaker]] =
+    const FIGURES: &'static [&'static [Drawer]] =
         &[least_peak_figures::FIGURES, map_figure::FIGURES, overshoot_figure::FIGURES];
 
     fn work(&self) -> Work {

@@ -5,32 +5,23 @@ use crate::experiments::shared::axes::axes;
 use crate::experiments::shared::map_readout::simulated_readout;
 use crate::experiments::simulations::SimulatedPoint;
 use crate::experiments::trajectories::curves::point_marks;
-use crate::experiments::{Figure, FigureMaker, Need, SceneOutcome};
-use crate::scene::cited;
+use crate::experiments::{Drawer, SceneOutcome, Words};
 use slipmode_core::friction::EvolutionLaw;
-use slipmode_plot::figure::{Caption, ColourScale, HeatMap, Side};
+use slipmode_plot::figure::{ColourScale, HeatMap, Side};
 
-pub(crate) const FIGURES: &[FigureMaker] = &[FigureMaker::new(
-    "fig-6a-simulated",
-    &[Need::Simulations, Need::Boundary],
-    &["simulations"],
-    |outcome| overshoot_map(outcome.never_unstable()?),
-)];
-
-const TITLE: &str = "Overshoot of the simulated approach to steady sliding, slip law, a ≥ b";
-const DESCRIPTION: &str = "Map over loading velocity and normal stress for a not below b. Unless a equals b, there is an area without colour and without overshoot at high normal stress; its edge follows the exact upper boundary. Everywhere else the velocity exceeds the loading velocity, by more at higher loading velocity. This holds also in the lower area, which the linear theory calls overdamped; the colour continues across the lower boundary without a step.";
-const CAPTION: &str = "Overshoot of the velocity above the loading velocity after a start at a tenth of it, as a fraction of the loading velocity, simulated on a grid with the slip law (compare fig 6a of the paper; every run ends in steady sliding; the paper shows a few runs on its map of frequencies), with the exact boundary and its asymptotes. The overshoot ends along the exact upper boundary, as at critical damping. In the lower area runs exceed the loading velocity and return, although no root of {characteristic} is complex there. Values are converged; the edges of colour are sampled, half-way between grid points.";
+pub(crate) const FIGURES: &[Drawer] =
+    &[("fig-6a-simulated", |outcome, words| overshoot_map(outcome.never_unstable()?, words))];
 
 /// The law of the paper's figure.
 const LAW: EvolutionLaw = EvolutionLaw::Slip;
 
-fn overshoot_map(scene: &SceneOutcome) -> Option<Figure> {
+fn overshoot_map(scene: &SceneOutcome, words: &Words) -> Option<String> {
     let outcome = scene.simulations.as_ref()?;
     let (_, grid) = outcome.grids.iter().find(|(law, _)| *law == LAW)?;
     let (x, y) = axes(grid)?;
     let boundary = scene.boundary.as_ref()?;
     let map = HeatMap {
-        caption: Caption::new("fig-6a-simulated", TITLE, DESCRIPTION),
+        caption: words.caption.clone(),
         columns: grid.loading_velocity_m_per_s.len(),
         values: grid.points().map(|(velocity, _, point)| overshoot(velocity, point)).collect(),
         colours: ColourScale::new("Overshoot *V*/*V*_l − 1", "", (0.01, 1.0), 20),
@@ -41,12 +32,7 @@ fn overshoot_map(scene: &SceneOutcome) -> Option<Figure> {
         x,
         y,
     };
-    Some(Figure::new(
-        &map.caption,
-        "Figure 6a, simulated",
-        &cited(CAPTION),
-        map.svg_with(Some(&simulated_readout(grid, boundary))),
-    ))
+    Some(map.svg_with(Some(&simulated_readout(grid, boundary))))
 }
 
 /// The panel's letter at its first point: `b` for `6b-1`.

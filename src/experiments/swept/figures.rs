@@ -2,22 +2,18 @@
 
 use crate::experiments::map::figures::theory_lines;
 use crate::experiments::swept::Swept;
-use crate::experiments::{Figure, FigureMaker, Need, Outcome, SceneOutcome};
+use crate::experiments::{Drawer, Outcome, SceneOutcome, Words};
 use crate::scene::cited;
 use crate::sweep::{SummarySection, SweepWork};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::Rational;
 use slipmode_core::stability::SlipMode;
 use slipmode_core::stability::deviation::{CornerErrors, corner_errors};
-use slipmode_plot::figure::{Axis, Caption, ColourScale, HeatMap, LineChart, Reference, Series};
+use slipmode_plot::figure::{Axis, ColourScale, HeatMap, LineChart, Reference, Series};
 
-pub(crate) const FIGURES: &[FigureMaker] = &[
-    FigureMaker::new("swept-laws", &[Need::Swept, Need::Boundary], &["swept-modes"], |outcome| {
-        laws_map(outcome.potentially_unstable()?, simulated(outcome)?)
-    }),
-    FigureMaker::new("swept-errors", &[Need::Swept], &["swept-worst"], |outcome| {
-        worst_errors(&worst_by_effect_ratio(measured(outcome)?)?)
-    }),
+pub(crate) const FIGURES: &[Drawer] = &[
+    ("swept-laws", |outcome, words| laws_map(outcome.potentially_unstable()?, simulated(outcome)?, words)),
+    ("swept-errors", |outcome, words| worst_errors(&worst_by_effect_ratio(measured(outcome)?)?, words)),
 ];
 
 /// Every sweep.
@@ -53,15 +49,12 @@ pub(crate) fn value_place(kept: &SummarySection, name: &str) -> Option<usize> {
     names.into_iter().position(|found| found == name)
 }
 
-const LAWS_TITLE: &str = "Excess of peak velocity with the aging law over the slip law";
-const LAWS: &str = "Map over loading velocity and normal stress of the excess of the mean peak velocity of limit cycles with the aging law over that with the slip law, in small cells. The excess is some tens of percent in stick-slip, larger next to the transition at low velocity, and decreases towards high velocity and low stress. Cells without limit cycles fill the lower left and have no colour.";
-const LAWS_CAPTION: &str = "Relative excess of the mean peak velocity of a cell's limit cycles with the aging law over the slip law, on the grid of fig 3a refined 20-fold in both directions, with the lines of the linear theory, which is the same for both laws. Deep in vibration the cycles agree to 1 %; in stick-slip they differ by a third and more. Excesses below 1 %, the tolerance of the runs, have one colour. Cells without limit cycles have no colour. Sampled; the table of sweeps has the cost of the sweep.";
 /// The excess that the runs' tolerance of 1e-2 lets be seen.
 const LEAST_EXCESS: f64 = 0.01;
 /// Colour steps of the map.
 const STEPS: usize = 20;
 
-fn laws_map(scene: &SceneOutcome, swept: &Swept) -> Option<Figure> {
+fn laws_map(scene: &SceneOutcome, swept: &Swept, words: &Words) -> Option<String> {
     let kept = swept.kept()?;
     let places = [bin_place(kept, "loading_velocity_m_per_s")?, bin_place(kept, "normal_stress_pa")?];
     let edges = places.map(|place| kept.bins[place].edges.coordinates());
@@ -82,9 +75,8 @@ fn laws_map(scene: &SceneOutcome, swept: &Swept) -> Option<Figure> {
     };
     let x = axis("Loading velocity *V*_0", "m/s", &edges[0], columns);
     let y = axis("Normal stress *σ*", "Pa", &edges[1], rows);
-    let caption = Caption::new("swept-laws", LAWS_TITLE, LAWS);
     let map = HeatMap {
-        caption,
+        caption: words.caption.clone(),
         columns,
         values,
         colours: ColourScale::new(
@@ -100,7 +92,7 @@ fn laws_map(scene: &SceneOutcome, swept: &Swept) -> Option<Figure> {
         x,
         y,
     };
-    Some(Figure::own(&map.caption, LAWS_CAPTION, map.svg()))
+    Some(map.svg())
 }
 
 /// The mean peak velocity of limit cycles of either law, cell by cell, σ by σ; 0 where there are none.
@@ -183,14 +175,11 @@ fn derived_worst(effect_ratio: f64) -> [Option<f64>; 2] {
     [upper_worst_log10.map(|worst| worst.to_f64()), Some(lower_worst_log10.to_f64())]
 }
 
-const WORST: &str = "Largest error of the asymptotes against the ratio of evolution to direct effect: for each arc, the line that is derived from the corners, and above it a staircase with the largest distance found in the sweep in each quarter decade. The staircase meets the line at one end of nearly every step.";
-const WORST_CAPTION: &str = "Largest log10 distance between the exact boundary and the nearer asymptote: derived at the corners (dashed), and the largest in each quarter decade of β among the points of a sweep over (β, κ, η) that does not use the corners (staircases). On the upper arc there is no derived value at a = b.";
 /// Points of a derived line in a bin.
 const DERIVED_A_BIN: i32 = 6;
 
-fn worst_errors(worst: &[WorstOfBin]) -> Option<Figure> {
+fn worst_errors(worst: &[WorstOfBin], words: &Words) -> Option<String> {
     let (first, last) = (worst.first()?, worst.last()?);
-    let caption = Caption::new("swept-errors", "Largest error of the asymptotes in a sweep", WORST);
     let derived: Vec<(f64, [Option<f64>; 2])> = worst
         .iter()
         .flat_map(|bin| within(bin.effect_ratio))
@@ -213,7 +202,7 @@ fn worst_errors(worst: &[WorstOfBin]) -> Option<Figure> {
         (1, "lower arc ({quasi-static-lower, inertial-lower})"),
     ];
     let chart = LineChart {
-        caption,
+        caption: words.caption.clone(),
         x: Axis::log10("*β* = *b*/*a*", "", first.effect_ratio[0], last.effect_ratio[1]),
         y: Axis::linear("Largest log10 distance from the nearer asymptote", "", 0.0, 0.5),
         series: names
@@ -223,7 +212,7 @@ fn worst_errors(worst: &[WorstOfBin]) -> Option<Figure> {
             .collect(),
         references: vec![Reference::Vertical { at: 1.0, label: "*a* = *b*".into() }],
     };
-    Some(Figure::own(&chart.caption, WORST_CAPTION, chart.svg()))
+    Some(chart.svg())
 }
 
 /// Places from one end of a bin to the other, evenly in the logarithm.

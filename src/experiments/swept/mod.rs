@@ -8,13 +8,13 @@ pub(crate) mod tables;
 pub use run::{Swept, read_swept};
 pub use section::{SweptEntry, SweptSection};
 
-use crate::experiments::{Experiment, FigureMaker, Requirement, Setting, TableMaker, Work};
+use crate::experiments::{Drawer, Experiment, Requirement, Setting, TableMaker, Work};
 
 impl Experiment for SweptSection {
     type Outcome = Vec<Swept>;
     const REQUIREMENT: Requirement = Requirement::Nothing;
     const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
-    const FIGURES: &'static [&'static [FigureMaker]] = &[figures::FIGURES];
+    const FIGURES: &'static [&'static [Drawer]] = &[figures::FIGURES];
 
     fn work(&self) -> Work {
         Work::on_a_file()

@@ -2,30 +2,24 @@
 
 use crate::experiments::boundary::figures::equation_label;
 use crate::experiments::tolerance::ToleranceOutcome;
-use crate::experiments::{Figure, FigureMaker, Need, SceneOutcome};
+use crate::experiments::{Drawer, SceneOutcome, Words};
 use slipmode_core::number::format::rational_to_decimal;
 use slipmode_core::number::{Rational, nearest_f64};
 use slipmode_core::stability::Asymptote;
-use slipmode_plot::figure::{Axis, Caption, RangeChart, RangeRow, Span};
+use slipmode_plot::figure::{Axis, RangeChart, RangeRow, Span};
 
-pub(crate) const FIGURES: &[FigureMaker] =
-    &[FigureMaker::new("tolerance", &[Need::Tolerance], &["tolerance", "convergence"], |outcome| {
-        good_enough(outcome.potentially_unstable()?)
-    })];
+pub(crate) const FIGURES: &[Drawer] =
+    &[("tolerance", |outcome, words| good_enough(outcome.potentially_unstable()?, words))];
 
-const ENOUGH: &str = "For each asymptote, the range of velocity in which it agrees with the exact boundary within 10, 1 and 0.1 percent.";
-const CAPTION: &str = "Ranges of velocity in which each asymptote may replace the exact boundary, for a < b.";
-
-fn good_enough(scene: &SceneOutcome) -> Option<Figure> {
+fn good_enough(scene: &SceneOutcome, words: &Words) -> Option<String> {
     let outcome = scene.tolerance.as_ref()?;
     let mut tolerances: Vec<&Rational> = outcome.rows.iter().map(|row| &row.tolerance).collect();
     tolerances.sort();
     tolerances.dedup();
     tolerances.reverse();
-    let caption = Caption::new("tolerance", "Where each asymptote is accurate enough", ENOUGH);
     let scale = velocity_scale(scene)?;
     let chart = RangeChart {
-        caption,
+        caption: words.caption.clone(),
         axis: Axis::log10("Loading velocity *V*_0 on the boundary", "m/s", scale * 1e-4, scale * 1e4),
         levels: tolerances
             .iter()
@@ -38,7 +32,7 @@ fn good_enough(scene: &SceneOutcome) -> Option<Figure> {
             .map(|asymptote| range_row(outcome, asymptote, &tolerances, scale))
             .collect(),
     };
-    Some(Figure::own(&chart.caption, CAPTION, chart.svg()))
+    Some(chart.svg())
 }
 
 /// D_c √(K/M), m/s: the velocity at which η/κ = 1.

@@ -12,12 +12,12 @@ pub use tables::place_of_limit;
 pub use words::{accuracy_of_asymptotes, at_most_per_cent};
 
 use crate::experiments::work::certified_point_s;
-use crate::experiments::{Experiment, FigureMaker, Setting, TableMaker, Work};
+use crate::experiments::{Drawer, Experiment, Setting, TableMaker, Work};
 
 impl Experiment for ToleranceSection {
     type Outcome = ToleranceOutcome;
     const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
-    const FIGURES: &'static [&'static [FigureMaker]] = &[figures::FIGURES];
+    const FIGURES: &'static [&'static [Drawer]] = &[figures::FIGURES];
 
     fn work(&self) -> Work {
         Work::points(self.relative.len() as f64, 100.0 * certified_point_s(0.0))

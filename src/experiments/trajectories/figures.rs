@@ -4,39 +4,27 @@ use crate::experiments::trajectories::curves::{
     extent, linear_axis, mode_words, power_markup, runs_of, series, stress_unit, velocity_ratio,
 };
 use crate::experiments::trajectories::{Moment, TrajectoryRun};
-use crate::experiments::{Figure, FigureMaker, Need, SceneOutcome};
+use crate::experiments::{Drawer, SceneOutcome, Words};
 use slipmode_core::friction::{EvolutionLaw, SlipMode};
 use slipmode_core::number::nearest_f64;
-use slipmode_plot::figure::{Axis, Caption, Panel, Panels, Reference};
+use slipmode_plot::figure::{Axis, Panel, Panels, Reference};
 
-pub(crate) const FIGURES: &[FigureMaker] = &[
-    FigureMaker::new("fig-3b-g", &[Need::Trajectories], &["trajectory-modes", "trajectories"], |outcome| {
-        slip_modes(outcome.potentially_unstable()?)
-    }),
-    FigureMaker::new("fig-6b-d", &[Need::Trajectories], &["trajectory-modes", "trajectories"], |outcome| {
-        approaches(outcome.intrinsically_stable()?)
-    }),
+pub(crate) const FIGURES: &[Drawer] = &[
+    ("fig-3b-g", |outcome, words| slip_modes(outcome.potentially_unstable()?, words)),
+    ("fig-6b-d", |outcome, words| approaches(outcome.intrinsically_stable()?, words)),
 ];
 
 /// The law of the paper's figures.
 const LAW: EvolutionLaw = EvolutionLaw::Slip;
 
-const MODES_DESCRIPTION: &str = "Six panels of shear stress against time. Panels b and c show a sawtooth of slow loading and sudden drops, larger and rarer in b at the higher normal stress. Panel d shows a slow oscillation that decays after two swings. Panel e shows a steady vibration at the natural period that neither grows nor decays. Panel f rises once and approaches steady sliding without oscillation. Panel g shows a fast oscillation that decays over more than six swings.";
-const MODES_CAPTION: &str = "Shear stress relative to steady sliding, against time, in each of the six cases of section 3.1 (compare figs 3b to 3g of the paper), slip law, from steady sliding at a tenth of the loading velocity. The paper's text does not state its points; ours lie well inside each area and are marked in figure 3a. Curves are converged, drawn to half a pixel. The table has periods and peaks with their errors.";
-
 /// Height of a panel of the six.
 const MODE_HEIGHT: f64 = 130.0;
 
-fn slip_modes(scene: &SceneOutcome) -> Option<Figure> {
+fn slip_modes(scene: &SceneOutcome, words: &Words) -> Option<String> {
     let panels: Vec<Panel> = runs_of(scene, "3", LAW).into_iter().filter_map(mode_panel).collect();
-    let figure = Panels {
-        caption: Caption::new("fig-3b-g", "The six slip modes, simulated", MODES_DESCRIPTION),
-        columns: 2,
-        height: MODE_HEIGHT,
-        panels,
-    };
-    (!figure.panels.is_empty())
-        .then(|| Figure::new(&figure.caption, "Figures 3b to 3g", MODES_CAPTION, figure.svg()))
+    let is_empty = panels.is_empty();
+    let figure = Panels { caption: words.caption.clone(), columns: 2, height: MODE_HEIGHT, panels };
+    (!is_empty).then(|| figure.svg())
 }
 
 fn mode_panel(run: &TrajectoryRun) -> Option<Panel> {
@@ -61,9 +49,6 @@ pub(crate) fn place_words(run: &TrajectoryRun) -> String {
     format!("*σ* = {stress} Pa, *V*_l = {velocity} m/s")
 }
 
-const APPROACH_DESCRIPTION: &str = "Three panels of velocity divided by loading velocity against time, four loading velocities in each. In panel b, at high normal stress, the slower two rise to the loading velocity without exceeding it, and the faster two vibrate about it. In panel c the slower two show one rise and one trough, and the faster two vibrate. In panel d, at low normal stress, the slower two exceed the loading velocity by less than a tenth and return to it slowly from above, and the faster two vibrate.";
-const APPROACH_CAPTION: &str = "Velocity divided by loading velocity after a start at a tenth of it, for a > b and the slip law (compare figs 6b to 6d of the paper): across the upper boundary (b), from non-inertial to inertial oscillation (c) and across the lower boundary (d). The legend names the exact class of each point: overdamped, or a non-inertial or inertial underdamped oscillation. The paper's text does not state its points; ours are marked in the simulated figure 6a. Curves are converged, drawn to half a pixel.";
-
 /// Height of a panel of the three.
 const APPROACH_HEIGHT: f64 = 170.0;
 
@@ -74,20 +59,12 @@ const APPROACHES: [(&str, &str); 3] = [
     ("6d", "**d** across the lower boundary"),
 ];
 
-fn approaches(scene: &SceneOutcome) -> Option<Figure> {
+fn approaches(scene: &SceneOutcome, words: &Words) -> Option<String> {
     let panel = |(prefix, words): (&str, &str)| approach_panel(&runs_of(scene, prefix, LAW), words);
-    let figure = Panels {
-        caption: Caption::new(
-            "fig-6b-d",
-            "The approach to steady sliding for a > b, simulated",
-            APPROACH_DESCRIPTION,
-        ),
-        columns: 1,
-        height: APPROACH_HEIGHT,
-        panels: APPROACHES.into_iter().filter_map(panel).collect(),
-    };
-    (!figure.panels.is_empty())
-        .then(|| Figure::new(&figure.caption, "Figures 6b to 6d", APPROACH_CAPTION, figure.svg()))
+    let panels: Vec<Panel> = APPROACHES.into_iter().filter_map(panel).collect();
+    let is_empty = panels.is_empty();
+    let figure = Panels { caption: words.caption.clone(), columns: 1, height: APPROACH_HEIGHT, panels };
+    (!is_empty).then(|| figure.svg())
 }
 
 fn approach_panel(runs: &[&TrajectoryRun], words: &str) -> Option<Panel> {

@@ -13,13 +13,13 @@ pub use own_runs::own_run_words;
 pub use run::{Course, DRAWING_TOLERANCE, Moment, TrajectoryRun, trajectories};
 pub use section::{TrajectoriesSection, TrajectoryPoint};
 
-use crate::experiments::{Experiment, FigureMaker, Setting, TableMaker, Work};
+use crate::experiments::{Drawer, Experiment, Setting, TableMaker, Work};
 use slipmode_core::number::nearest_f64;
 
 impl Experiment for TrajectoriesSection {
     type Outcome = Vec<TrajectoryRun>;
     const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES, own_runs::TABLES];
-    const FIGURES: &'static [&'static [FigureMaker]] =
+    const FIGURES: &'static [&'static [Drawer]] =
         &[figures::FIGURES, phase_portraits::FIGURES, own_runs::FIGURES];
 
     fn work(&self) -> Work {

@@ -6,23 +6,20 @@ use crate::experiments::trajectories::TrajectoryRun;
 use crate::experiments::trajectories::curves::{linear_axis, runs_of, series, stress_unit};
 use crate::experiments::trajectories::figures::place_words;
 use crate::experiments::trajectories::tables::certain;
-use crate::experiments::{Context, Figure, FigureMaker, Need, Outcome, SceneOutcome, TableMaker};
+use crate::experiments::{Context, Drawer, Need, Outcome, SceneOutcome, TableMaker, Words};
 use crate::scene::Quantity;
 use slipmode_core::dynamics::{Behaviour, Simulation};
 use slipmode_core::friction::EvolutionLaw;
-use slipmode_plot::figure::{Axis, Caption, Panel, Panels, Reference};
+use slipmode_plot::figure::{Axis, Panel, Panels, Reference};
 use slipmode_plot::table::Table;
 
 pub(crate) const TABLES: &[TableMaker] =
     &[TableMaker { id: "own-runs", needs: &[Need::Trajectories], make: runs }];
 
-pub(crate) const FIGURES: &[FigureMaker] =
-    &[FigureMaker::new("own-runs", &[Need::Trajectories], &["own-runs", "trajectories"], |outcome| {
-        panels(outcome.scenes.iter().find(|scene| scene.trajectories.is_some())?)
-    })];
+pub(crate) const FIGURES: &[Drawer] = &[("own-runs", |outcome, words| {
+    panels(outcome.scenes.iter().find(|scene| scene.trajectories.is_some())?, words)
+})];
 
-const DESCRIPTION: &str = "A panel for each point: shear stress against time with both evolution laws. Stick-slip is a sawtooth of slow loading and sudden drops; a run that ends in steady sliding settles at zero.";
-const CAPTION: &str = "Shear stress relative to steady sliding, against time, from steady sliding at a tenth of the loading velocity, middle values. The headings have the slip mode by theory. Curves are converged, drawn to half a pixel.";
 const NOTE: &str = "From steady sliding at a tenth of the loading velocity, middle values. Period and stress drop are those of the limit cycle; a run without them ends in steady sliding. The digits are those that the estimated error leaves certain (converged).";
 
 /// The laws in the order in which scenes name them.
@@ -76,14 +73,11 @@ fn runs(context: &Context) -> Option<Table> {
     Some(table.table())
 }
 
-fn panels(scene: &SceneOutcome) -> Option<Figure> {
-    let figure = Panels {
-        caption: Caption::new("own-runs", "Runs at the operating point and around it", DESCRIPTION),
-        columns: 2,
-        height: HEIGHT,
-        panels: by_point(scene).into_iter().filter_map(panel).collect(),
-    };
-    (!figure.panels.is_empty()).then(|| Figure::own(&figure.caption, CAPTION, figure.svg()))
+fn panels(scene: &SceneOutcome, words: &Words) -> Option<String> {
+    let panels: Vec<Panel> = by_point(scene).into_iter().filter_map(panel).collect();
+    let is_empty = panels.is_empty();
+    let figure = Panels { caption: words.caption.clone(), columns: 2, height: HEIGHT, panels };
+    (!is_empty).then(|| figure.svg())
 }
 
 fn panel(runs: &[TrajectoryRun]) -> Option<Panel> {

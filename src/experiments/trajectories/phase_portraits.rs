@@ -5,35 +5,26 @@ use crate::experiments::trajectories::curves::{
 };
 use crate::experiments::trajectories::figures::place_words;
 use crate::experiments::trajectories::{Moment, TrajectoryRun};
-use crate::experiments::{Figure, FigureMaker, Need, SceneOutcome};
+use crate::experiments::{Drawer, SceneOutcome, Words};
 use slipmode_core::dynamics::Behaviour;
 use slipmode_core::friction::{EvolutionLaw, Slider};
 use slipmode_core::number::{Rational, nearest_f64};
-use slipmode_plot::figure::{Axis, Caption, Panel, Panels, Series};
+use slipmode_plot::figure::{Axis, Panel, Panels, Series};
 
-pub(crate) const FIGURES: &[FigureMaker] =
-    &[FigureMaker::new("phase-portraits", &[Need::Trajectories], &["trajectories"], |outcome| {
-        portraits(outcome.potentially_unstable()?)
-    })];
-
-const DESCRIPTION: &str = "Four panels of shear stress against the logarithm of velocity, each with the straight line of steady sliding, which falls to the right. Stick-slip follows a wide loop: right along the line of failure, down at high velocity, left to very low velocity and up while the spring loads. The loop of the aging law reaches much lower velocities. Harmonic vibration is a smaller loop around the point of steady sliding. The underdamped run spirals into that point. The overdamped run passes it once and returns along one direction.";
-const CAPTION: &str = "Shear stress against velocity for four of the points of figs 3b to 3g, both evolution laws: the limit cycle of the two unstable points, and the whole run of the two stable points from its start at V_l/10 on the line of steady sliding. All runs are clockwise. The two laws have the same linear theory but differ far from steady sliding, most of all in the velocity of the stick phase. Converged, drawn to half a pixel.";
+pub(crate) const FIGURES: &[Drawer] =
+    &[("phase-portraits", |outcome, words| portraits(outcome.potentially_unstable()?, words))];
 
 /// The points, one for each kind of motion.
 const POINTS: [&str; 4] = ["3b", "3e", "3g", "3f"];
 /// Height of a panel.
 const HEIGHT: f64 = 190.0;
 
-fn portraits(scene: &SceneOutcome) -> Option<Figure> {
+fn portraits(scene: &SceneOutcome, words: &Words) -> Option<String> {
     let parameters = scene.slider()?;
-    let figure = Panels {
-        caption: Caption::new("phase-portraits", "Phase portraits of four slip modes", DESCRIPTION),
-        columns: 2,
-        height: HEIGHT,
-        panels: POINTS.into_iter().filter_map(|id| portrait(scene, parameters, id)).collect(),
-    };
-    (!figure.panels.is_empty())
-        .then(|| Figure::new(&figure.caption, "Phase portraits", CAPTION, figure.svg()))
+    let panels: Vec<Panel> = POINTS.into_iter().filter_map(|id| portrait(scene, parameters, id)).collect();
+    let is_empty = panels.is_empty();
+    let figure = Panels { caption: words.caption.clone(), columns: 2, height: HEIGHT, panels };
+    (!is_empty).then(|| figure.svg())
 }
 
 fn portrait(scene: &SceneOutcome, parameters: &Slider<Rational>, id: &str) -> Option<Panel> {

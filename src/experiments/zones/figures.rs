@@ -1,52 +1,29 @@
 //! Maps of slip modes over the (V, σ) plane (fig 7).
 
 use crate::experiments::map::MapPoint;
-use crate::experiments::map::figures::{FIG_1, FIG_6A, Words, theory_lines};
+use crate::experiments::map::figures::theory_lines;
 use crate::experiments::operating_point::operating_point_mark;
 use crate::experiments::shared::Grid;
 use crate::experiments::shared::axes::{asymptote_lines, axes, cusp_mark, pair_line, transition_line};
-use crate::experiments::{Figure, FigureMaker, Need, SceneOutcome};
+use crate::experiments::{Drawer, SceneOutcome, Words};
 use slipmode_core::number::nearest_f64;
 use slipmode_core::stability::{Arc, PairRatio, SlipMode, asymptote};
-use slipmode_plot::figure::{
-    Axis, Caption, Line, LineRole, PointMark, Readout, Zone, ZoneMap, zones_of_grid,
-};
+use slipmode_plot::figure::{Axis, Line, LineRole, PointMark, Readout, Zone, ZoneMap, zones_of_grid};
 
-pub(crate) const FIGURES: &[FigureMaker] = &[
-    FigureMaker::new("fig-7a", &[Need::Map, Need::Zones, Need::Boundary], &["zones"], |outcome| {
-        zone_map(outcome.potentially_unstable()?, &FIG_7A, &FIG_1)
-    }),
-    FigureMaker::new("fig-7b", &[Need::Map, Need::Zones, Need::Boundary], &["zones"], |outcome| {
-        zone_map(outcome.never_unstable()?, &FIG_7B, &FIG_6A)
-    }),
+pub(crate) const FIGURES: &[Drawer] = &[
+    ("fig-7a", |outcome, words| zone_map(outcome.potentially_unstable()?, words, "fig-1")),
+    ("fig-7b", |outcome, words| zone_map(outcome.never_unstable()?, words, "fig-6a")),
 ];
 
-const FIG_7A: Words = Words {
-    id: "fig-7a",
-    label: "Figure 7a",
-    title: "Slip modes, a < b",
-    caption: "Left: slip modes, decided exactly at every point (compare fig 7a of the paper), with the exact boundary, the asymptotes, the transition, and the line between inertial and non-inertial oscillation. Right: the slip modes of the same points by the lines of the paper: the asymptotes, the transition, and a straight line between the corners of the asymptotes, which divides slow from fast oscillation. The text of the paper does not define this line. The paper shows the right map only.",
-    description: "Map of the slip modes over loading velocity and normal stress: overdamped stable sliding at low stress and low velocity, non-inertial and inertial underdamped oscillation around it, stick-slip at high stress, harmonic vibration at high velocity.",
-};
-
-const FIG_7B: Words = Words {
-    id: "fig-7b",
-    label: "Figure 7b",
-    title: "Slip modes, a ≥ b",
-    caption: "Left: slip modes for a ≥ b, decided exactly at every point (compare fig 7b of the paper), with the line between inertial and non-inertial oscillation. All modes are stable. The upper area is an overdamped oscillation. Right: the slip modes of the same points by the lines of the paper: the asymptotes, the transition, and a straight line between the corners of the asymptotes, which divides slow from fast oscillation. The text of the paper does not define this line. The paper shows the right map only.",
-    description: "Map of the slip modes over loading velocity and normal stress: overdamped stable sliding, non-inertial and inertial underdamped oscillation, and overdamped oscillation at high stress.",
-};
-
-/// The zones, with the words of the map of frequencies over the same axes.
-fn zone_map(scene: &SceneOutcome, words: &Words, frequencies: &Words) -> Option<Figure> {
+/// The zones. A map of frequencies over the same axes has the words that are read out at the points.
+fn zone_map(scene: &SceneOutcome, words: &Words, frequencies: &str) -> Option<String> {
     let (zones, boundary) = (scene.zones.as_ref()?, scene.boundary.as_ref()?);
     let (x, y) = axes(&zones.exact)?;
     let same_axes =
         |map: &Grid<MapPoint>| axes(map).is_some_and(|(other_x, other_y)| (&other_x, &other_y) == (&x, &y));
-    let said =
-        scene.map.as_ref().filter(|map| same_axes(map)).map(|_| Readout::SameAs(frequencies.id.into()));
+    let said = scene.map.as_ref().filter(|map| same_axes(map)).map(|_| Readout::SameAs(frequencies.into()));
     let map = |grid: &Grid<SlipMode>, lines: Vec<Line>, marks: Vec<PointMark>| ZoneMap {
-        caption: Caption::new(words.id, words.title, words.description),
+        caption: words.caption.clone(),
         zones: present_zones(grid.values.iter().copied(), grid.loading_velocity_m_per_s.len(), &x, &y),
         lines,
         marks,
@@ -69,8 +46,7 @@ fn zone_map(scene: &SceneOutcome, words: &Words, frequencies: &Words) -> Option<
     let of_the_paper =
         map(&zones.between_corners, straight.chain(between).collect(), own().into_iter().collect());
     let headings = ["exact", "by the lines of the paper"];
-    let svg = exact.svg_beside(&of_the_paper, headings, said.as_ref());
-    Some(Figure::new(&exact.caption, words.label, words.caption, svg))
+    Some(exact.svg_beside(&of_the_paper, headings, said.as_ref()))
 }
 
 /// The slip modes that occur on a grid with rows of so many columns.

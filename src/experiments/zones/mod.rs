@@ -9,12 +9,12 @@ pub use run::{InertialLine, LineCount, ThresholdShare, ZonesOutcome, compare_zon
 pub use section::ZonesSection;
 
 use crate::experiments::map::classify_rectangle;
-use crate::experiments::{Experiment, FigureMaker, Setting, TableMaker, Work};
+use crate::experiments::{Drawer, Experiment, Setting, TableMaker, Work};
 
 impl Experiment for ZonesSection {
     type Outcome = ZonesOutcome;
     const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
-    const FIGURES: &'static [&'static [FigureMaker]] = &[figures::FIGURES];
+    const FIGURES: &'static [&'static [Drawer]] = &[figures::FIGURES];
 
     fn work(&self) -> Work {
         Work::map(&self.rectangle)
