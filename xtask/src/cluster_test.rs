@@ -11,7 +11,7 @@ use std::time::Duration;
 
 use crate::prelude::*;
 use crate::{machine, verify};
-use cluster::{Cluster, Task};
+use cluster::Cluster;
 
 /// The programs that the test runs on.
 const PROGRAMS: [&str; 5] = ["munged", "slurmctld", "slurmd", "sbatch", "setpriv"];
@@ -56,14 +56,13 @@ fn rehearse(cluster: &mut Cluster, place: &Path) -> Result {
     slipmode(&["sweep", &scene, "--slurm", "--shards", &shards, "--out", &out])?;
     let submit = format!("{out}/submit.sh");
     cluster.submit(&submit, None)?;
-    let lost = wait_for("a task on the node to be killed", || {
-        Ok(cluster.tasks()?.into_iter().find(|task| task.node == VICTIM && task.is_running()))
-    })?;
-    wait_until("its first block", || Ok(blocks_of(&out, lost.index) > 0))?;
-    let (shard, there, killed) = (lost.index, blocks_of(&out, lost.index), cluster.kill_node(VICTIM)?);
+    let on_victim = format!("--states=RUNNING --nodelist={VICTIM}");
+    let shard =
+        wait_for("a task on the node to be killed", || Ok(cluster.tasks(&on_victim)?.first().copied()))?;
+    wait_until("its first block", || Ok(blocks_of(&out, shard) > 0))?;
+    let (there, killed) = (blocks_of(&out, shard), cluster.kill_node(VICTIM)?);
     println!("cluster-test: {VICTIM} killed with {killed} processes, {there} blocks into shard {shard}");
-    let is_other = |task: &Task| task.index != shard && !task.is_merge();
-    wait_until("the other tasks to end", || Ok(!cluster.tasks()?.iter().any(is_other)))?;
+    wait_until("the other tasks to end", || Ok(cluster.tasks("")?.iter().all(|task| *task == shard)))?;
     let missing = slipmode(&["merge", &out, "--shards", &shards, "--missing"])?;
     let missing = missing.trim_end();
     let wrong = || Failure::check(format!("missing shards `{missing}`, but shard {shard} was killed"));

@@ -24,35 +24,6 @@ pub struct Cluster {
     daemons: Vec<(&'static str, Child)>,
 }
 
-/// A task or job that the scheduler knows.
-pub struct Task {
-    /// Its index in the array; none of a job that is no array counts as the largest number.
-    pub index: usize,
-    /// The node on which it runs; empty while it waits.
-    pub node: String,
-    state: String,
-}
-
-impl Task {
-    /// Whether it runs.
-    pub fn is_running(&self) -> bool {
-        self.state == "R"
-    }
-
-    /// Whether it is the merge that waits for the array.
-    pub fn is_merge(&self) -> bool {
-        self.index == usize::MAX
-    }
-
-    /// Reads a line `index state node`.
-    fn parse(line: &str) -> Option<Self> {
-        let mut words = line.split_whitespace();
-        let index = words.next()?.parse().unwrap_or(usize::MAX);
-        let state = words.next()?.to_string();
-        Some(Self { index, state, node: words.next().unwrap_or_default().to_string() })
-    }
-}
-
 impl Cluster {
     /// Starts the daemons in a new folder and waits until every node is idle.
     pub fn start(place: &Path) -> Result<Self> {
@@ -102,16 +73,16 @@ impl Cluster {
         self.tool("sh", "").arg(script).args(tasks).text().map(drop)
     }
 
-    /// What is queued or runs.
-    pub fn tasks(&self) -> Result<Vec<Task>> {
-        let listed = self.tool("squeue", "--noheader --array").arg("--format=%K %t %N").text()?;
-        Ok(listed.lines().filter_map(Task::parse).collect())
+    /// The indices of the array's tasks that squeue lists with these filters; the merge that waits for the array has none.
+    pub fn tasks(&self, filters: &str) -> Result<Vec<usize>> {
+        let listed = self.tool("squeue", &format!("--noheader --array --format=%K {filters}")).text()?;
+        Ok(listed.lines().filter_map(|index| index.trim().parse().ok()).collect())
     }
 
     /// Cancels everything, and waits for what the living nodes run.
     pub fn cancel_all(&self) -> Result {
         self.tool("scancel", "--user root").text()?;
-        wait_until("the cancelled tasks", || Ok(!self.tasks()?.iter().any(Task::is_running)))
+        wait_until("the cancelled tasks", || Ok(self.tasks("--states=RUNNING")?.is_empty()))
     }
 
     /// Kills a node at once: its daemon and every session that it started. Returns how many processes that were.
@@ -186,17 +157,6 @@ fn configuration(place: &Path, ports: &[u16]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_line_of_the_queue_is_a_task_or_the_merge() {
-        let task = Task::parse("3 R n2").unwrap();
-        assert_eq!(
-            (task.index, task.node.as_str(), task.is_running(), task.is_merge()),
-            (3, "n2", true, false)
-        );
-        assert!(Task::parse("N/A PD").unwrap().is_merge());
-        assert!(Task::parse("").is_none());
-    }
 
     #[test]
     fn every_node_has_a_port_of_its_own() {
