@@ -1,6 +1,6 @@
 //! Tables of the theory: the paper's equations as read, the asymptotes' error series, and the constants of the peak velocity.
 
-use crate::experiments::shared::cells::DigitColumns;
+use crate::experiments::shared::cells::Digits;
 use crate::experiments::{Context, TableMaker};
 use slipmode_core::dynamics::PeakLaw;
 use slipmode_core::friction::EvolutionLaw;
@@ -50,11 +50,11 @@ fn peak_constants(_: &Context) -> Option<Table> {
         .map(|beta| (beta, PeakLaw::new(EvolutionLaw::Slip, beta), PeakLaw::new(EvolutionLaw::Aging, beta)));
     Table::of("peak-constants", "Constants of the peak velocity in deep stick-slip", &rows)
         .note(note)
-        .digits("effect_ratio", "b/a", "", 4, |(beta, ..)| *beta)
-        .digits("slip_constant", "c, slip law", "", 7, |(_, slip, _)| slip.constant()[0])
-        .digits("slip_error", "± of its integration", "", 1, |(_, slip, _)| slip.constant()[1])
-        .digits("aging_constant", "c, aging law", "", 7, |(.., aging)| aging.constant()[0])
-        .digits("aging_healing", "s, aging law", "", 7, |(.., aging)| aging.healing())
+        .number("effect_ratio", "b/a", "", |(beta, ..)| beta.cell(4))
+        .number("slip_constant", "c, slip law", "", |(_, slip, _)| slip.constant()[0].cell(7))
+        .number("slip_error", "± of its integration", "", |(_, slip, _)| slip.constant()[1].cell(1))
+        .number("aging_constant", "c, aging law", "", |(.., aging)| aging.constant()[0].cell(7))
+        .number("aging_healing", "s, aging law", "", |(.., aging)| aging.healing().cell(7))
         .table()
         .into()
 }

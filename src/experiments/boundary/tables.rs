@@ -2,6 +2,7 @@
 
 use rug::Float;
 
+use crate::experiments::tables::table_of;
 use crate::experiments::{Context, Need, TableMaker};
 use slipmode_core::number::Ball;
 use slipmode_core::number::format::{certain_digits, round_float};
@@ -101,40 +102,31 @@ pub fn vanishes(ball: &Ball, digits: usize) -> bool {
     ball.contains_zero() && (ball.is_exact() || is_tiny(&ball.radius()))
 }
 
-fn point_table(
-    context: &Context,
-    id: &str,
-    title: &str,
-    wanted: fn(&BoundaryPoint) -> bool,
-) -> Option<Table> {
+fn point_table(context: &Context, id: &str, wanted: fn(&BoundaryPoint) -> bool) -> Option<Table> {
     let boundaries = context.outcome.each(|scene| &scene.boundary);
     let points = boundaries.flat_map(|(name, found)| found.points.iter().map(move |point| (name, point)));
-    Table::of(id, title, points.filter(|(_, point)| wanted(point)))
-        .text("scene", "Scene", |(name, _)| name)
+    table_of(id, points.filter(|(_, point)| wanted(point)))
+        .text("scene", |(name, _)| name)
         .columns(boundary_columns(), |(_, point)| boundary_row(point, SHOWN_DIGITS))
         .table()
-        .into()
 }
 
 fn all_points(context: &Context) -> Option<Table> {
-    point_table(context, "boundary", "The exact boundary", |_| true)
+    point_table(context, "boundary", |_| true)
 }
 
 fn marked_points(context: &Context) -> Option<Table> {
-    point_table(context, "marks", "Cusp and corners", |point| point.mark.is_some())
+    point_table(context, "marks", |point| point.mark.is_some())
 }
 
 fn routes(context: &Context) -> Option<Table> {
-    let note = "Routes: the rational curve, isolated real roots of the discriminant, and bisection on the exact class. The difference is an upper bound, computed from the enclosures.";
-    Table::of("routes", "The boundary by three routes", context.outcome.each(|scene| &scene.boundary))
-        .note(note)
-        .text("scene", "Scene", |(name, _)| name)
-        .number("compared", "Crossings found by all three routes", "", |(_, found)| found.comparison.compared)
-        .number("disagreements", "Disagreements", "", |(_, found)| found.comparison.disagreements.len())
-        .number("digits", "Requested digits", "", |(_, found)| found.digits)
-        .number("largest_relative_difference", "Largest possible relative difference", "", |(_, found)| {
+    table_of("routes", context.outcome.each(|scene| &scene.boundary))
+        .text("scene", |(name, _)| name)
+        .number("compared", |(_, found)| found.comparison.compared)
+        .number("disagreements", |(_, found)| found.comparison.disagreements.len())
+        .number("digits", |(_, found)| found.digits)
+        .number("largest_relative_difference", |(_, found)| {
             Cell::number(round_float(&found.comparison.largest_difference, 2))
         })
         .table()
-        .into()
 }

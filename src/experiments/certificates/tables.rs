@@ -1,7 +1,7 @@
 //! The table of the certificates: how many there are, how wide their bounds are, and how many this run proved again.
 
 use crate::experiments::certificates::{Certificates, Stored};
-use crate::experiments::shared::cells::DigitColumns;
+use crate::experiments::tables::table_of;
 use crate::experiments::{Context, Need, TableMaker};
 use slipmode_core::dynamics::certified::Certificate;
 use slipmode_core::friction::EvolutionLaw;
@@ -47,22 +47,15 @@ fn certificates(context: &Context) -> Option<Table> {
         let laws = EvolutionLaw::ALL.into_iter().map(move |law| OfLaw { scene, law, all });
         laws.filter(|of| of.rows().next().is_some())
     });
-    let note = "Inputs of this report. Each run proves some of them again, `slipmode certificates` all. Widths are relative, the largest of all cycles.";
-    Table::of("certificates", "Certificates of the grid", laws)
-        .note(note)
-        .text("scene", "Scene", |of| of.scene)
-        .text("law", "Law", |of| of.law.as_str())
-        .number("points", "Points", "", |of| of.rows().count())
-        .number("cycles", "Certified cycles", "", |of| of.proofs(true).count())
-        .number("decays", "Certified decays", "", |of| of.proofs(false).count())
-        .number("proved_again", "Proved again in this run", "", OfLaw::again)
-        .digits("peak_width", "Width of the peak", "", DIGITS, |of| {
-            of.widest(|proof| Some(proof.peak_velocity_m_per_s))
-        })
-        .digits("period_width", "Width of the period", "", DIGITS, |of| of.widest(Certificate::period_s))
-        .digits("stress_drop_width", "Width of the stress drop", "", DIGITS, |of| {
-            of.widest(|proof| Some(proof.stress_drop_pa))
-        })
+    table_of("certificates", laws)
+        .text("scene", |of| of.scene)
+        .text("law", |of| of.law.as_str())
+        .number("points", |of| of.rows().count())
+        .number("cycles", |of| of.proofs(true).count())
+        .number("decays", |of| of.proofs(false).count())
+        .number("proved_again", OfLaw::again)
+        .digits("peak_width", DIGITS, |of| of.widest(|proof| Some(proof.peak_velocity_m_per_s)))
+        .digits("period_width", DIGITS, |of| of.widest(Certificate::period_s))
+        .digits("stress_drop_width", DIGITS, |of| of.widest(|proof| Some(proof.stress_drop_pa)))
         .table()
-        .into()
 }

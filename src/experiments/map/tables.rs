@@ -1,5 +1,6 @@
 //! The table of precision levels.
 
+use crate::experiments::tables::table_of;
 use crate::experiments::{Context, Need, TableMaker};
 use slipmode_core::roots::PrecisionLevel;
 use slipmode_plot::table::Table;
@@ -12,12 +13,11 @@ fn precision_levels(context: &Context) -> Option<Table> {
         [PrecisionLevel::F64, PrecisionLevel::DoubleDouble, PrecisionLevel::Exact]
             .map(|level| (name, map, level))
     });
-    Table::of("precision-levels", "Precision level that decided the points of the maps", rows)
-        .text("scene", "Scene", |(name, ..)| name)
-        .text("rung", "Precision level", |(.., level)| level.as_str())
-        .number("points", "Points decided", "", |(_, map, level)| {
+    table_of("precision-levels", rows)
+        .text("scene", |(name, ..)| name)
+        .text("rung", |(.., level)| level.as_str())
+        .number("points", |(_, map, level)| {
             map.values.iter().filter(|point| point.precision_level == level).count()
         })
         .table()
-        .into()
 }

@@ -3,7 +3,8 @@
 use super::reach::{digits_of_factor, in_words, range_in_words, reach};
 use super::run::{Change, OperatingPointOutcome};
 use super::words::{error_bars, mode_list, name, settling};
-use crate::experiments::shared::cells::{DigitColumns, Digits};
+use crate::experiments::shared::cells::Digits;
+use crate::experiments::tables::table_of;
 use crate::experiments::{Context, Need, TableMaker};
 use slipmode_plot::table::{Cell, Table};
 
@@ -21,43 +22,36 @@ fn found<'c>(context: &'c Context) -> impl Iterator<Item = &'c OperatingPointOut
 fn changes(context: &Context) -> Option<Table> {
     let rows = || found(context).flat_map(|found| &found.changes);
     let reach = rows().map(|change| range_in_words(change.quantity, reach(change.quantity)));
-    let note = format!(
-        "One value is changed and the others stay. The slip modes of the middle values are decided exactly, and each value has a relative error below 1e-9. Reach: {}.",
-        reach.collect::<Vec<_>>().join(", ")
-    );
+    let reach = reach.collect::<Vec<_>>().join(", ");
     let of_all = " In the last column no values within the error bars have the present slip mode (exact).";
     let is_uncertain = context.outcome.scenes.iter().any(|scene| error_bars(scene).is_some());
     let or_none = |text: Option<String>| text.unwrap_or_else(|| "none within reach".into());
     let shown = |change: &Change, value: f64| in_words(value, change.quantity.unit());
-    let table = Table::of("changes", "The smallest change of one value that leaves this slip mode", rows())
-        .note(&format!("{note}{}", if is_uncertain { of_all } else { "" }))
-        .text("value", "Value", |change| name(change.quantity))
-        .text("changes_at", "Slip mode changes at", |change| {
-            or_none(change.to.map(|(to, _)| shown(change, to)))
-        })
-        .number("factor", "Factor", "", |change| {
+    let table = table_of("changes", rows())
+        .fill("reach", &reach)
+        .fill("certain", if is_uncertain { of_all } else { "" })
+        .text("value", |change| name(change.quantity))
+        .text("changes_at", |change| or_none(change.to.map(|(to, _)| shown(change, to))))
+        .number("factor", |change| {
             let factor = change.to?.0 / change.now;
             Some(factor.cell(digits_of_factor(factor)))
         })
-        .text("slip_mode", "Slip mode beyond", |change| change.to.map_or("", |(_, mode)| mode.words()));
+        .text("slip_mode", |change| change.to.map_or("", |(_, mode)| mode.words()));
     let certain =
         |change: &Change| change.to.map(|_| or_none(change.certain_from.map(|value| shown(change, value))));
-    let table = if is_uncertain { table.text("certain_at", "Left for all values", certain) } else { table };
-    Some(table.table())
+    let table = if is_uncertain { table.text("certain_at", certain) } else { table };
+    table.table()
 }
 
 fn bars(context: &Context) -> Option<Table> {
-    let note = "Width: decades of normal stress between the ends of the line next to the operating point (the transition or the boundary), if this value alone has its error bar; for σ, the width of its error bar. Share: of the sum of these widths. Mode settled by: the error about the same middle with which all values have one slip mode, and slip modes if exact: decided exactly for all values within the error bars of the others.";
-    Table::of("error-bars", "What each error bar does", found(context).flat_map(|found| &found.bars))
-        .note(note)
-        .text("value", "Value", |bar| name(bar.quantity))
-        .text("error_bar", "Error bar", |bar| range_in_words(bar.quantity, bar.ends))
-        .digits("share_per_cent", "Share", "%", 2, |bar| (bar.share > 0.0).then_some(100.0 * bar.share))
-        .number("width_decades", "Width", "decades of σ", |bar| {
+    table_of("error-bars", found(context).flat_map(|found| &found.bars))
+        .text("value", |bar| name(bar.quantity))
+        .text("error_bar", |bar| range_in_words(bar.quantity, bar.ends))
+        .digits("share_per_cent", 2, |bar| (bar.share > 0.0).then_some(100.0 * bar.share))
+        .number("width_decades", |bar| {
             if bar.width_decades.is_finite() { bar.width_decades.cell(2) } else { Cell::text("no end") }
         })
-        .text("settled_by", "Mode settled by", |bar| settling(bar).unwrap_or_default())
-        .text("modes_if_exact", "Slip modes if this value were exact", |bar| mode_list(&bar.modes_if_exact))
+        .text("settled_by", |bar| settling(bar).unwrap_or_default())
+        .text("modes_if_exact", |bar| mode_list(&bar.modes_if_exact))
         .table()
-        .into()
 }

@@ -1,7 +1,8 @@
 //! Cycles of deep stick-slip beside the law of their peak: each, from one load velocity to the next, and as a measurement of 2 V_18.
 
 use super::{LeastPeak, SimulatedPoint};
-use crate::experiments::shared::cells::{DigitColumns, Rounded};
+use crate::experiments::shared::cells::Rounded;
+use crate::experiments::tables::table_of;
 use crate::experiments::{Context, Need, SceneOutcome, TableMaker};
 use crate::fitting::{EFFECT_RATIOS, LEAST_ROWS, PeakGiven, PeakRow, fit_peaks};
 use slipmode_core::dynamics::{
@@ -125,81 +126,59 @@ impl Deep<'_> {
 }
 
 fn cycles(context: &Context) -> Option<Table> {
-    let note = "Limit cycles with K/K_c,qs and V_l/V_18 up to a tenth, V_18 the velocity of {inertial-upper}. A = V_peak/(2 V_18). The laws are those of matched asymptotics for a soft spring; what they leave out is what the spring loses while the state weakens.";
     let rows = rows(context);
     let each = rows.iter().flat_map(|row| row.cycles.iter().map(move |deep| (row, deep)));
-    Table::of("deep-stick-slip", "Deep stick-slip and the law of its peak", each)
-        .note(note)
-        .text("law", "Law", |(row, _): (&Row, &Deep)| row.law.as_str())
-        .digits("normal_stress_pa", "Normal stress σ", "Pa", DIGITS, |(row, _)| Rounded(row.stress_pa))
-        .digits("loading_velocity_m_per_s", "Loading velocity V_l", "m/s", DIGITS, |(_, deep)| {
-            Rounded(deep.load_m_per_s)
-        })
+    table_of("deep-stick-slip", each)
+        .text("law", |(row, _): (&Row, &Deep)| row.law.as_str())
+        .digits("normal_stress_pa", DIGITS, |(row, _)| Rounded(row.stress_pa))
+        .digits("loading_velocity_m_per_s", DIGITS, |(_, deep)| Rounded(deep.load_m_per_s))
         .named()
-        .digits("stiffness_over_quasi_static", "K/K_c without inertia", "", 5, |(row, _)| {
-            Rounded(row.softness)
+        .digits("stiffness_over_quasi_static", 5, |(row, _)| Rounded(row.softness))
+        .digits("peak_over_twice_eq18", DIGITS, |(_, deep)| deep.cycle.peak)
+        .digits("peak_relative_error", 2, |(_, deep)| deep.run.peak_relative_error)
+        .digits("stress_drop_over_impedance", DIGITS, |(row, deep)| {
+            deep.run.stress_drop_pa / (2.0 * row.impedance * deep.run.peak_velocity_m_per_s)
         })
-        .digits("peak_over_twice_eq18", "A", "", DIGITS, |(_, deep)| deep.cycle.peak)
-        .digits("peak_relative_error", "Error of the peak", "", 2, |(_, deep)| deep.run.peak_relative_error)
-        .digits(
-            "stress_drop_over_impedance",
-            "Stress drop over 2 √(KM) V_peak",
-            "",
-            DIGITS,
-            |(row, deep)| deep.run.stress_drop_pa / (2.0 * row.impedance * deep.run.peak_velocity_m_per_s),
-        )
-        .digits("stress_drop_relative_error", "Its relative error", "", 2, |(_, deep)| {
+        .digits("stress_drop_relative_error", 2, |(_, deep)| {
             deep.run.stress_drop_relative_error + deep.run.peak_relative_error
         })
-        .digits("drop_by_law", "the same by its law", "", DIGITS, |(_, deep)| {
-            drop_over_impedance(&deep.cycle)
-        })
-        .digits("drop_error", "Its error", "", 2, |(_, deep)| deep.change(drop_over_impedance))
-        .digits("excess_of_law", "(law − V_peak)/(2 V_18)", "", 5, |(_, deep)| {
-            deep.law.remainder(&deep.cycle)
-        })
-        .digits("excess_error", "Its error", "", 2, |(_, deep)| {
+        .digits("drop_by_law", DIGITS, |(_, deep)| drop_over_impedance(&deep.cycle))
+        .digits("drop_error", 2, |(_, deep)| deep.change(drop_over_impedance))
+        .digits("excess_of_law", 5, |(_, deep)| deep.law.remainder(&deep.cycle))
+        .digits("excess_error", 2, |(_, deep)| {
             deep.change(|cycle| deep.law.remainder(cycle)) + deep.law.constant()[1]
         })
-        .digits("loss_of_spring", "Spring's loss while the state weakens", "(b − a)σ", 5, |(_, deep)| {
-            deep.law.weakening(&deep.cycle)
-        })
-        .digits("loss_error", "Its error", "", 2, |(_, deep)| deep.change(|cycle| deep.law.weakening(cycle)))
+        .digits("loss_of_spring", 5, |(_, deep)| deep.law.weakening(&deep.cycle))
+        .digits("loss_error", 2, |(_, deep)| deep.change(|cycle| deep.law.weakening(cycle)))
         .table()
-        .into()
 }
 
 fn steps(context: &Context) -> Option<Table> {
-    let note = "−ΔV_peak/Δ ln V_l in 2 V_18 between neighbouring cycles of the table of deep stick-slip, at the geometric mean of their velocities and peaks. The law leaves out loading during the slip, the spring's loss, and terms in 1/A².";
     let rows = rows(context);
     let pairs = rows.iter().flat_map(|row| row.cycles.windows(2).map(move |pair| (row, &pair[0], &pair[1])));
     let middle = |one: f64, other: f64| (one * other).sqrt();
     let peak = move |one: &Deep, other: &Deep| middle(one.cycle.peak, other.cycle.peak);
     let per_log =
         |change: f64, one: &Deep, other: &Deep| change / libm::log(other.load_m_per_s / one.load_m_per_s);
-    Table::of("deep-stick-slip-steps", "Deep stick-slip from one load velocity to the next", pairs)
-        .note(note)
-        .text("law", "Law", |(row, _, _): (&Row, &Deep, &Deep)| row.law.as_str())
-        .digits("normal_stress_pa", "Normal stress σ", "Pa", DIGITS, |(row, _, _)| Rounded(row.stress_pa))
-        .digits("from_velocity_m_per_s", "V_l from", "m/s", DIGITS, |(_, one, _)| Rounded(one.load_m_per_s))
-        .digits("to_velocity_m_per_s", "to", "m/s", DIGITS, |(_, _, other)| Rounded(other.load_m_per_s))
+    table_of("deep-stick-slip-steps", pairs)
+        .text("law", |(row, _, _): (&Row, &Deep, &Deep)| row.law.as_str())
+        .digits("normal_stress_pa", DIGITS, |(row, _, _)| Rounded(row.stress_pa))
+        .digits("from_velocity_m_per_s", DIGITS, |(_, one, _)| Rounded(one.load_m_per_s))
+        .digits("to_velocity_m_per_s", DIGITS, |(_, _, other)| Rounded(other.load_m_per_s))
         .named()
-        .digits("slope_measured", "−ΔV_peak/Δ ln V_l", "2 V_18", DIGITS, |(_, one, other)| {
+        .digits("slope_measured", DIGITS, |(_, one, other)| {
             per_log(one.cycle.peak - other.cycle.peak, one, other)
         })
-        .digits("slope_by_law", "by its law", "2 V_18", DIGITS, |(_, one, other)| {
-            one.law.slope(peak(one, other))
-        })
-        .digits("slope_left_out", "Terms left out", "", 5, |(row, one, other)| {
+        .digits("slope_by_law", DIGITS, |(_, one, other)| one.law.slope(peak(one, other)))
+        .digits("slope_left_out", 5, |(row, one, other)| {
             let load = middle(one.load_m_per_s, other.load_m_per_s) / one.twice_eq18_m_per_s;
             load + row.softness + 1.0 / (peak(one, other) * peak(one, other))
         })
-        .digits("slope_error", "Error of the slopes", "", 2, |(_, one, other)| {
+        .digits("slope_error", 2, |(_, one, other)| {
             let error = |deep: &Deep| deep.cycle.peak * deep.run.peak_relative_error;
             per_log(error(one) + error(other), one, other)
         })
         .table()
-        .into()
 }
 
 /// What the fit of one row of cycles gives, over 2 V_18; empty where there is no fit.
@@ -253,9 +232,6 @@ impl Row<'_> {
 
 fn fits(context: &Context) -> Option<Table> {
     let [low, high] = EFFECT_RATIOS;
-    let note = format!(
-        "Least-squares fits of the law of the peak to the cycles of deep stick-slip at one normal stress, where these have {LEAST_ROWS} or more load velocities, over 2 V_18 with V_18 of {{inertial-upper}}. Unknown b/a: anywhere from {low} to {high}. Terms left out: V_l/(2 V_18) + K/K_c,qs + 1/A² at most."
-    );
     // Fits take seconds, and several claims read them.
     let fitted = context.once("fits of peaks".into(), || {
         let mut rows = rows(context);
@@ -263,21 +239,18 @@ fn fits(context: &Context) -> Option<Table> {
         let fitted = rows.iter().filter_map(|row| Some((row.law, row.stress_pa, row.fitted()?)));
         fitted.collect::<Vec<(EvolutionLaw, f64, Fitted)>>()
     });
-    Table::of("peak-fits", "2 V_18 from the peaks of deep stick-slip", &fitted)
-        .note(&note)
-        .text("law", "Law", |(law, ..): &(EvolutionLaw, f64, Fitted)| law.as_str())
-        .digits("normal_stress_pa", "Normal stress σ", "Pa", DIGITS, |(_, stress, _)| Rounded(*stress))
+    table_of("peak-fits", &fitted)
+        .fill("least-rows", &LEAST_ROWS.to_string())
+        .fill("low", &low.to_string())
+        .fill("high", &high.to_string())
+        .text("law", |(law, ..): &(EvolutionLaw, f64, Fitted)| law.as_str())
+        .digits("normal_stress_pa", DIGITS, |(_, stress, _)| Rounded(*stress))
         .named()
-        .digits("fit_over_eq18", "Right law and b/a", "2 V_18", DIGITS, |(.., fitted)| fitted.known)
-        .digits("fit_other_law", "Other law", "2 V_18", DIGITS, |(.., fitted)| fitted.other_law)
-        .digits("fit_unknown_low", "Unknown b/a, from", "2 V_18", DIGITS, |(.., fitted)| {
-            fitted.unknown_ratio.map(|ends| ends[0])
-        })
-        .digits("fit_unknown_high", "to", "2 V_18", DIGITS, |(.., fitted)| {
-            fitted.unknown_ratio.map(|ends| ends[1])
-        })
-        .digits("fit_left_out", "Terms left out", "", 5, |(.., fitted)| fitted.left_out)
-        .digits("fit_error", "Error from the runs", "", 2, |(.., fitted)| fitted.error)
+        .digits("fit_over_eq18", DIGITS, |(.., fitted)| fitted.known)
+        .digits("fit_other_law", DIGITS, |(.., fitted)| fitted.other_law)
+        .digits("fit_unknown_low", DIGITS, |(.., fitted)| fitted.unknown_ratio.map(|ends| ends[0]))
+        .digits("fit_unknown_high", DIGITS, |(.., fitted)| fitted.unknown_ratio.map(|ends| ends[1]))
+        .digits("fit_left_out", 5, |(.., fitted)| fitted.left_out)
+        .digits("fit_error", 2, |(.., fitted)| fitted.error)
         .table()
-        .into()
 }

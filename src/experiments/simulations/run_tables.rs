@@ -4,7 +4,8 @@ use std::f64::consts::{LN_10, PI};
 
 use super::tables::points;
 use super::{StrongVibration, VIBRATION_STEP};
-use crate::experiments::shared::cells::{DigitColumns, Rounded};
+use crate::experiments::shared::cells::Rounded;
+use crate::experiments::tables::table_of;
 use crate::experiments::{Context, Need, TableMaker};
 use slipmode_core::dynamics::Estimate;
 use slipmode_core::number::nearest_f64;
@@ -21,35 +22,28 @@ pub(crate) const TABLES: &[TableMaker] = &[
 const DIGITS: usize = 7;
 
 fn extremes(context: &Context) -> Option<Table> {
-    let note = "Along the run from its start on and over its limit cycle. Friction is that of {friction}, above μ0 and in units of a. Exponent: the logarithm of the difference between the velocities of {friction} and of its regularised form at the same friction and state, in V_l, but for −2 μ0/a; its largest value.";
     let of_transition = points(context).filter(|at| at.point.course.is_some());
-    Table::of("run-extremes", "Extremes of friction and velocity along runs", of_transition)
-        .note(note)
-        .text("scene", "Scene", |at| at.scene().to_owned())
-        .text("law", "Law", |at| at.law.as_str())
-        .digits("normal_stress_pa", "Normal stress σ", "Pa", DIGITS, |at| Rounded(at.stress))
-        .digits("loading_velocity_m_per_s", "Loading velocity V_l", "m/s", DIGITS, |at| Rounded(at.velocity))
+    table_of("run-extremes", of_transition)
+        .text("scene", |at| at.scene().to_owned())
+        .text("law", |at| at.law.as_str())
+        .digits("normal_stress_pa", DIGITS, |at| Rounded(at.stress))
+        .digits("loading_velocity_m_per_s", DIGITS, |at| Rounded(at.velocity))
         .named()
-        .text("behaviour", "Long-term behaviour", |at| at.run.map(|run| run.behaviour.as_str()))
-        .digits("inertial_parameter", "η", "", DIGITS, |at| Rounded(at.point.inertial_parameter))
-        .digits("direct_effect", "a", "", DIGITS, |at| at.scene.slider().map(|slider| &slider.direct_effect))
-        .digits("friction_least", "Least (μ − μ0)/a", "", DIGITS, |at| {
-            Some(at.point.course?.least_friction().value)
-        })
-        .digits("friction_error", "Its error", "", 2, |at| Some(at.point.course?.least_friction().error))
-        .digits("exponent_largest", "Exponent", "", DIGITS, |at| {
-            Some(at.point.course?.regularisation().value)
-        })
-        .digits("exponent_error", "Its error", "", 2, |at| Some(at.point.course?.regularisation().error))
-        .digits("velocity_least_log10", "log10 of the least velocity in m/s", "", DIGITS, |at| {
+        .text("behaviour", |at| at.run.map(|run| run.behaviour.as_str()))
+        .digits("inertial_parameter", DIGITS, |at| Rounded(at.point.inertial_parameter))
+        .digits("direct_effect", DIGITS, |at| at.scene.slider().map(|slider| &slider.direct_effect))
+        .digits("friction_least", DIGITS, |at| Some(at.point.course?.least_friction().value))
+        .digits("friction_error", 2, |at| Some(at.point.course?.least_friction().error))
+        .digits("exponent_largest", DIGITS, |at| Some(at.point.course?.regularisation().value))
+        .digits("exponent_error", 2, |at| Some(at.point.course?.regularisation().error))
+        .digits("velocity_least_log10", DIGITS, |at| {
             Some(at.run?.minimum_velocity_log10_ratio + libm::log10(at.velocity))
         })
-        .digits("velocity_error", "Its error", "", 2, |at| {
+        .digits("velocity_error", 2, |at| {
             Some(at.run?.minimum_velocity_log10_error).filter(|error| error.is_finite())
         })
-        .text("failure", "Failure", |at| at.point.simulation.as_ref().err().map(ToString::to_string))
+        .text("failure", |at| at.point.simulation.as_ref().err().map(ToString::to_string))
         .table()
-        .into()
 }
 
 /// A cycle of strong vibration beside the law of its least friction.
@@ -62,7 +56,6 @@ struct Vibration<'c> {
 }
 
 fn vibrations(context: &Context) -> Option<Table> {
-    let note = "Limit cycles at κ = 1. Limit: the ratio at infinite η from this row and the two before it, whose corrections fall as η^(−1/6); the error is the change by the last row.";
     let mut rows: Vec<Vibration> = Vec::new();
     for scene in &context.outcome.scenes {
         let Some(excess) = scene.slider().map(|slider| nearest_f64(&slider.effect_ratio()) - 1.0) else {
@@ -81,17 +74,15 @@ fn vibrations(context: &Context) -> Option<Table> {
             rows.push(Vibration { found, ratio, limit });
         }
     }
-    Table::of("strong-vibration", "The least friction of strong vibration", &rows)
-        .note(note)
-        .text("law", "Law", |row: &Vibration| row.found.law.as_str())
-        .digits("inertial_parameter", "η", "", DIGITS, |row| Rounded(row.found.inertial_parameter))
+    table_of("strong-vibration", &rows)
+        .text("law", |row: &Vibration| row.found.law.as_str())
+        .digits("inertial_parameter", DIGITS, |row| Rounded(row.found.inertial_parameter))
         .named()
-        .digits("velocity_least_log10", "log10(V_min/V_l)", "", 5, |row| row.found.log_trough / LN_10)
-        .digits("ratio", "(μ0 − μ_min)/(a√(4π(β−1)√(κη)))", "", 5, |row| row.ratio)
-        .digits("limit_of_ratio", "Limit", "", 5, |row| Some(row.limit?.value))
-        .digits("limit_error", "Its error", "", 2, |row| Some(row.limit?.error))
+        .digits("velocity_least_log10", 5, |row| row.found.log_trough / LN_10)
+        .digits("ratio", 5, |row| row.ratio)
+        .digits("limit_of_ratio", 5, |row| Some(row.limit?.value))
+        .digits("limit_error", 2, |row| Some(row.limit?.error))
         .table()
-        .into()
 }
 
 /// Value at infinite η of a series whose corrections fall as η^(−1/6), with the change of the extrapolation as its error.

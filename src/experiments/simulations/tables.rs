@@ -2,9 +2,10 @@
 
 use std::f64::consts::{SQRT_2, TAU};
 
-use crate::experiments::shared::cells::{DigitColumns, Rounded};
+use crate::experiments::shared::cells::Rounded;
 use crate::experiments::simulations::deep_stick_slip::LawOfLeast;
 use crate::experiments::simulations::{LeastPeak, SIDE_WIDTH, SimulatedPoint};
+use crate::experiments::tables::{Rows, table_of};
 use crate::experiments::{Context, Need, SceneOutcome, TableMaker};
 use slipmode_core::dynamics::certified::Certificate;
 use slipmode_core::dynamics::{Behaviour, Estimate, Simulation};
@@ -13,7 +14,7 @@ use slipmode_core::number::format::{Side, rounded};
 use slipmode_core::number::nearest_f64;
 use slipmode_core::stability::SlipMode;
 use slipmode_core::stability::asymptote::inertial_upper_velocity_m_per_s;
-use slipmode_plot::table::{Cell, Column, Table, TableRows};
+use slipmode_plot::table::{Cell, Table};
 
 pub(crate) const TABLES: &[TableMaker] = &[
     TableMaker { id: "simulations", needs: &[Need::Simulations, Need::Certificates], make: simulations },
@@ -120,96 +121,69 @@ const ENCLOSED_DIGITS: usize = 12;
 
 /// Two columns with the ends of an enclosure of a column, rounded outward.
 fn enclosed<'c>(
-    table: TableRows<GridPoint<'c>>,
-    (name, header, unit): (&str, &str, &str),
+    table: Rows<GridPoint<'c>>,
+    name: &str,
     ends: impl Fn(&Certificate) -> Option<[f64; 2]>,
-) -> TableRows<GridPoint<'c>> {
-    let columns = [("low", "from"), ("high", "to")];
-    let columns = columns.map(|(end, words)| {
-        Column::number(&format!("{name}_{end}"), &format!("{header}, proved: {words}"), unit)
-    });
-    table.columns(columns, |at| {
-        let ends = at.proof.and_then(&ends);
-        let cell = |which: usize, side: Side| {
-            ends.map_or_else(Cell::empty, |ends| {
-                Cell::number(rounded(ends[which], ENCLOSED_DIGITS, side)).certain()
-            })
-        };
-        [cell(0, Side::Below), cell(1, Side::Above)]
+) -> Rows<GridPoint<'c>> {
+    let columns = [("low", Side::Below), ("high", Side::Above)].into_iter().enumerate();
+    columns.fold(table, |table, (which, (end, side))| {
+        table.number(&format!("{name}_{end}"), |at| {
+            let bound = at.proof.and_then(&ends)?[which];
+            Some(Cell::number(rounded(bound, ENCLOSED_DIGITS, side)).certain())
+        })
     })
 }
 
 fn simulations(context: &Context) -> Option<Table> {
-    let note = "Start: steady sliding at V_l/10. Peak and stress drop are those of the limit cycle, or of the transient of a decay; the period is that of the cycle or of the small oscillation at the end. Errors are relative estimates from a second run at a tenth of the tolerance. Limit cycle: the slip mode of the limit cycle on which the run ends. Proved: what a certificate encloses of the limit cycle or of the decay.";
-    let table = Table::of("simulations", "Simulations, all grid points", points(context))
-        .note(note)
-        .text("scene", "Scene", |at: GridPoint| at.scene().to_owned())
-        .text("slider", "Slider", |at| at.scene.slider_words())
-        .text("law", "Law", |at| at.law.as_str())
-        .digits("normal_stress_pa", "Normal stress σ", "Pa", DIGITS, |at| Rounded(at.stress))
-        .digits("loading_velocity_m_per_s", "Loading velocity V_l", "m/s", DIGITS, |at| Rounded(at.velocity))
+    let table = table_of("simulations", points(context))
+        .text("scene", |at: GridPoint| at.scene().to_owned())
+        .text("slider", |at| at.scene.slider_words())
+        .text("law", |at| at.law.as_str())
+        .digits("normal_stress_pa", DIGITS, |at| Rounded(at.stress))
+        .digits("loading_velocity_m_per_s", DIGITS, |at| Rounded(at.velocity))
         .named()
-        .digits("stiffness_over_critical", "K/K_c", "", DIGITS, |at| {
-            at.point.stiffness_over_critical.map(Rounded)
-        })
-        .text("slip_mode_theory", "Slip mode, theory", |at| at.point.theory.slip_mode.as_str())
-        .text("slip_mode_simulation", "Slip mode, simulation", |at| at.run.map(|run| run.slip_mode.as_str()))
-        .text("behaviour", "Long-term behaviour", |at| at.run.map(|run| run.behaviour.as_str()))
-        .digits("peak_velocity_m_per_s", "Peak velocity", "m/s", DIGITS, |at| {
-            Some(at.run?.peak_velocity_m_per_s)
-        })
-        .digits("period_s", "Period", "s", DIGITS, |at| at.run?.period_s)
-        .digits("stress_drop_pa", "Stress drop", "Pa", DIGITS, |at| Some(at.run?.stress_drop_pa))
-        .digits("peak_relative_error", "Error of the peak", "", 2, |at| Some(at.run?.peak_relative_error))
-        .digits("period_relative_error", "Error of the period", "", 2, |at| at.run?.period_relative_error)
-        .text("failure", "Failure", |at| at.point.simulation.as_ref().err().map(ToString::to_string))
-        .digits("stress_drop_relative_error", "Error of the stress drop", "", 2, |at| {
+        .digits("stiffness_over_critical", DIGITS, |at| at.point.stiffness_over_critical.map(Rounded))
+        .text("slip_mode_theory", |at| at.point.theory.slip_mode.as_str())
+        .text("slip_mode_simulation", |at| at.run.map(|run| run.slip_mode.as_str()))
+        .text("behaviour", |at| at.run.map(|run| run.behaviour.as_str()))
+        .digits("peak_velocity_m_per_s", DIGITS, |at| Some(at.run?.peak_velocity_m_per_s))
+        .digits("period_s", DIGITS, |at| at.run?.period_s)
+        .digits("stress_drop_pa", DIGITS, |at| Some(at.run?.stress_drop_pa))
+        .digits("peak_relative_error", 2, |at| Some(at.run?.peak_relative_error))
+        .digits("period_relative_error", 2, |at| at.run?.period_relative_error)
+        .text("failure", |at| at.point.simulation.as_ref().err().map(ToString::to_string))
+        .digits("stress_drop_relative_error", 2, |at| {
             Some(at.run?.stress_drop_relative_error).filter(|error| error.is_finite())
         })
-        .digits("max_imaginary_over_natural", "max Im(s)/ω_n", "", DIGITS, |at| {
-            at.max_imaginary_over_natural().map(Rounded)
-        })
-        .digits("stiffness_over_quasi_static", "K/K_c without inertia", "", DIGITS, |at| {
-            at.stiffness_over_quasi_static().map(Rounded)
-        })
-        .digits("velocity_over_eq18", "V_l over {inertial-upper}", "", DIGITS, |at| {
-            at.velocity_over_eq18().map(Rounded)
-        })
-        .digits("frequency_excess", "ω/ω_n − 1", "", 5, |at| at.frequency_excess())
-        .digits("harmonic_distortion", "Distortion of V", "", 5, |at| Some(at.distortion()?.value))
-        .digits("harmonic_error", "Its error", "", 2, |at| Some(at.distortion()?.error))
-        .text("cycle", "Limit cycle", |at| at.cycle())
-        .text("cycle_proved", "Limit cycle, proved", |at| at.cycle_proved());
-    let peak = ("peak_velocity_m_per_s", "Peak velocity", "m/s");
-    let table = enclosed(table, peak, |proof| Some(proof.peak_velocity_m_per_s));
-    let table = enclosed(table, ("period_s", "Period", "s"), Certificate::period_s);
+        .digits("max_imaginary_over_natural", DIGITS, |at| at.max_imaginary_over_natural().map(Rounded))
+        .digits("stiffness_over_quasi_static", DIGITS, |at| at.stiffness_over_quasi_static().map(Rounded))
+        .digits("velocity_over_eq18", DIGITS, |at| at.velocity_over_eq18().map(Rounded))
+        .digits("frequency_excess", 5, |at| at.frequency_excess())
+        .digits("harmonic_distortion", 5, |at| Some(at.distortion()?.value))
+        .digits("harmonic_error", 2, |at| Some(at.distortion()?.error))
+        .text("cycle", |at| at.cycle())
+        .text("cycle_proved", |at| at.cycle_proved());
+    let table = enclosed(table, "peak_velocity_m_per_s", |proof| Some(proof.peak_velocity_m_per_s));
+    let table = enclosed(table, "period_s", Certificate::period_s);
     let is_cycle = |proof: &Certificate| proof.period_s().map(|_| proof.stress_drop_pa);
-    enclosed(table, ("stress_drop_pa", "Stress drop", "Pa"), is_cycle).table().into()
+    enclosed(table, "stress_drop_pa", is_cycle).table()
 }
 
 fn disagreements(context: &Context) -> Option<Table> {
-    let note = "Runs without a result are listed with an empty mode.";
     let disagreeing = points(context).filter(|at| !at.point.agrees());
-    Table::of("simulation-disagreements", "Runs whose slip mode differs from theory", disagreeing)
-        .note(note)
-        .text("scene", "Scene", |at: GridPoint| at.scene().to_owned())
-        .text("law", "Law", |at| at.law.as_str())
-        .digits("normal_stress_pa", "Normal stress σ", "Pa", 4, |at| at.stress)
-        .digits("loading_velocity_m_per_s", "Loading velocity V_l", "m/s", 4, |at| at.velocity)
-        .text("slip_mode_theory", "Theory", |at| at.point.theory.slip_mode.as_str())
-        .text("slip_mode_simulation", "Simulation", |at| at.run.map(|run| run.slip_mode.as_str()))
-        .digits("max_imaginary_per_s", "max Im(s)", "1/s", 5, |at| {
-            at.point.theory.max_imaginary_per_s.to_f64()
-        })
-        .digits("angular_frequency_per_s", "Angular frequency of the run", "1/s", 5, |at| {
-            Some(TAU * at.run?.frequency_hz?)
-        })
+    table_of("simulation-disagreements", disagreeing)
+        .text("scene", |at: GridPoint| at.scene().to_owned())
+        .text("law", |at| at.law.as_str())
+        .digits("normal_stress_pa", 4, |at| at.stress)
+        .digits("loading_velocity_m_per_s", 4, |at| at.velocity)
+        .text("slip_mode_theory", |at| at.point.theory.slip_mode.as_str())
+        .text("slip_mode_simulation", |at| at.run.map(|run| run.slip_mode.as_str()))
+        .digits("max_imaginary_per_s", 5, |at| at.point.theory.max_imaginary_per_s.to_f64())
+        .digits("angular_frequency_per_s", 5, |at| Some(TAU * at.run?.frequency_hz?))
         .table()
-        .into()
 }
 
 fn least_peaks(context: &Context) -> Option<Table> {
-    let note = "Minimised over one decade on either side of {inertial-upper}. Positions are log10 of the velocity over its velocity. The ends of the flat range and the changes of mode are located to 0.001 dex. The mode changes from stick-slip to harmonic vibration where the frequency of the limit cycle, or of small deviations by the exact theory, passes the threshold.";
     let found = context.outcome.scenes.iter().flat_map(|scene| {
         let peaks = scene.simulations.iter().flat_map(|found| &found.least_peaks);
         peaks.map(move |least| (scene, least))
@@ -217,52 +191,28 @@ fn least_peaks(context: &Context) -> Option<Table> {
     let equations = context.equations.in_symbols();
     let of_law = |scene, least| (least, LawOfLeast::new(&equations, scene, least));
     let least_peaks: Vec<_> = found.map(|(scene, least)| of_law(scene, least)).collect();
-    Table::of("least-peaks", "Velocity of the lowest peak, compared with {inertial-upper}", &least_peaks)
-        .note(note)
-        .text("law", "Law", |(least, _): &(&LeastPeak, Option<LawOfLeast>)| least.law.as_str())
-        .digits("normal_stress_pa", "Normal stress σ", "Pa", 4, |(least, _)| least.normal_stress_pa)
+    table_of("least-peaks", &least_peaks)
+        .text("law", |(least, _): &(&LeastPeak, Option<LawOfLeast>)| least.law.as_str())
+        .digits("normal_stress_pa", 4, |(least, _)| least.normal_stress_pa)
         .named()
-        .digits("eq18_velocity_m_per_s", "Velocity of {inertial-upper}", "m/s", 4, |(least, _)| {
-            least.eq18_velocity_m_per_s
+        .digits("eq18_velocity_m_per_s", 4, |(least, _)| least.eq18_velocity_m_per_s)
+        .digits("offset_dex", 6, |(least, _)| least.offset_dex)
+        .digits("offset_error_dex", 1, |(least, _)| least.offset_error_dex)
+        .digits("peak_at_eq18_over_least", 5, |(least, _)| least.peak_at_eq18_over_least)
+        .digits("curvature_per_dex2", 3, |(least, _)| least.curvature_per_dex2)
+        .digits("one_percent_from_dex", 3, |(least, _)| least.flat[0][0])
+        .digits("one_percent_to_dex", 3, |(least, _)| least.flat[0][1])
+        .digits("five_percent_from_dex", 3, |(least, _)| least.flat[1][0])
+        .digits("five_percent_to_dex", 3, |(least, _)| least.flat[1][1])
+        .digits("cycle_mode_change_dex", 6, |(least, _)| least.cycle_mode_change_dex)
+        .digits("cycle_mode_change_error_dex", 1, |_| SIDE_WIDTH)
+        .digits("period_change_width_dex", 6, |(least, _)| {
+            let [slow, fast] = least.period_change_dex;
+            Some(fast? - slow?)
         })
-        .digits("offset_dex", "Offset of the minimum from {inertial-upper}", "dex", 6, |(least, _)| {
-            least.offset_dex
-        })
-        .digits("offset_error_dex", "Its error", "dex", 1, |(least, _)| least.offset_error_dex)
-        .digits("peak_at_eq18_over_least", "Peak at {inertial-upper} / lowest peak", "", 5, |(least, _)| {
-            least.peak_at_eq18_over_least
-        })
-        .digits("curvature_per_dex2", "Curvature of ln(peak)", "1/dex²", 3, |(least, _)| {
-            least.curvature_per_dex2
-        })
-        .digits("one_percent_from_dex", "Within 1 % from", "dex", 3, |(least, _)| least.flat[0][0])
-        .digits("one_percent_to_dex", "to", "dex", 3, |(least, _)| least.flat[0][1])
-        .digits("five_percent_from_dex", "Within 5 % from", "dex", 3, |(least, _)| least.flat[1][0])
-        .digits("five_percent_to_dex", "to", "dex", 3, |(least, _)| least.flat[1][1])
-        .digits("cycle_mode_change_dex", "Mode of the cycle changes", "dex", 6, |(least, _)| {
-            least.cycle_mode_change_dex
-        })
-        .digits("cycle_mode_change_error_dex", "Its error", "dex", 1, |_| SIDE_WIDTH)
-        .digits(
-            "period_change_width_dex",
-            "Period falls from 2 to 1.1 natural ones over",
-            "dex",
-            6,
-            |(least, _)| {
-                let [slow, fast] = least.period_change_dex;
-                Some(fast? - slow?)
-            },
-        )
-        .digits("theory_mode_change_dex", "Mode by theory changes", "dex", 3, |(least, _)| {
-            least.theory_mode_change_dex
-        })
-        .digits("stiffness_over_quasi_static", "K/K_c without inertia", "", 5, |(_, law)| {
-            Some(Rounded(law.as_ref()?.softness))
-        })
-        .digits("law_offset_dex", "Offset from the law of the lowest peak", "dex", 6, |(_, law)| {
-            Some(law.as_ref()?.offset_dex)
-        })
-        .digits("law_offset_error_dex", "Its error", "dex", 1, |(least, _)| least.offset_error_dex)
+        .digits("theory_mode_change_dex", 3, |(least, _)| least.theory_mode_change_dex)
+        .digits("stiffness_over_quasi_static", 5, |(_, law)| Some(Rounded(law.as_ref()?.softness)))
+        .digits("law_offset_dex", 6, |(_, law)| Some(law.as_ref()?.offset_dex))
+        .digits("law_offset_error_dex", 1, |(least, _)| least.offset_error_dex)
         .table()
-        .into()
 }

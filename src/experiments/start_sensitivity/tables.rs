@@ -1,7 +1,7 @@
 //! Tables of what the unstated part of the start decides.
 
-use crate::experiments::shared::cells::DigitColumns;
 use crate::experiments::start_sensitivity::{Early, StartGroup, StartRun};
+use crate::experiments::tables::table_of;
 use crate::experiments::{Context, Need, TableMaker};
 use slipmode_core::dynamics::{Behaviour, Simulation, Start};
 use slipmode_plot::table::Table;
@@ -36,42 +36,29 @@ impl<'c> Started<'c> {
 }
 
 fn starts(context: &Context) -> Option<Table> {
-    let note = "First peak: the largest velocity before the second upward crossing of V_l. Return to V_l: |ln(V/V_l)| has decreased to 1 % of its initial value. Remaining disturbance: the larger of |ln(V_l θ/D_c)| and the spring's distance from steady sliding in units of aσ at that time. Errors are relative estimates from a second run at a tenth of the tolerance.";
     let runs = groups(context).flat_map(|(name, group)| group.runs.iter().map(move |run| (name, group, run)));
-    Table::of("starts", "Four ways to complete the start V_l/10", runs.map(Started::of))
-        .note(note)
-        .text("scene", "Scene", |at| at.scene)
-        .digits("loading_velocity_m_per_s", "V_l", "m/s", 6, |at| at.group.loading_velocity_m_per_s)
-        .digits("normal_stress_pa", "σ", "Pa", 6, |at| at.group.normal_stress_pa)
-        .digits("stiffness_over_critical", "K/K_c", "", 7, |at| at.group.stiffness_over_critical)
-        .text("law", "Law", |at| at.group.law.as_str())
-        .text("start", "Start", |at| at.run.start.as_str())
-        .digits("first_peak_over_loading", "First peak / V_l", "", 6, |at| {
-            at.early?.0.first_log_peak.map(libm::exp)
-        })
-        .digits("first_peak_relative_error", "Its error", "", 2, |at| {
-            at.early?.0.first_log_peak.and(Some(at.early?.1))
-        })
-        .digits("time_back_over_inertial_time", "Time of return to V_l / (η D_c/V_l)", "", 3, |at| {
+    table_of("starts", runs.map(Started::of))
+        .text("scene", |at| at.scene)
+        .digits("loading_velocity_m_per_s", 6, |at| at.group.loading_velocity_m_per_s)
+        .digits("normal_stress_pa", 6, |at| at.group.normal_stress_pa)
+        .digits("stiffness_over_critical", 7, |at| at.group.stiffness_over_critical)
+        .text("law", |at| at.group.law.as_str())
+        .text("start", |at| at.run.start.as_str())
+        .digits("first_peak_over_loading", 6, |at| at.early?.0.first_log_peak.map(libm::exp))
+        .digits("first_peak_relative_error", 2, |at| at.early?.0.first_log_peak.and(Some(at.early?.1)))
+        .digits("time_back_over_inertial_time", 3, |at| {
             Some(at.early?.0.time_back / at.group.inertial_parameter)
         })
-        .digits("left_over", "Remaining disturbance", "", 3, |at| Some(at.early?.0.left_over))
-        .text("behaviour", "Long-term behaviour", |at| at.long_term.map(|found| found.behaviour.as_str()))
-        .digits("late_peak_velocity_m_per_s", "Peak velocity of the cycle", "m/s", 7, |at| {
-            Some(at.cycle?.peak_velocity_m_per_s)
-        })
-        .digits("late_peak_relative_error", "Its relative error", "", 2, |at| {
-            Some(at.cycle?.peak_relative_error)
-        })
-        .digits("late_period_s", "Long-term period", "s", 7, |at| at.long_term?.period_s)
-        .digits("late_period_relative_error", "Its relative error", "", 2, |at| {
-            at.long_term?.period_relative_error
-        })
-        .text("failure", "Failure", |at| {
+        .digits("left_over", 3, |at| Some(at.early?.0.left_over))
+        .text("behaviour", |at| at.long_term.map(|found| found.behaviour.as_str()))
+        .digits("late_peak_velocity_m_per_s", 7, |at| Some(at.cycle?.peak_velocity_m_per_s))
+        .digits("late_peak_relative_error", 2, |at| Some(at.cycle?.peak_relative_error))
+        .digits("late_period_s", 7, |at| at.long_term?.period_s)
+        .digits("late_period_relative_error", 2, |at| at.long_term?.period_relative_error)
+        .text("failure", |at| {
             at.run.long_term.as_ref().err().or(at.run.early.as_ref().err()).map(ToString::to_string)
         })
         .table()
-        .into()
 }
 
 /// Largest over least of positive values, less 1; none when one is missing or there are fewer than two.
@@ -123,24 +110,21 @@ impl<'c> Spread<'c> {
 }
 
 fn spread(context: &Context) -> Option<Table> {
-    let note = "Spread: largest / smallest value − 1, over the starts with the same long-term behaviour.";
     let spreads: Vec<Spread<'_>> = groups(context).map(Spread::of).collect();
-    Table::of("start-spread", "Dependence on the start", &spreads)
-        .note(note)
-        .text("scene", "Scene", |of| of.scene)
-        .digits("loading_velocity_m_per_s", "V_l", "m/s", 6, |of| of.group.loading_velocity_m_per_s)
-        .digits("normal_stress_pa", "σ", "Pa", 6, |of| of.group.normal_stress_pa)
-        .digits("stiffness_over_critical", "K/K_c", "", 7, |of| of.group.stiffness_over_critical)
-        .text("slip_mode", "Slip mode by theory", |of| of.group.slip_mode.as_str())
-        .text("law", "Law", |of| of.group.law.as_str())
-        .text("late_behaviour", "Long-term behaviour, by start", |of| behaviours(of.group))
-        .digits("late_peak_spread", "Spread of the cycle's peak", "", 2, |of| of.peak)
-        .digits("late_peak_allowed", "Sum of the two errors", "", 2, |of| of.two_errors)
-        .digits("late_period_spread", "Spread of the long-term period", "", 2, |of| of.period)
-        .digits("first_peak_least", "Smallest first peak / V_l", "", 6, |of| of.first_peaks[0])
-        .digits("first_peak_most", "Largest first peak / V_l", "", 6, |of| of.first_peaks[1])
+    table_of("start-spread", &spreads)
+        .text("scene", |of| of.scene)
+        .digits("loading_velocity_m_per_s", 6, |of| of.group.loading_velocity_m_per_s)
+        .digits("normal_stress_pa", 6, |of| of.group.normal_stress_pa)
+        .digits("stiffness_over_critical", 7, |of| of.group.stiffness_over_critical)
+        .text("slip_mode", |of| of.group.slip_mode.as_str())
+        .text("law", |of| of.group.law.as_str())
+        .text("late_behaviour", |of| behaviours(of.group))
+        .digits("late_peak_spread", 2, |of| of.peak)
+        .digits("late_peak_allowed", 2, |of| of.two_errors)
+        .digits("late_period_spread", 2, |of| of.period)
+        .digits("first_peak_least", 6, |of| of.first_peaks[0])
+        .digits("first_peak_most", 6, |of| of.first_peaks[1])
         .table()
-        .into()
 }
 
 /// `all periodic`, or which starts end otherwise than the first.

@@ -1,6 +1,6 @@
 //! The table of the test experiment.
 
-use crate::experiments::shared::cells::DigitColumns;
+use crate::experiments::tables::table_of;
 use crate::experiments::{Context, Need, TableMaker};
 use slipmode_plot::table::Table;
 
@@ -12,8 +12,7 @@ pub(crate) const TABLES: &[TableMaker] = &[TableMaker {
 
 fn stiffnesses(context: &Context) -> Option<Table> {
     let stiffnesses = context.outcome.each(|scene| &scene.test_experiment).flat_map(|(_, found)| found);
-    Table::of("test-experiment", "Critical stiffness", stiffnesses)
-        .digits("critical_stiffness_pa_per_m", "Critical stiffness", "Pa/m", 6, |stiffness| stiffness)
+    table_of("test-experiment", stiffnesses)
+        .digits("critical_stiffness_pa_per_m", 6, |stiffness| stiffness)
         .table()
-        .into()
 }

@@ -1,7 +1,7 @@
 //! The runs of a laboratory's own points, each with both laws: a table, a figure and a sentence.
 
 use crate::experiments::operating_point::reach::{in_words, is_within_reach};
-use crate::experiments::shared::cells::DigitColumns;
+use crate::experiments::tables::table_of;
 use crate::experiments::trajectories::TrajectoryRun;
 use crate::experiments::trajectories::curves::{linear_axis, runs_of, series, stress_unit};
 use crate::experiments::trajectories::figures::place_words;
@@ -19,8 +19,6 @@ pub(crate) const TABLES: &[TableMaker] =
 pub(crate) const FIGURES: &[Drawer] = &[("own-runs", |outcome, words| {
     panels(outcome.scenes.iter().find(|scene| scene.trajectories.is_some())?, words)
 })];
-
-const NOTE: &str = "From steady sliding at a tenth of the loading velocity, middle values. Period and stress drop are those of the limit cycle; a run without them ends in steady sliding. The digits are those that the estimated error leaves certain (converged).";
 
 /// The laws in the order in which scenes name them.
 const LAWS: [EvolutionLaw; 2] = [EvolutionLaw::Slip, EvolutionLaw::Aging];
@@ -42,14 +40,11 @@ fn cycle(run: &TrajectoryRun) -> Option<&Simulation> {
 
 fn runs(context: &Context) -> Option<Table> {
     let points = context.outcome.scenes.iter().flat_map(by_point);
-    let mut table = Table::of("own-runs", "Simulated at the operating point and around it", points)
-        .note(NOTE)
-        .text("point", "Point", |runs| runs[0].point.id.replace('-', " "))
-        .digits("normal_stress_pa", "Normal stress σ", "Pa", DIGITS, |runs| &runs[0].point.normal_stress_pa)
-        .digits("loading_velocity_m_per_s", "Loading velocity V_l", "m/s", DIGITS, |runs| {
-            &runs[0].point.loading_velocity_m_per_s
-        })
-        .text("slip_mode", "Slip mode, theory", |runs| runs[0].theory.slip_mode.words());
+    let mut table = table_of("own-runs", points)
+        .text("point", |runs| runs[0].point.id.replace('-', " "))
+        .digits("normal_stress_pa", DIGITS, |runs| &runs[0].point.normal_stress_pa)
+        .digits("loading_velocity_m_per_s", DIGITS, |runs| &runs[0].point.loading_velocity_m_per_s)
+        .text("slip_mode", |runs| runs[0].theory.slip_mode.words());
     for law in LAWS {
         let word = law.as_str();
         let of = move |runs: &[TrajectoryRun]| runs.iter().position(|run| run.law == law);
@@ -58,19 +53,14 @@ fn runs(context: &Context) -> Option<Table> {
             Some(certain(value, error, DIGITS))
         };
         table = table
-            .number(&format!("period_{word}_s"), &format!("Period, {word} law"), "s", move |runs| {
+            .number(&format!("period_{word}_s"), move |runs| {
                 cell(runs, |found| found.period_s.zip(found.period_relative_error))
             })
-            .number(
-                &format!("stress_drop_{word}_pa"),
-                &format!("Stress drop, {word} law"),
-                "Pa",
-                move |runs| {
-                    cell(runs, |found| Some((found.stress_drop_pa, found.stress_drop_relative_error)))
-                },
-            );
+            .number(&format!("stress_drop_{word}_pa"), move |runs| {
+                cell(runs, |found| Some((found.stress_drop_pa, found.stress_drop_relative_error)))
+            });
     }
-    Some(table.table())
+    table.table()
 }
 
 fn panels(scene: &SceneOutcome, words: &Words) -> Option<String> {

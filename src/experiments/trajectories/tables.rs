@@ -1,6 +1,7 @@
 //! Tables of the trajectories: what each run showed, and the samples that the figures draw.
 
-use crate::experiments::shared::cells::{DigitColumns, Digits};
+use crate::experiments::shared::cells::Digits;
+use crate::experiments::tables::table_of;
 use crate::experiments::trajectories::{DRAWING_TOLERANCE, TrajectoryRun};
 use crate::experiments::{Context, Need, TableMaker};
 use slipmode_core::dynamics::Simulation;
@@ -35,53 +36,38 @@ fn finite(relative: Option<f64>) -> Option<f64> {
 }
 
 fn modes(context: &Context) -> Option<Table> {
-    let note = "The slip mode of a simulation is determined from its long-term behaviour alone. Peak and stress drop are those of the limit cycle, or of the transient of a decay. Errors are relative estimates from a second run at a tenth of the tolerance. The period of the theory is that of the small oscillation, from the exact class and a 64-bit root. The free residual is the largest difference between the integrated spring stress and the spring stress computed from separately integrated slip.";
-    Table::of("trajectory-modes", "Results of the runs of figs 3b to 3g and 6b to 6d", runs(context))
-        .note(note)
-        .text("point", "Point", |run| &run.point.id)
-        .text("law", "Law", |run| run.law.as_str())
-        .digits("normal_stress_pa", "Normal stress σ", "Pa", 6, |run| &run.point.normal_stress_pa)
-        .digits("loading_velocity_m_per_s", "Loading velocity V_l", "m/s", 6, |run| {
-            &run.point.loading_velocity_m_per_s
-        })
-        .text("slip_mode_theory", "Slip mode, theory", |run| run.theory.slip_mode.as_str())
-        .text("slip_mode_simulation", "Slip mode, simulation", |run| {
-            found(run).map(|found| found.slip_mode.as_str())
-        })
-        .digits("period_theory_s", "2π/max Im(s), theory", "s", MOST_DIGITS, period_by_theory)
-        .number("period_s", "Period, simulation", "s", |run| {
+    table_of("trajectory-modes", runs(context))
+        .text("point", |run| &run.point.id)
+        .text("law", |run| run.law.as_str())
+        .digits("normal_stress_pa", 6, |run| &run.point.normal_stress_pa)
+        .digits("loading_velocity_m_per_s", 6, |run| &run.point.loading_velocity_m_per_s)
+        .text("slip_mode_theory", |run| run.theory.slip_mode.as_str())
+        .text("slip_mode_simulation", |run| found(run).map(|found| found.slip_mode.as_str()))
+        .digits("period_theory_s", MOST_DIGITS, period_by_theory)
+        .number("period_s", |run| {
             found(run)
                 .and_then(|found| Some(certain(found.period_s?, found.period_relative_error?, MOST_DIGITS)))
         })
-        .digits("period_relative_error", "Its error", "", 2, |run| finite(found(run)?.period_relative_error))
-        .number("peak_over_loading_velocity", "Peak velocity / V_l", "", |run| {
+        .digits("period_relative_error", 2, |run| finite(found(run)?.period_relative_error))
+        .number("peak_over_loading_velocity", |run| {
             let velocity = nearest_f64(&run.point.loading_velocity_m_per_s);
             found(run).map(|found| {
                 certain(found.peak_velocity_m_per_s / velocity, found.peak_relative_error, MOST_DIGITS)
             })
         })
-        .digits("peak_relative_error", "Its error", "", 2, |run| {
-            finite(Some(found(run)?.peak_relative_error))
-        })
-        .number("stress_drop_pa", "Stress drop", "Pa", |run| {
+        .digits("peak_relative_error", 2, |run| finite(Some(found(run)?.peak_relative_error)))
+        .number("stress_drop_pa", |run| {
             found(run)
                 .map(|found| certain(found.stress_drop_pa, found.stress_drop_relative_error, MOST_DIGITS))
         })
-        .digits("stress_drop_relative_error", "Its error", "", 2, |run| {
-            finite(Some(found(run)?.stress_drop_relative_error))
-        })
-        .number("visible_turns", "Visible peaks and troughs", "", |run| {
-            visible_turns(run).map(|found| found[0])
-        })
-        .number("visible_error", "Its error", "", |run| {
+        .digits("stress_drop_relative_error", 2, |run| finite(Some(found(run)?.stress_drop_relative_error)))
+        .number("visible_turns", |run| visible_turns(run).map(|found| found[0]))
+        .number("visible_error", |run| {
             visible_turns(run).map(|[all, least, most]| (most - all).max(all - least))
         })
-        .digits("free_residual_pa", "Free residual", "Pa", 1, |run| {
-            run.course.as_ref().ok().map(|course| course.free_residual_pa)
-        })
-        .text("failure", "Failure", failure)
+        .digits("free_residual_pa", 1, |run| run.course.as_ref().ok().map(|course| course.free_residual_pa))
+        .text("failure", failure)
         .table()
-        .into()
 }
 
 fn found(run: &TrajectoryRun) -> Option<&Simulation> {
@@ -118,27 +104,18 @@ fn failure(run: &TrajectoryRun) -> Option<String> {
 }
 
 fn samples(context: &Context) -> Option<Table> {
-    let note = "Start: steady sliding at V_l/10. The samples are thinned: every omitted sample lies within a thousandth of the curve's extent from the line through the samples shown, in every pair of time, velocity, its logarithm and stress. Values are rounded for drawing; the tables of observables have all certain digits.";
     let rows = runs(context).flat_map(|run| {
         run.course.iter().flat_map(|course| &course.moments).map(move |moment| (run, moment))
     });
-    Table::of("trajectories", "Samples of the runs in the figures", rows)
-        .note(note)
-        .text("point", "Point", |(run, _)| &run.point.id)
-        .text("law", "Law", |(run, _)| run.law.as_str())
-        .digits("time_s", "Time since the start", "s", TIME_DIGITS, |(_, at)| at.time_s)
-        .digits("velocity_log10_ratio", "log10 of V/V_l", "", SAMPLE_DIGITS, |(_, at)| {
+    table_of("trajectories", rows)
+        .text("point", |(run, _)| &run.point.id)
+        .text("law", |(run, _)| run.law.as_str())
+        .digits("time_s", TIME_DIGITS, |(_, at)| at.time_s)
+        .digits("velocity_log10_ratio", SAMPLE_DIGITS, |(_, at)| {
             at.log_velocity_ratio / std::f64::consts::LN_10
         })
-        .digits(
-            "shear_stress_change_pa",
-            "Shear stress relative to steady sliding",
-            "Pa",
-            SAMPLE_DIGITS,
-            |(_, at)| at.stress_change_pa,
-        )
+        .digits("shear_stress_change_pa", SAMPLE_DIGITS, |(_, at)| at.stress_change_pa)
         .table()
-        .into()
 }
 
 #[cfg(test)]
