@@ -11,17 +11,11 @@ const HEADER: &str = "file,digest,commit,assumes\n";
 /// What stands in the place of the axioms of a file that Coq did not accept.
 const REFUSED: &str = "not accepted";
 
-/// A file of an earlier run.
-struct Row {
-    digest: String,
-    commit: String,
-    assumes: String,
-}
-
 /// The files of earlier runs.
 #[derive(Default)]
 pub struct Record {
-    rows: BTreeMap<String, Row>,
+    /// Digest, commit and what it assumes, by file.
+    rows: BTreeMap<String, [String; 3]>,
 }
 
 impl Record {
@@ -30,21 +24,20 @@ impl Record {
         let text = read(&path()).unwrap_or_default();
         let row = |line: &str| {
             let [file, digest, commit, assumes] = line.splitn(4, ',').collect::<Vec<_>>().try_into().ok()?;
-            let [digest, commit, assumes] = [digest, commit, assumes].map(str::to_owned);
-            Some((file.to_owned(), Row { digest, commit, assumes }))
+            Some((file.to_owned(), [digest, commit, assumes].map(str::to_owned)))
         };
         Self { rows: text.lines().skip(1).filter_map(row).collect() }
     }
 
     /// What Coq said of this file when it was as it is now, and at which commit.
     pub fn known(&self, file: &str, digest: &str) -> Option<(Said, &str)> {
-        let row = self.rows.get(file).filter(|row| row.digest == digest)?;
-        let said = match row.assumes.as_str() {
-            REFUSED => Err(format!("as recorded at {}", row.commit)),
+        let [_, commit, assumes] = self.rows.get(file).filter(|[known, ..]| known == digest)?;
+        let said = match assumes.as_str() {
+            REFUSED => Err(format!("as recorded at {commit}")),
             "" => Ok("Closed under the global context\n".to_owned()),
             axioms => Ok(format!("Axioms:\n{}\n", axioms.replace(' ', "\n"))),
         };
-        Some((said, &row.commit))
+        Some((said, commit))
     }
 
     /// The files of which the record knows what Coq says, and the others.
@@ -75,8 +68,8 @@ impl Record {
             let digest = digests.get(&task.file)?;
             let axioms = said.as_ref().map(|output| assumptions::listed(output).unwrap_or_default());
             let assumes = axioms.map_or(REFUSED.to_owned(), |axioms| axioms.join(" "));
-            let known = self.rows.get(&task.file).filter(|row| row.digest == *digest);
-            let commit = known.map_or(commit.as_str(), |row| &row.commit);
+            let known = self.known(&task.file, digest);
+            let commit = known.as_ref().map_or(commit.as_str(), |(_, commit)| commit);
             Some(format!("{},{digest},{commit},{assumes}\n", task.file))
         };
         let rows = checked.iter().filter_map(row).collect::<BTreeSet<String>>();
@@ -99,7 +92,7 @@ mod tests {
 
     #[test]
     fn a_file_is_known_only_as_it_was() {
-        let row = |assumes: &str| Row { digest: "d1".into(), commit: "c1".into(), assumes: assumes.into() };
+        let row = |assumes: &str| ["d1", "c1", assumes].map(str::to_owned);
         let rows = [("a", row("")), ("b", row("X.y Z.w")), ("c", row(REFUSED))];
         let record = Record { rows: rows.map(|(file, row)| (file.to_owned(), row)).into() };
         let said = |file: &str, digest: &str| record.known(file, digest).map(|(said, _)| said);

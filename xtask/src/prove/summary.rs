@@ -92,11 +92,11 @@ impl Steps {
     /// A line for each kind of step, one for each step without a theorem that Coq accepted, and the table of claims.
     fn coverage(&self, proved: &BTreeSet<&str>) -> String {
         let (mut kinds, mut open) = (BTreeMap::new(), String::new());
-        let mut claims = BTreeMap::<[&str; 2], Claim<'_>>::new();
+        let mut claims = BTreeMap::<[&str; 2], Vec<Checked<'_>>>::new();
         for [report, claim, proof, step, kind, theorem, _, obstacle] in &self.lines {
             let is_proved = proved.contains(theorem.as_str());
             let why = if theorem.is_empty() { obstacle } else { "Coq did not accept it" };
-            claims.entry([report, claim]).or_default().add(kind, (theorem, is_proved), why);
+            claims.entry([report, claim]).or_default().push(Checked { kind, theorem, is_proved, why });
             let counts: &mut [usize; 2] = kinds.entry(kind).or_default();
             counts[0] += usize::from(is_proved);
             counts[1] += 1;
@@ -109,16 +109,14 @@ impl Steps {
             text += &format!("{kind:<12} {done:>4} of {all:>4} steps\n");
         }
         text += &open;
-        // A claim without a line on whole theorems is decided by computations besides.
-        claims.retain(|_, claim| claim.is_exact);
         let mut counts = [0; 5];
-        for ([report, id], claim) in &claims {
-            let (way, row) = claim.row();
-            counts[way as usize] += 1;
-            text += &format!("{report:<18} {id:<4} {row}\n");
+        for ([report, id], steps) in &claims {
+            let Some((way, words)) = way(steps) else { continue };
+            counts[way] += 1;
+            text += &format!("{report:<18} {id:<4} {words}\n");
         }
         let [generated, by_hand, steps, argued, open] = counts;
-        let (whole, all) = (generated + by_hand, claims.len());
+        let (whole, all): (usize, usize) = (generated + by_hand, counts.iter().sum());
         text += &format!("claims decided exactly: {all}, of which {whole} are whole theorems");
         text += &format!(" ({} %): {generated} generated, {by_hand} by hand\n", 100 * whole / all.max(1));
         text += &format!("the others: {steps} by steps, {argued} with an argued step, ");
@@ -138,65 +136,44 @@ const WHOLE: &str = "whole";
 /// The kind of a theorem that is written by hand.
 const BY_HAND: &str = "by hand";
 
-/// How Coq has checked a claim.
-#[derive(Clone, Copy)]
-enum Way {
-    /// A theorem for each formula, written from it.
-    Generated,
-    /// Theorems written by hand state the claim.
-    ByHand,
-    /// A theorem for each step.
-    Steps,
-    /// The same, but for steps in words.
-    Argued,
-    /// A step has no theorem.
-    Open,
+/// The kind of a step in words.
+const ARGUED: &str = "argued";
+
+/// A step of a claim, and what Coq said of its theorem.
+struct Checked<'s> {
+    kind: &'s str,
+    theorem: &'s str,
+    is_proved: bool,
+    /// Why there is no theorem that Coq accepted.
+    why: &'s str,
 }
 
-/// What the list says of one claim.
-#[derive(Debug, Default)]
-struct Claim<'s> {
-    is_exact: bool,
-    is_argued: bool,
-    is_open: bool,
-    has_formulas: bool,
-    by_hand: Vec<&'s str>,
-    /// Why it is no theorem by itself.
-    obstacles: BTreeSet<&'s str>,
-    /// Whether a theorem by hand is missing.
-    is_untied: bool,
-}
-
-impl<'s> Claim<'s> {
-    fn add(&mut self, kind: &str, (theorem, is_proved): (&'s str, bool), obstacle: &'s str) {
-        self.is_exact |= matches!(kind, WHOLE | BY_HAND);
-        match kind {
-            WHOLE if is_proved => self.has_formulas = true,
-            BY_HAND if is_proved => self.by_hand.push(theorem),
-            WHOLE | BY_HAND => {
-                self.is_untied |= kind == BY_HAND;
-                self.obstacles.insert(obstacle);
-            }
-            "argued" => self.is_argued = true,
-            _ => self.is_open |= !is_proved,
-        }
+/// How Coq has checked a claim: by whole theorems that are generated (0) or written by hand (1), by steps (2), by steps of which some are
+/// argued in words (3), or not in all steps (4); and the same in words. None for a claim without a line on whole theorems, which
+/// computations decide besides.
+fn way(steps: &[Checked<'_>]) -> Option<(usize, String)> {
+    let of = |kind: &str, is_proved: bool| -> Vec<&Checked<'_>> {
+        steps.iter().filter(|step| step.kind == kind && step.is_proved == is_proved).collect()
+    };
+    let [generated, by_hand] = [WHOLE, BY_HAND].map(|kind| of(kind, true));
+    let [formulas, untied] = [WHOLE, BY_HAND].map(|kind| of(kind, false));
+    let obstacles: BTreeSet<&str> = formulas.iter().chain(&untied).map(|step| step.why).collect();
+    if generated.is_empty() && by_hand.is_empty() && obstacles.is_empty() {
+        return None;
     }
-
-    /// How it was checked, and the same in words.
-    fn row(&self) -> (Way, String) {
-        let reasons = Vec::from_iter(self.obstacles.iter().copied()).join("; ");
-        match self {
-            _ if self.obstacles.is_empty() && self.has_formulas => {
-                (Way::Generated, "whole (generated)".into())
-            }
-            _ if !self.by_hand.is_empty() && !self.is_untied => {
-                (Way::ByHand, format!("whole (by hand: {})", self.by_hand.join(", ")))
-            }
-            _ if self.is_open => (Way::Open, format!("not all steps: {reasons}")),
-            _ if self.is_argued => (Way::Argued, format!("argued: {reasons}")),
-            _ => (Way::Steps, format!("by steps: {reasons}")),
+    let is_open = steps.iter().any(|step| !step.is_proved && ![WHOLE, BY_HAND, ARGUED].contains(&step.kind));
+    let is_argued = steps.iter().any(|step| step.kind == ARGUED);
+    let names: Vec<&str> = by_hand.iter().map(|step| step.theorem).collect();
+    let reasons = Vec::from_iter(obstacles.iter().copied()).join("; ");
+    Some(match () {
+        () if obstacles.is_empty() && !generated.is_empty() => (0, "whole (generated)".into()),
+        () if !by_hand.is_empty() && untied.is_empty() => {
+            (1, format!("whole (by hand: {})", names.join(", ")))
         }
-    }
+        () if is_open => (4, format!("not all steps: {reasons}")),
+        () if is_argued => (3, format!("argued: {reasons}")),
+        () => (2, format!("by steps: {reasons}")),
+    })
 }
 
 #[cfg(test)]
