@@ -6,7 +6,7 @@ use serde::Deserialize;
 
 use crate::experiments::{Need, Outcome};
 use crate::scene::cited;
-use slipmode_plot::figure::Caption;
+use slipmode_plot::figure::{Axis, Caption, Panel, Panels, ZoneMap};
 
 /// A figure that is ready to be placed.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -68,6 +68,21 @@ impl Words {
                 *text = text.replace(&format!("{{{name}}}"), value);
             }
         }
+    }
+}
+
+impl Words {
+    /// A zone map without zones.
+    pub(crate) fn zone_map(&self, x: Axis, y: Axis) -> ZoneMap {
+        let (zones, lines, marks, labels) = Default::default();
+        ZoneMap { caption: self.caption.clone(), x, y, zones, lines, marks, labels }
+    }
+
+    /// Small charts in rows as SVG; none without a chart.
+    pub(crate) fn panels(&self, columns: usize, height: f64, panels: Vec<Panel>) -> Option<String> {
+        let is_empty = panels.is_empty();
+        let panels = Panels { caption: self.caption.clone(), columns, height, panels };
+        (!is_empty).then(|| panels.svg())
     }
 }
 

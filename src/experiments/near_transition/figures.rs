@@ -33,7 +33,6 @@ fn criticality(outcome: &Outcome, words: &Words) -> Option<String> {
     let zone = |label: &str, edge, style| Zone { label: label.into(), outlines: vec![closed(edge)], style };
     let paper = nearest_f64(&outcome.potentially_unstable()?.slider()?.effect_ratio());
     let map = ZoneMap {
-        caption: words.caption.clone(),
         zones: vec![
             zone("aging law subcritical, slip law supercritical", x.min, 2),
             zone("both laws supercritical", x.max, 0),
@@ -44,9 +43,7 @@ fn criticality(outcome: &Outcome, words: &Words) -> Option<String> {
             (degenerate_inertial_parameter(paper), paper - 1.0),
             Side::Right,
         )],
-        labels: Vec::new(),
-        x: x.clone(),
-        y: y.clone(),
+        ..words.zone_map(x.clone(), y.clone())
     };
     Some(map.svg())
 }
@@ -69,7 +66,6 @@ fn strip(scene: &SceneOutcome, words: &Words) -> Option<String> {
     let label =
         |lines: &[&str], x, y| RegionLabel { lines: lines.iter().map(|&line| line.into()).collect(), x, y };
     let map = ZoneMap {
-        caption: words.caption.clone(),
         zones: vec![Zone {
             label: "stable cycle and stable sliding".into(),
             outlines: vec![outline],
@@ -84,8 +80,7 @@ fn strip(scene: &SceneOutcome, words: &Words) -> Option<String> {
             label(&["two long-term behaviours:", "the start decides"], 1e-3, 2e-6),
             label(&["stable sliding only"], 1e-4, 1e-2),
         ],
-        x,
-        y,
+        ..words.zone_map(x, y)
     };
     Some(map.svg())
 }

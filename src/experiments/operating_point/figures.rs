@@ -21,13 +21,10 @@ fn operating_map(outcome: &Outcome, words: &Words) -> Option<String> {
     let marks =
         if runs.is_empty() { operating_point_mark(scene, &x, &y).into_iter().collect() } else { runs };
     let zones = ZoneMap {
-        caption: words.caption.clone(),
         zones: present_zones(modes, map.loading_velocity_m_per_s.len(), &x, &y),
         lines: known_lines(scene, boundary, &x, &y),
         marks,
-        labels: Vec::new(),
-        x,
-        y,
+        ..words.zone_map(x, y)
     };
     Some(zones.svg_with(Some(&readout(map, boundary))))
 }

@@ -16,13 +16,9 @@ fn plane(scene: &SceneOutcome, words: &Words) -> Option<String> {
     let x = Axis::log10("Loading velocity *V*_0", "m/s", *velocities.first()?, *velocities.last()?);
     let y = Axis::log10("*K*/*M*", "1/s²", *ratios.first()?, *ratios.last()?);
     let map = ZoneMap {
-        caption: words.caption.clone(),
         zones: present_zones(found.slip_modes.iter().copied(), velocities.len(), &x, &y),
         lines: lines(scene, boundary, [x.min, x.max])?,
-        marks: Vec::new(),
-        labels: Vec::new(),
-        x,
-        y,
+        ..words.zone_map(x, y)
     };
     Some(map.svg())
 }

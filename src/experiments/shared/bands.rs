@@ -15,28 +15,18 @@ pub(crate) const FINE: [usize; 2] = [448, 416];
 /// A block with so many columns and rows at most is filled without a look at each cell if a band holds its corners and its centre.
 const BLOCK: usize = 12;
 
-/// A line of theory with error bars.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum BandOf {
-    /// The boundary max Im(s) = 0.
-    Boundary,
-    /// The transition K = K_c.
-    Transition,
+slipmode_algebra::named! {
+    /// A line of theory with error bars.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum BandOf {
+        /// The boundary max Im(s) = 0.
+        Boundary = "boundary",
+        /// The transition K = K_c.
+        Transition = "transition",
+    }
 }
 
 impl BandOf {
-    /// Both.
-    pub const ALL: [Self; 2] = [Self::Boundary, Self::Transition];
-
-    /// Its word in tables.
-    #[must_use]
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            Self::Boundary => "boundary",
-            Self::Transition => "transition",
-        }
-    }
-
     fn look(self) -> (&'static str, LineRole) {
         match self {
             Self::Boundary => ("boundary within the error bars", LineRole::BoundaryBand),

@@ -7,7 +7,7 @@ use crate::experiments::trajectories::{Moment, TrajectoryRun};
 use crate::experiments::{Drawer, SceneOutcome, Words};
 use slipmode_core::friction::{EvolutionLaw, SlipMode};
 use slipmode_core::number::nearest_f64;
-use slipmode_plot::figure::{Axis, Panel, Panels, Reference};
+use slipmode_plot::figure::{Axis, Panel, Reference};
 
 pub(crate) const FIGURES: &[Drawer] = &[
     ("fig-3b-g", |outcome, words| slip_modes(outcome.potentially_unstable()?, words)),
@@ -21,10 +21,7 @@ const LAW: EvolutionLaw = EvolutionLaw::Slip;
 const MODE_HEIGHT: f64 = 130.0;
 
 fn slip_modes(scene: &SceneOutcome, words: &Words) -> Option<String> {
-    let panels: Vec<Panel> = runs_of(scene, "3", LAW).into_iter().filter_map(mode_panel).collect();
-    let is_empty = panels.is_empty();
-    let figure = Panels { caption: words.caption.clone(), columns: 2, height: MODE_HEIGHT, panels };
-    (!is_empty).then(|| figure.svg())
+    words.panels(2, MODE_HEIGHT, runs_of(scene, "3", LAW).into_iter().filter_map(mode_panel).collect())
 }
 
 fn mode_panel(run: &TrajectoryRun) -> Option<Panel> {
@@ -61,10 +58,7 @@ const APPROACHES: [(&str, &str); 3] = [
 
 fn approaches(scene: &SceneOutcome, words: &Words) -> Option<String> {
     let panel = |(prefix, words): (&str, &str)| approach_panel(&runs_of(scene, prefix, LAW), words);
-    let panels: Vec<Panel> = APPROACHES.into_iter().filter_map(panel).collect();
-    let is_empty = panels.is_empty();
-    let figure = Panels { caption: words.caption.clone(), columns: 1, height: APPROACH_HEIGHT, panels };
-    (!is_empty).then(|| figure.svg())
+    words.panels(1, APPROACH_HEIGHT, APPROACHES.into_iter().filter_map(panel).collect())
 }
 
 fn approach_panel(runs: &[&TrajectoryRun], words: &str) -> Option<Panel> {

@@ -10,7 +10,7 @@ use crate::experiments::{Context, Drawer, Need, Outcome, SceneOutcome, TableMake
 use crate::scene::Quantity;
 use slipmode_core::dynamics::{Behaviour, Simulation};
 use slipmode_core::friction::EvolutionLaw;
-use slipmode_plot::figure::{Axis, Panel, Panels, Reference};
+use slipmode_plot::figure::{Axis, Panel, Reference};
 use slipmode_plot::table::Table;
 
 pub(crate) const TABLES: &[TableMaker] =
@@ -64,10 +64,7 @@ fn runs(context: &Context) -> Option<Table> {
 }
 
 fn panels(scene: &SceneOutcome, words: &Words) -> Option<String> {
-    let panels: Vec<Panel> = by_point(scene).into_iter().filter_map(panel).collect();
-    let is_empty = panels.is_empty();
-    let figure = Panels { caption: words.caption.clone(), columns: 2, height: HEIGHT, panels };
-    (!is_empty).then(|| figure.svg())
+    words.panels(2, HEIGHT, by_point(scene).into_iter().filter_map(panel).collect())
 }
 
 fn panel(runs: &[TrajectoryRun]) -> Option<Panel> {

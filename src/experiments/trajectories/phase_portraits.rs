@@ -9,7 +9,7 @@ use crate::experiments::{Drawer, SceneOutcome, Words};
 use slipmode_core::dynamics::Behaviour;
 use slipmode_core::friction::{EvolutionLaw, Slider};
 use slipmode_core::number::{Rational, nearest_f64};
-use slipmode_plot::figure::{Axis, Panel, Panels, Series};
+use slipmode_plot::figure::{Axis, Panel, Series};
 
 pub(crate) const FIGURES: &[Drawer] =
     &[("phase-portraits", |outcome, words| portraits(outcome.potentially_unstable()?, words))];
@@ -21,10 +21,8 @@ const HEIGHT: f64 = 190.0;
 
 fn portraits(scene: &SceneOutcome, words: &Words) -> Option<String> {
     let parameters = scene.slider()?;
-    let panels: Vec<Panel> = POINTS.into_iter().filter_map(|id| portrait(scene, parameters, id)).collect();
-    let is_empty = panels.is_empty();
-    let figure = Panels { caption: words.caption.clone(), columns: 2, height: HEIGHT, panels };
-    (!is_empty).then(|| figure.svg())
+    let panels = POINTS.into_iter().filter_map(|id| portrait(scene, parameters, id));
+    words.panels(2, HEIGHT, panels.collect())
 }
 
 fn portrait(scene: &SceneOutcome, parameters: &Slider<Rational>, id: &str) -> Option<Panel> {
