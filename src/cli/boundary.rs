@@ -2,13 +2,12 @@
 //! normal stress.
 
 mod over_box;
-mod point;
 
 use std::path::PathBuf;
 
 use clap::Args;
 use serde_json::Value;
-use slipmode::experiments::boundary::{END_ERROR, vanishes};
+use slipmode::experiments::boundary::{END_ERROR, LinePoint, Stated, vanishes};
 use slipmode::experiments::pictures::boundary_picture;
 use slipmode::scene::{Limits, Problem, Quantity};
 use slipmode_core::friction::Slider;
@@ -29,7 +28,6 @@ use crate::cli::options::{Arguments, MaterialOptions, inertial_threshold};
 use crate::cli::output::Output;
 use crate::cli::roots::MOST_DIGITS;
 use crate::cli::terminal;
-use point::Point;
 
 /// Points on each arc unless the command line says otherwise.
 const DEFAULT_POINTS: u64 = 200;
@@ -263,15 +261,15 @@ impl Request {
         Ok(Found { answer, table, picture: Box::new(picture) })
     }
 
-    fn stated<P: Point>(&self, points: &[P]) -> (Answer, Table) {
+    fn stated<P: LinePoint>(&self, points: &[P]) -> (Answer, Table) {
         let mut table = Table::new("boundary", "Boundary", P::columns());
         points.iter().for_each(|point| table.push(point.row(self.digits as usize)));
         let answer = answer_to(slider_json(&self.slider), self.pair_ratio.as_ref());
-        (answer.list("points", points.iter().map(P::part)), table)
+        (answer.list("points", points.iter().map(part)), table)
     }
 
     /// The points, computed with more digits than requested where inputs hundreds of decades apart take them.
-    fn points<P: Point>(
+    fn points<P: LinePoint>(
         &self,
         points_to: impl Fn(u32) -> Result<Vec<P>, Undecided>,
     ) -> Result<Vec<P>, Undecided> {
@@ -310,11 +308,21 @@ impl Request {
     }
 
     /// Whether every number of a point has all digits, or is zero to all of them.
-    fn is_enclosed(&self, point: &impl Point) -> bool {
+    fn is_enclosed(&self, point: &impl LinePoint) -> bool {
         let wanted = -f64::from(self.digits + GUARD_DIGITS) * std::f64::consts::LOG2_10;
         let has_digits = |ball: &Ball| ball.relative_radius_log2() < wanted;
         point.numbers().iter().all(|(_, ball)| has_digits(ball) || vanishes(ball, self.digits as usize))
     }
+}
+
+/// States a point: its words, and its numbers in 64 bits.
+fn part<P: LinePoint>(point: &P) -> Answer {
+    let words = P::STATES.iter().fold(Answer::default(), |answer, (name, .., state)| match state(point) {
+        Stated::Word(word) => answer.with(name, word),
+        Stated::Sign(sign) => answer.with(name, sign),
+        Stated::Number(_) | Stated::OfOrderOne(_) => answer,
+    });
+    point.numbers().iter().fold(words, |part, (name, ball)| part.with(name, ball.to_f64()))
 }
 
 /// Draws the boundary over the axes that `new` would choose: these points of it, or enough to draw it.

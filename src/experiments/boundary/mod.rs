@@ -1,13 +1,14 @@
 //! The exact boundary of a scene: its points, its marks, and the agreement of the three routes to it.
 
+mod columns;
 pub(crate) mod figures;
 pub(crate) mod run;
 pub(crate) mod section;
 pub(crate) mod tables;
 
+pub use columns::{LinePoint, PointColumn, Stated, vanishes};
 pub use run::{BoundaryOutcome, END_ERROR, boundary_outcome};
 pub use section::BoundarySection;
-pub use tables::{boundary_columns, boundary_row, pair_line_columns, pair_line_row, vanishes};
 
 use crate::experiments::{Drawer, Experiment, Setting, TableMaker, Work};
 
