@@ -1,8 +1,10 @@
 //! Which figures there are: `figures.toml` describes them, and a function draws each.
 
+use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 use serde::Deserialize;
+use serde::de::DeserializeOwned;
 
 use crate::experiments::{Need, Outcome};
 use crate::scene::cited;
@@ -69,9 +71,7 @@ impl Words {
             }
         }
     }
-}
 
-impl Words {
     /// A zone map without zones.
     pub(crate) fn zone_map(&self, x: Axis, y: Axis) -> ZoneMap {
         let (zones, lines, marks, labels) = Default::default();
@@ -147,14 +147,13 @@ struct Described {
     description: String,
 }
 
-static DESCRIBED: LazyLock<Vec<Described>> = LazyLock::new(|| {
-    #[derive(Deserialize)]
-    struct File {
-        figure: Vec<Described>,
-    }
-    let file: Option<File> = toml::from_str(include_str!("figures.toml")).ok();
-    file.map_or_else(Vec::new, |file| file.figure)
-});
+static DESCRIBED: LazyLock<Vec<Described>> = LazyLock::new(|| list_in(include_str!("figures.toml")));
+
+/// The list of a file that has nothing besides.
+pub(super) fn list_in<T: DeserializeOwned>(text: &str) -> Vec<T> {
+    let file: Option<BTreeMap<String, Vec<T>>> = toml::from_str(text).ok();
+    file.into_iter().flat_map(BTreeMap::into_values).flatten().collect()
+}
 
 #[cfg(test)]
 mod tests {

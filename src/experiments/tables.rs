@@ -4,6 +4,7 @@ use std::sync::LazyLock;
 
 use serde::Deserialize;
 
+use crate::experiments::figures::list_in;
 use crate::experiments::shared::cells::Digits;
 use crate::experiments::{Context, Need};
 use crate::scene::cited;
@@ -42,14 +43,7 @@ struct Described {
     columns: Vec<String>,
 }
 
-static DESCRIBED: LazyLock<Vec<Described>> = LazyLock::new(|| {
-    #[derive(Deserialize)]
-    struct File {
-        table: Vec<Described>,
-    }
-    let file: Option<File> = toml::from_str(include_str!("tables.toml")).ok();
-    file.map_or_else(Vec::new, |file| file.table)
-});
+static DESCRIBED: LazyLock<Vec<Described>> = LazyLock::new(|| list_in(include_str!("tables.toml")));
 
 /// A described table that is being filled from the values of its rows.
 #[derive(Debug)]
