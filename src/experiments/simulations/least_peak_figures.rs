@@ -105,7 +105,7 @@ const CURVES: usize = 5;
 const LOWEST: f64 = 1e-2;
 const HIGHEST: f64 = 10.0;
 
-fn curves(scene: &SceneOutcome, law: EvolutionLaw, words: &mut Words) -> Option<String> {
+fn curves(scene: &SceneOutcome, law: EvolutionLaw, words: &Words) -> Option<String> {
     let outcome = scene.simulations.as_ref()?;
     let (_, grid) = outcome.grids.iter().find(|(of, _)| *of == law)?;
     let of_law: Vec<&LeastPeak> = outcome.least_peaks.iter().filter(|least| least.law == law).collect();
@@ -118,7 +118,6 @@ fn curves(scene: &SceneOutcome, law: EvolutionLaw, words: &mut Words) -> Option<
     let heights = || series.iter().flat_map(|line| &line.points).filter(|p| p.0 > LOWEST && p.0 < HIGHEST);
     let (low, high) =
         (heights().map(|p| p.1).fold(f64::INFINITY, f64::min), heights().map(|p| p.1).fold(0.0, f64::max));
-    words.fill(&[("asymptote", "{inertial-upper}")]);
     let chart = LineChart {
         caption: words.caption.clone(),
         x: Axis::log10(&cited("*V*_l / velocity of {inertial-upper}"), "", LOWEST, HIGHEST),
