@@ -7,6 +7,7 @@ use super::linear::largest_row;
 use super::manifold::Manifold;
 use super::motion::{Motion, column_sizes};
 use super::set::{COORDINATES, Derivative, Set};
+use super::short_time::{ShortMotion, ShortStick, ShortTime};
 use super::sticking::LastStep;
 
 /// Where the motion crossed the section, seen from p.
@@ -21,49 +22,19 @@ pub(super) struct Crossing {
 impl Motion<'_> {
     /// The section x = `section`, reached to rounding by the centre.
     pub(super) fn inertial_crossing(&mut self, set: &Set<3>, section: f64) -> Result<Crossing, Reason> {
-        let system = Inertial(self.constants);
-        let hull = set.hull();
+        let (system, hull) = (Inertial(self.constants), set.hull());
         let missing = (Interval::point(section) - hull[0]).magnitude();
-        let slowest = 0.5 * hull[2].lower();
-        if !(slowest > 0.0) {
-            return Err(Reason::Tangent);
-        }
-        let time = generously_up(missing / slowest);
-        let around = hull.map(|c| c.widened(generously_up(1e-30 + missing)));
-        let widen =
-            |c: Interval, rate: Interval| c.widened(generously_up(2.0 * time * rate.magnitude() + 1e-300));
-        let rates = system.rates(&around);
-        let during: [Interval; 3] = std::array::from_fn(|i| widen(hull[i], rates[i]));
-        let rates = system.rates(&during);
-        let holds =
-            (0..3).all(|i| hull[i].widened(generously_up(time * rates[i].magnitude())).is_inside(during[i]));
-        if !(holds && rates[0].lower() > slowest) {
-            return Err(Reason::Tangent);
-        }
-        let turning = generously_up(time * largest_row(&system.jacobian(&during)));
-        let changes = carried(&set.derivative(), turning)?;
-        let inverse = rates[0].reciprocal();
-        let along = [rates[1] * inverse, rates[2] * inverse];
-        self.correct_duration(time, &during[0]);
-        let (zero, one) = (Interval::ZERO, Interval::ONE);
-        let (errors, derivative) = set.seen_by(&[[-along[0], one, zero], [-along[1], zero, one]]);
-        let rest = Interval::point(section) - Interval::point(set.centre[0]);
-        let turned = |i: usize, j: usize| generously_up(changes[j] * (1.0 + along[i].magnitude()));
-        Ok(Crossing {
-            centre: std::array::from_fn(|i| Interval::point(set.centre[i + 1]) + along[i] * rest + errors[i]),
-            derivative: std::array::from_fn(|i| {
-                std::array::from_fn(|j| derivative[i][j].widened(turned(i, j)))
-            }),
-        })
-    }
-
-    /// The crossing is a time `time` of s before or after the end of the last step.
-    fn correct_duration(&mut self, time: f64, x: &Interval) {
-        let change = generously_up(time * (self.constants.inertia * x.exp()).magnitude());
+        let guess = system.rates(&hull.map(|c| c.widened(missing)));
+        let upward = [Interval::ONE, Interval::ZERO, Interval::ZERO];
+        let over = |at: &[Interval; 3], _| Ok(system.over(at));
+        let short = ShortTime::until_plane(&hull, upward, missing, &guess, over)?;
+        let velocity = short.during[0].exp();
+        let change = generously_up(short.time * (self.constants.inertia * velocity).magnitude());
         self.observed.duration = self.observed.duration.widened(change);
+        crossed(set, section, &short)
     }
 
-    /// The same on the slow manifold: the last step, of length h from a tube, is seen as one that may last a little longer.
+    /// The same on the slow manifold, shortly before or after the end of the last step.
     pub(super) fn slow_crossing(
         &mut self,
         set: &Set<2>,
@@ -73,79 +44,53 @@ impl Motion<'_> {
         let hull = set.hull();
         let missing = (Interval::point(section) - hull[0]).magnitude();
         let here = Manifold::over(self.constants, &hull);
-        let slowest = 0.5 * here.rate.lower();
-        if !(slowest > 0.0) {
-            return Err(Reason::Tangent);
-        }
-        let time = generously_up(missing / slowest);
-        let reach =
-            [here.rate, here.state_rate].map(|rate| generously_up(2.0 * time * rate.magnitude() + 1e-300));
-        let during: [Interval; 2] = std::array::from_fn(|i| hull[i].widened(reach[i]));
-        let passage = last.prolonged(self.constants, &during, time).ok_or(Reason::LeftTheTube)?;
-        let largest = passage.after((last.h - time).max(0.0));
-        let near = Manifold::over(self.constants, &during);
-        let speed = near.rate.widened(largest.distance);
-        let holds = generously_up(time * speed.magnitude()) < reach[0]
-            && generously_up(time * near.state_rate.magnitude()) < reach[1];
-        if !(holds && speed.lower() > slowest) {
-            return Err(Reason::Tangent);
-        }
-        let turning = generously_up(time * near.largest_slope);
-        let changes = carried(&set.derivative(), turning)?;
-        let along = near.state_rate * speed.reciprocal();
-        let (errors, derivative) = set.seen_by(&[[-along, Interval::ONE]]);
-        let rest = Interval::point(section) - Interval::point(set.centre[0]);
-        let tube_along = near.tube_rate(largest.distance) / slowest;
-        self.observed.duration = self.observed.duration.widened(time);
-        let turned = |j: usize| {
-            generously_up((changes[j] + 2.0 * time * largest.slopes[j]) * (1.0 + along.magnitude()))
-        };
-        let sizes = column_sizes(&set.derivative());
-        let of_tube = |j: usize| {
-            generously_up(
-                largest.slopes[j] + tube_along * (sizes[j] + changes[j] + 2.0 * time * largest.slopes[j]),
-            )
-        };
-        Ok(Crossing {
-            centre: [
-                Interval::point(set.centre[1]) + along * rest + errors[0],
-                Interval::symmetric(largest.distance),
-            ],
-            derivative: [
-                std::array::from_fn(|j| derivative[0][j].widened(turned(j))),
-                std::array::from_fn(|j| Interval::symmetric(of_tube(j))),
-            ],
-        })
+        // So wide that rounding leaves something of it where y hardly changes.
+        let guess = [here.rate, here.state_rate.widened(here.rate.magnitude())];
+        let over = |at: &[Interval; 2], time| last.over(self.constants, at, time);
+        let short = ShortTime::until_plane(&hull, [Interval::ONE, Interval::ZERO], missing, &guess, over)?;
+        self.observed.duration = self.observed.duration.widened(short.time);
+        crossed_slowly(set, section, &short)
     }
 }
 
-/// By how much derivatives change in a short time: with ‖J‖ t = `turning` by at most (e^{‖J‖ t} − 1) of their size.
-fn carried<const N: usize>(derivative: &Derivative<N>, turning: f64) -> Result<[f64; COORDINATES], Reason> {
-    if !(turning < 0.5) {
-        return Err(Reason::Tangent);
-    }
-    Ok(column_sizes(derivative).map(|size| generously_up(2.0 * turning * size)))
+/// The crossing of the whole slider.
+pub(super) fn crossed(set: &Set<3>, section: f64, short: &ShortMotion) -> Result<Crossing, Reason> {
+    let turning = short.turning(largest_row(&short.around))?;
+    let changes = column_sizes(&set.derivative()).map(|size| turning * size);
+    let (centre, derivative) = on_section(set, section, short, changes);
+    Ok(Crossing { centre, derivative })
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
+/// The crossing of a sticking slider. In a time τ the derivative by p gains at most e^{μτ}τ|∂ψ/∂p|. The time depends on p, so that the
+/// derivative of ψ gains ψ' times the derivative of this time.
+pub(super) fn crossed_slowly(set: &Set<2>, section: f64, short: &ShortStick) -> Result<Crossing, Reason> {
+    let (manifold, tube) = &short.around;
+    let turning = short.turning(manifold.largest_slope)?;
+    let sizes = column_sizes(&set.derivative());
+    let changes = std::array::from_fn(|j| turning * sizes[j] + 1.65 * short.time * tube.slopes[j]);
+    let ([y], [by_p]) = on_section(set, section, short, changes);
+    let slopes = std::array::from_fn(|j| {
+        let time_by_p = (sizes[j] + changes[j]) / short.slowest;
+        Interval::symmetric(generously_up(tube.slopes[j] + manifold.tube_rate(tube.distance) * time_by_p))
+    });
+    Ok(Crossing { centre: [y, Interval::symmetric(tube.distance)], derivative: [by_p, slopes] })
+}
 
-    /// J = a[[0, 1], [1, 0]] carries (1, 1) to e^{at}(1, 1) and (1, −1) to e^{−at}(1, −1): the change is at most the bound, or there is none.
-    #[test]
-    fn what_a_short_time_changes_of_a_derivative_is_bounded() {
-        let mut bounded = 0;
-        for turning in [1e-6, 0.01, 0.2, 0.45, 0.499, 0.6, 2.0, 5.0] {
-            for size in [1.0, 1e-3, 7.0] {
-                let derivative =
-                    [[size, 0.5 * size], [size, -0.5 * size]].map(|row| row.map(Interval::point));
-                let Ok(changes) = carried(&derivative, turning) else { continue };
-                bounded += 1;
-                let grown = [size * libm::expm1(turning), 0.5 * size * libm::expm1(turning)];
-                assert!((0..2).all(|j| changes[j] >= grown[j] * (1.0 - 1e-12)), "{turning} {changes:?}");
-                assert!(changes[0] >= -size * libm::expm1(-turning));
-            }
-        }
-        assert!(bounded >= 12 && carried(&[[Interval::ONE; 2]; 2], f64::NAN).is_err(), "{bounded}");
-    }
+/// The coordinates behind x on the section, for p = 0, and their derivative by p; `changes` bounds how much a short time changes the derivative
+/// of the state.
+fn on_section<const N: usize, const K: usize, T>(
+    set: &Set<N>,
+    section: f64,
+    short: &ShortTime<N, T>,
+    changes: [f64; COORDINATES],
+) -> ([Interval; K], Derivative<K>) {
+    let removed = short.projection();
+    let forms: [[Interval; N]; K] = std::array::from_fn(|i| removed[i + 1]);
+    let (errors, derivative) = set.seen_by(&forms);
+    let rest = Interval::point(section) - Interval::point(set.centre[0]);
+    let change = |i: usize, j: usize| generously_up(changes[j] * (1.0 + forms[i][0].magnitude()));
+    (
+        std::array::from_fn(|i| Interval::point(set.centre[i + 1]) - forms[i][0] * rest + errors[i]),
+        std::array::from_fn(|i| std::array::from_fn(|j| derivative[i][j].widened(change(i, j)))),
+    )
 }

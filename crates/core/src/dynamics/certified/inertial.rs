@@ -11,6 +11,7 @@
 use super::Constants;
 use super::interval::Interval;
 use super::lanes::{Factor, Lanes, product};
+use super::linear::Square;
 use super::step::{ORDER, Series, System};
 use crate::friction::EvolutionLaw;
 
@@ -70,8 +71,13 @@ impl Inertial<'_> {
         [*f, state_rate, stiffness * inertia * (velocity - square) - *f - effect_ratio * state_rate]
     }
 
-    /// The derivative of these rates over a box.
-    pub fn jacobian(&self, [x, y, _]: &[Interval; 3]) -> [[Interval; 3]; 3] {
+    /// The rates over a box, and their derivative.
+    pub fn over(&self, at: &[Interval; 3]) -> ([Interval; 3], Square<3>) {
+        (self.rates(at), self.jacobian(at))
+    }
+
+    /// The derivative of the rates over a box.
+    pub fn jacobian(&self, [x, y, _]: &[Interval; 3]) -> Square<3> {
         let Constants { inertia, stiffness, effect_ratio, law } = *self.0;
         let velocity = x.exp();
         let square = velocity * velocity;

@@ -86,7 +86,7 @@ impl<const N: usize> Frame<N> {
     }
 
     /// With E = I − QᵀQ and ‖E‖ ≤ e < 1 in the norm of largest row sums, Q⁻¹ = (I − E)⁻¹Qᵀ is within ‖Qᵀ‖ e/(1 − e) of Qᵀ.
-    fn enclosed(q: &[[f64; N]; N]) -> Self {
+    pub fn enclosed(q: &[[f64; N]; N]) -> Self {
         let columns = points(q);
         let transposed: Square<N> = std::array::from_fn(|i| std::array::from_fn(|j| columns[j][i]));
         let gram = multiply(&transposed, &columns);

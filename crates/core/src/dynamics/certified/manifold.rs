@@ -33,7 +33,7 @@ pub(super) struct Manifold {
     pub largest_slope: f64,
     pub largest_bend: f64,
     /// sup|R|.
-    residual: f64,
+    pub residual: f64,
     /// R and q/ε with their derivatives.
     residual_gradient: [Interval; 2],
     damping: Interval,
@@ -57,9 +57,11 @@ pub(super) struct Passage {
     settled: Tube,
     /// Λ.
     contraction: f64,
-    /// ∫|ψ| dt and ∫|∂ψ/∂p| dt.
-    pub impulse: f64,
-    pub slope_impulses: [f64; 2],
+    /// e^{μh}, with the largest growth rate μ of deviations.
+    pub growth: f64,
+    /// How far ψ moves the state, and its derivative by p, until the end: e^{μh}∫|ψ| dt and e^{μh}∫|∂ψ/∂p| dt.
+    pub moved: f64,
+    pub moved_slopes: [f64; 2],
 }
 
 impl Manifold {
@@ -145,9 +147,10 @@ impl Manifold {
         generously_up(of(0) + of(1))
     }
 
-    /// The tube over a step of length h within the box; `growth` bounds the growth of a deviation during the step, and `derivatives`
-    /// the sizes of ∂(x, y)/∂p at its start. None where the tube does not contract.
-    pub fn passage(&self, tube: Tube, h: f64, growth: f64, derivatives: [f64; 2]) -> Option<Passage> {
+    /// The tube over a step of length h within the box; `derivatives` are the sizes of ∂(x, y)/∂p at its start. None where the tube does not
+    /// contract.
+    pub fn passage(&self, tube: Tube, h: f64, derivatives: [f64; 2]) -> Option<Passage> {
+        let growth = (Interval::point(self.largest_slope) * Interval::point(h)).exp().upper();
         let least = self.damping.lower();
         let first = generously_up(tube.distance + 2.0 * self.residual / least);
         let contraction = (least - self.rate.magnitude() - 2.0 * first) * (1.0 - 1e-9);
@@ -165,7 +168,7 @@ impl Manifold {
         if !(feedback < 0.5) {
             return None;
         }
-        let impulse = generously_up(tube.distance * time + settled * h);
+        let moved = generously_up(growth * (tube.distance * time + settled * h));
         let slope_impulses: [f64; 2] = std::array::from_fn(|j| {
             generously_up((tube.slopes[j] * time + feedback * derivatives[j]) / (1.0 - feedback))
         });
@@ -173,7 +176,8 @@ impl Manifold {
             generously_up(source * growth * (derivatives[j] + slope_impulses[j]) / contraction)
         });
         let settled = Tube { distance: settled, slopes: settled_slopes };
-        Some(Passage { start: tube, settled, contraction, impulse, slope_impulses })
+        let moved_slopes = slope_impulses.map(|impulse| generously_up(growth * impulse));
+        Some(Passage { start: tube, settled, contraction, growth, moved, moved_slopes })
     }
 }
 
@@ -263,7 +267,7 @@ mod tests {
             let at_first = Tube { distance: 0.0, slopes: [0.0; 2] };
             let time = motion.observed.duration.upper();
             let bound =
-                |over: &Manifold| over.passage(at_first, time, 2.0, [0.0; 2]).unwrap().after(time).distance;
+                |over: &Manifold| over.passage(at_first, time, [0.0; 2]).unwrap().after(time).distance;
             assert!(psi.magnitude() < bound(&path), "{psi:?} {:e}", bound(&path));
             let faulty = Manifold { residual: 1e-3 * path.residual, ..path };
             assert!(psi.mignitude() > bound(&faulty), "{psi:?} {:e}", bound(&faulty));
@@ -370,7 +374,7 @@ mod tests {
             let tube = Tube { distance: start, slopes: [slope, 0.5 * slope] };
             let growth = libm::exp(growth_rate * h);
             let derivatives = [derivative, 0.5 * derivative];
-            let passage = manifold.passage(tube, h, growth, derivatives).unwrap();
+            let passage = manifold.passage(tube, h, derivatives).unwrap();
             let dt = h / f64::from(parts);
             // At ψ < 0: |ψ|' = R − |ψ|(d + ξ) + ψ².
             let (mut psi, mut by_p, mut off) = (start, slope, derivative);
@@ -395,15 +399,16 @@ mod tests {
             let end = passage.after(h);
             let holds = |bound: f64, value: f64| bound >= value * (1.0 - 1e-6);
             assert!(
-                holds(end.distance, psi) && holds(passage.impulse, impulse),
+                holds(end.distance, psi) && holds(passage.moved, growth * impulse),
                 "{passage:?} {psi} {impulse}"
             );
             assert!(
-                holds(end.slopes[0], by_p) && holds(passage.slope_impulses[0], slope_impulse),
+                holds(end.slopes[0], by_p) && holds(passage.moved_slopes[0], growth * slope_impulse),
                 "{passage:?} {by_p}"
             );
             assert!(
-                holds(end.slopes[1], 0.5 * by_p) && holds(passage.slope_impulses[1], 0.5 * slope_impulse)
+                holds(end.slopes[1], 0.5 * by_p)
+                    && holds(passage.moved_slopes[1], 0.5 * growth * slope_impulse)
             );
             let first = passage.after(0.0);
             assert!(holds(first.distance, start) && holds(first.slopes[0], slope));
@@ -411,7 +416,7 @@ mod tests {
         // No tube holds where nothing damps, where ψ² wins, or where the derivative feeds itself.
         let weak = |damping: f64| Manifold { damping: Interval::point(damping), ..manifold };
         let passage = |manifold: Manifold, distance: f64, h: f64| {
-            manifold.passage(Tube { distance, slopes: [1.0; 2] }, h, libm::exp(h), [1.0; 2])
+            manifold.passage(Tube { distance, slopes: [1.0; 2] }, h, [1.0; 2])
         };
         assert!(passage(manifold, 0.1, 0.1).is_some());
         let refused = [
@@ -504,6 +509,30 @@ mod tests {
         }
     }
 
+    /// Without any other growth, ψ' by p is S δ/Λ at once and δ' = δψ: the derivative of the state feeds itself, as e^{hS/Λ}.
+    #[test]
+    fn the_tube_feeds_itself() {
+        let (one, h) = (Interval::ONE, 1.0);
+        for feedback in [0.01, 0.2, 0.45] {
+            let manifold = Manifold {
+                inertia: one,
+                rate: Interval::ZERO,
+                rate_gradient: [Interval::ZERO; 2],
+                state_rate: one,
+                largest_slope: 0.0,
+                largest_bend: 1.0,
+                residual: 1e-12,
+                residual_gradient: [Interval::point(1e9 * feedback), Interval::ZERO],
+                damping: Interval::point(1e9),
+                damping_gradient: [Interval::ZERO; 2],
+            };
+            let passage = manifold.passage(Tube { distance: 0.0, slopes: [0.0; 2] }, h, [1.0, 0.0]).unwrap();
+            let exact = [libm::expm1(feedback * h), feedback * libm::exp(feedback * h)];
+            let found = [passage.moved_slopes[0], passage.after(h).slopes[0]];
+            assert!((0..2).all(|i| found[i] >= exact[i] * (1.0 - 1e-6)), "{feedback} {exact:?} {passage:?}");
+        }
+    }
+
     /// A source that is constant while deviations grow fast: ψ' by p is S e^{μt}/Λ at most, and the growth counts in full.
     #[test]
     fn deviations_that_grow_fast_feed_the_tube() {
@@ -523,7 +552,7 @@ mod tests {
         };
         for h in [0.1, 0.3, 0.4] {
             let tube = Tube { distance: 0.0, slopes: [0.0; 2] };
-            let passage = manifold.passage(tube, h, libm::exp(growth_rate * h), [1.0, 0.0]).unwrap();
+            let passage = manifold.passage(tube, h, [1.0, 0.0]).unwrap();
             let dt = h / f64::from(parts);
             let (mut by_p, mut off, mut impulse) = (0.0, 1.0, 0.0);
             for _ in 0..parts {
@@ -534,7 +563,8 @@ mod tests {
                 (by_p, off) = (by_p + dt * middle[0], off + dt * middle[1]);
             }
             let holds = |bound: f64, value: f64| bound >= value * (1.0 - 1e-6);
-            assert!(holds(passage.slope_impulses[0], impulse), "{h} {} {impulse}", passage.slope_impulses[0]);
+            let growth = libm::exp(growth_rate * h);
+            assert!(holds(passage.moved_slopes[0], growth * impulse), "{h} {passage:?} {impulse}");
             assert!(holds(passage.after(h).slopes[0], by_p), "{h} {:?} {by_p}", passage.after(h));
         }
     }

@@ -24,6 +24,7 @@ mod manifold;
 mod motion;
 mod observed;
 mod set;
+mod short_time;
 mod slow;
 mod step;
 mod sticking;
@@ -57,9 +58,6 @@ pub enum Reason {
     /// No step was found that is held by its box.
     #[error("no step was found whose enclosure holds")]
     NoEnclosure,
-    /// The set grew beyond all bounds.
-    #[error("the enclosure has no bound")]
-    Unbounded,
     /// The slider sticks, but inertia is too strong for the slow manifold.
     #[error("inertia is too strong for the slow manifold")]
     LeftTheTube,

@@ -7,7 +7,7 @@ use super::linear::worse;
 use super::manifold::Tube;
 use super::observed::{Moment, Observed, Passed};
 use super::set::{COORDINATES, Derivative, Set};
-use super::step::Expansion;
+use super::step::{Expansion, Step};
 use super::{Constants, Reason};
 
 /// Attempts to find a step that is held by its box, each shorter than the one before.
@@ -85,43 +85,51 @@ impl<'c> Motion<'c> {
         let system = Inertial(self.constants);
         let expansion = Expansion::new(&system, set);
         let length = expansion.length();
-        let (h, is_crossing) = landing(&expansion, [self.reach * length, length], section);
+        let (h, landed) = landing(&expansion, [self.reach * length, length], section);
         let (h, step) = self.held(h, |h| expansion.step(&system, set, h, 0.0))?;
-        let is_crossing = is_crossing.filter(|&length| length == h).is_some();
         let end = set.mapped(step.image, &step.slope, &[[Interval::ZERO; COORDINATES]; 3]);
-        if !end.is_bounded() {
-            return Err(Reason::Unbounded);
-        }
-        let (start_hull, end_hull) = (set.hull(), end.hull());
-        let Constants { inertia, stiffness, .. } = *self.constants;
-        let rates = system.rates(&step.during);
-        self.observed.step(&Passed {
-            start: self.moment(&start_hull),
-            end: self.moment(&end_hull),
-            x: step.during[0],
-            speed: step.during[2],
-            acceleration: rates[2],
-            loading: stiffness * inertia * step.during[0].exp(),
-            length: h,
-            duration: step.duration,
-        });
-        self.has_fallen |= end_hull[2].upper() < 0.0;
-        if let (true, Some(x)) = (is_crossing, section) {
-            // Convex or rising from below the section, x crosses it once.
-            let is_single = step.during[2].lower() > 0.0 || rates[2].lower() > 0.0;
-            if !(is_single && start_hull[0].upper() < x) {
-                return Err(Reason::Tangent);
-            }
+        let passed = self.passed([&set.hull(), &end.hull()], &step, h);
+        self.has_fallen |= passed.end.speed.upper() < 0.0;
+        if let Some(x) = self.noted(&passed, landed == Some(h), section)? {
             let crossing = self.inertial_crossing(&end, x)?;
             self.states = States::Inertial(end);
             return Ok(Some(crossing));
         }
-        if let Some(x) = section {
-            self.refuse_other_crossings(step.during[0], step.during[2], x)?;
-        }
         let end = self.without_flow(&end, section).unwrap_or(end);
         self.states = self.entered(&end).unwrap_or(States::Inertial(end));
         Ok(None)
+    }
+
+    /// Notes a step. The section, if the step ends on it.
+    pub(super) fn noted(
+        &mut self,
+        step: &Passed,
+        is_crossing: bool,
+        section: Option<f64>,
+    ) -> Result<Option<f64>, Reason> {
+        self.observed.step(step);
+        match section {
+            Some(x) if is_crossing => step.crosses_once(x).then_some(section).ok_or(Reason::Tangent),
+            Some(x) => self.refuse_other_crossings(step, x).map(|()| None),
+            None => Ok(None),
+        }
+    }
+
+    /// What a step shows.
+    pub(super) fn passed(&self, [start, end]: [&[Interval; 3]; 2], step: &Step<3, 4>, h: f64) -> Passed {
+        let Constants { inertia, stiffness, .. } = *self.constants;
+        let [x, _, speed] = step.during;
+        let [_, _, acceleration] = Inertial(self.constants).rates(&step.during);
+        Passed {
+            start: self.moment(start),
+            end: self.moment(end),
+            x,
+            speed,
+            acceleration,
+            loading: stiffness * inertia * x.exp(),
+            length: h,
+            duration: step.duration,
+        }
     }
 
     pub(super) fn moment(&self, [x, y, f]: &[Interval; 3]) -> Moment {
@@ -129,14 +137,9 @@ impl<'c> Motion<'c> {
     }
 
     /// A step before the return must not cross the section upward. One that has only risen since it started there cannot.
-    pub(super) fn refuse_other_crossings(
-        &mut self,
-        x: Interval,
-        speed: Interval,
-        section: f64,
-    ) -> Result<(), Reason> {
-        self.has_only_risen &= speed.lower() > 0.0;
-        if x.may_contain(section) && !self.has_only_risen && !(speed.upper() < 0.0) {
+    pub(super) fn refuse_other_crossings(&mut self, step: &Passed, section: f64) -> Result<(), Reason> {
+        self.has_only_risen &= step.speed.lower() > 0.0;
+        if step.x.may_contain(section) && !self.has_only_risen && !(step.speed.upper() < 0.0) {
             return Err(Reason::Tangent);
         }
         Ok(())
@@ -193,6 +196,7 @@ pub(super) fn column_sizes<const N: usize>(derivative: &Derivative<N>) -> [f64; 
 
 #[cfg(test)]
 mod tests {
+    use super::super::tests::members::passing;
     use super::*;
     use crate::friction::EvolutionLaw;
 
@@ -218,7 +222,7 @@ mod tests {
             let mut motion = Motion::new(&constants, States::Inertial(set.clone()), 1);
             let found = steps.iter().try_for_each(|&([x, of_x], [speed, of_speed])| {
                 let [x, speed] = [(x, of_x), (speed, of_speed)].map(|(mid, rad)| Interval { mid, rad });
-                motion.refuse_other_crossings(x, speed, 0.0)
+                motion.refuse_other_crossings(&passing(x, speed), 0.0)
             });
             assert_eq!(found.is_err(), is_refused, "{steps:?}");
         }

@@ -55,6 +55,13 @@ pub(super) struct Passed {
     pub duration: Interval,
 }
 
+impl Passed {
+    /// Whether x crosses the section at most once, upward: it starts below, and rises all the time or is convex.
+    pub fn crosses_once(&self, section: f64) -> bool {
+        self.start.x.upper() < section && (self.speed.lower() > 0.0 || self.acceleration.lower() > 0.0)
+    }
+}
+
 /// A short time, before or after now.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Wait {

@@ -42,13 +42,56 @@ pub(super) struct LastStep {
 }
 
 impl LastStep {
-    /// The passage of a step that may last a little longer, through another box.
-    pub fn prolonged(&self, constants: &Constants, box_after: &[Interval; 2], time: f64) -> Option<Passage> {
-        let whole = std::array::from_fn(|i| self.during[i].hull(box_after[i]));
-        let manifold = Manifold::over(constants, &whole);
-        let total = generously_up(self.h + time);
-        let growth = (Interval::point(manifold.largest_slope) * Interval::point(total)).exp().upper();
-        manifold.passage(self.tube, total, growth, self.sizes)
+    /// The rates of x and y in a box that the step enters if it lasts a little longer, with the slow manifold and the tube there.
+    pub fn over(
+        &self,
+        constants: &Constants,
+        at: &[Interval; 2],
+        time: f64,
+    ) -> Result<([Interval; 2], (Manifold, Tube)), Reason> {
+        let whole = Manifold::over(constants, &std::array::from_fn(|i| self.during[i].hull(at[i])));
+        let passage = whole.passage(self.tube, generously_up(self.h + time), self.sizes);
+        let tube = passage.ok_or(Reason::LeftTheTube)?.after((self.h - time).max(0.0));
+        let manifold = Manifold::over(constants, at);
+        Ok(([manifold.rate.widened(tube.distance), manifold.state_rate], (manifold, tube)))
+    }
+}
+
+/// A step of the slow equations in a box that holds the whole slider, and the tube in this box.
+pub(super) struct InTube {
+    pub step: Step<2, 3>,
+    manifold: Manifold,
+    passage: Passage,
+}
+
+impl InTube {
+    /// The step of length h, if ψ moves the state by less than is `allowed`; if not, more is allowed the next time.
+    pub fn of(
+        constants: &Constants,
+        expansion: &Expansion<2, 3>,
+        set: &Set<2>,
+        tube: Tube,
+        h: f64,
+        allowed: &mut f64,
+    ) -> Option<Self> {
+        let step = expansion.step(&Slow(constants), set, h, *allowed)?;
+        let manifold = Manifold::over(constants, &step.during);
+        let passage = manifold.passage(tube, h, column_sizes(&set.derivative()))?;
+        let is_allowed = passage.moved < *allowed;
+        *allowed = worse(*allowed, 4.0 * passage.moved);
+        is_allowed.then_some(Self { step, manifold, passage })
+    }
+
+    /// The image of the set, and all that ψ adds to it.
+    ///
+    /// With |x' − ξ_n| = |ψ| the state is off by at most d = e^{μh}∫|ψ|, where μ bounds the derivative of the rates (Gronwall). The derivative by
+    /// the initial state is off by e^{μh} h d sup|second derivatives| times its size, and by e^{μh}∫|∂ψ/∂p|.
+    pub fn end(&self, set: &Set<2>, h: f64) -> Set<2> {
+        let Self { step, manifold, passage: Passage { moved, moved_slopes, growth, .. } } = self;
+        let bend = generously_up(growth * h * moved * manifold.largest_bend * step.largest_slope);
+        let image = step.image.map(|c| c.widened(*moved));
+        let slope = step.slope.map(|row| row.map(|entry| entry.widened(bend)));
+        set.mapped(image, &slope, &[moved_slopes.map(Interval::symmetric); 2])
     }
 }
 
@@ -94,19 +137,15 @@ impl Motion<'_> {
         let force = at_centre.inertia * at_centre.rate + of_tube(tube.distance);
         let [by_x, by_y] = over_hull.rate_gradient;
         let slope = [over_hull.inertia * (over_hull.rate + by_x), over_hull.inertia * by_y];
+        // F depends on x by ε(ξ_n + ψ), and on p by εψ as well.
+        let sizes = column_sizes(&set.derivative());
+        let gained =
+            std::array::from_fn(|j| of_tube(generously_up(tube.slopes[j] + tube.distance * sizes[j])));
         set.lifted(
             [centre[0], centre[1], force],
             &[[one, zero], [zero, one], slope],
-            &[[zero; COORDINATES], [zero; COORDINATES], self.left_slopes(set, tube, over_hull)],
+            &[[zero; COORDINATES], [zero; COORDINATES], gained],
         )
-    }
-
-    /// What ψ adds to the derivative of F by p: F depends on x by ε(ξ_n + ψ) as well.
-    fn left_slopes(&self, set: &Set<2>, tube: Tube, over_hull: &Manifold) -> [Interval; COORDINATES] {
-        let sizes = column_sizes(&set.derivative());
-        std::array::from_fn(|j| {
-            over_hull.inertia * Interval::symmetric(generously_up(tube.slopes[j] + tube.distance * sizes[j]))
-        })
     }
 
     pub(super) fn slow_step(
@@ -129,57 +168,45 @@ impl Motion<'_> {
         if tube.distance > self.lateness * NEAR_SETTLED * here.settled() {
             aimed = aimed.min(FADING * here.inertia.mid);
         }
-        let (h, is_crossing) = landing(&expansion, [aimed, length], section);
+        let (h, landed) = landing(&expansion, [aimed, length], section);
         let sizes = column_sizes(&set.derivative());
         let mut allowed = LEAST_DISTURBANCE;
-        let (h, (step, manifold, passage, growth)) = self.held(h, |h| {
-            if let Some(expected) = here.passage(tube, h, 3.0, sizes) {
-                allowed = worse(allowed, 4.0 * expected.impulse);
+        let (h, taken) = self.held(h, |h| {
+            if let Some(expected) = here.passage(tube, h, sizes) {
+                allowed = worse(allowed, 4.0 * expected.moved / expected.growth);
             }
-            let step = expansion.step(&system, set, h, allowed)?;
-            let manifold = Manifold::over(self.constants, &step.during);
-            let growth = (Interval::point(manifold.largest_slope) * Interval::point(h)).exp().upper();
-            let passage = manifold.passage(tube, h, growth, sizes)?;
-            let disturbance = generously_up(passage.impulse * growth);
-            let is_allowed = disturbance < allowed;
-            allowed = worse(allowed, 4.0 * disturbance);
-            is_allowed.then_some((step, manifold, passage, growth))
+            InTube::of(self.constants, &expansion, set, tube, h, &mut allowed)
         })?;
-        let is_crossing = is_crossing.filter(|&length| length == h).is_some();
-        let end = disturbed(set, &step, h, &manifold, passage.impulse, passage.slope_impulses, growth);
-        if !end.is_bounded() {
-            return Err(Reason::Unbounded);
-        }
-        let end_hull = end.hull();
-        let end_tube = passage.after(h);
-        let largest = passage.after(0.0).distance;
-        let speed = manifold.rate.widened(largest);
-        let after = Manifold::over(self.constants, &end_hull);
-        self.observed.step(&Passed {
-            start: self.slow_moment(&start_hull, &here, tube.distance),
-            end: self.slow_moment(&end_hull, &after, end_tube.distance),
-            x: step.during[0],
-            speed,
-            acceleration: manifold.acceleration(largest),
-            loading: self.constants.stiffness,
-            length: h,
-            duration: Interval::point(h),
-        });
-        let last = LastStep { during: step.during, tube, sizes, h };
-        if let (true, Some(x)) = (is_crossing, section) {
-            if !(speed.lower() > 0.0 && start_hull[0].upper() < x) {
-                return Err(Reason::Tangent);
-            }
+        let end = taken.end(set, h);
+        let end_tube = taken.passage.after(h);
+        let start = self.slow_moment(&start_hull, &here, tube.distance);
+        let passed = self.slow_passed(start, &end.hull(), &taken, h);
+        let last = LastStep { during: taken.step.during, tube, sizes, h };
+        if let Some(x) = self.noted(&passed, landed == Some(h), section)? {
             let crossing = self.slow_crossing(&end, &last, x)?;
             self.states = States::Stuck(end, end_tube);
             return Ok(Some(crossing));
         }
-        if let Some(x) = section {
-            self.refuse_other_crossings(step.during[0], speed, x)?;
-        }
         let (end, tube) = self.slow_without_flow(&end, &last, section).unwrap_or((end, end_tube));
         self.states = States::Stuck(end, tube);
         Ok(None)
+    }
+
+    /// What a step shows.
+    pub(super) fn slow_passed(&self, start: Moment, end: &[Interval; 2], taken: &InTube, h: f64) -> Passed {
+        let InTube { step, manifold, passage } = taken;
+        let largest = passage.after(0.0).distance;
+        let at_end = Manifold::over(self.constants, end);
+        Passed {
+            start,
+            end: self.slow_moment(end, &at_end, passage.after(h).distance),
+            x: step.during[0],
+            speed: manifold.rate.widened(largest),
+            acceleration: manifold.acceleration(largest),
+            loading: self.constants.stiffness,
+            length: h,
+            duration: Interval::point(h),
+        }
     }
 
     pub(super) fn slow_moment(&self, [x, y]: &[Interval; 2], manifold: &Manifold, distance: f64) -> Moment {
@@ -187,27 +214,6 @@ impl Motion<'_> {
         let stress = manifold.inertia * speed + *x + self.constants.effect_ratio * *y;
         Moment { x: *x, speed, stress }
     }
-}
-
-/// The image under a step of the slow equations, and all that ψ adds to it.
-///
-/// With |x' − ξ_n| = |ψ| the state is off by at most d = e^{μh}∫|ψ|, where μ bounds the derivative of the rates (Gronwall). The derivative by the
-/// initial state is off by e^{μh} h d sup|second derivatives| times its size, and by e^{μh}∫|∂ψ/∂p|.
-fn disturbed(
-    set: &Set<2>,
-    step: &Step<2, 3>,
-    h: f64,
-    manifold: &Manifold,
-    impulse: f64,
-    slope_impulses: [f64; 2],
-    growth: f64,
-) -> Set<2> {
-    let off = generously_up(impulse * growth);
-    let bend = generously_up(growth * h * off * manifold.largest_bend * step.largest_slope);
-    let image = step.image.map(|c| c.widened(off));
-    let slope = step.slope.map(|row| row.map(|entry| entry.widened(bend)));
-    let gained = slope_impulses.map(|impulse| Interval::symmetric(generously_up(impulse * growth)));
-    set.mapped(image, &slope, &[gained; 2])
 }
 
 #[cfg(test)]
@@ -223,6 +229,9 @@ mod tests {
         let constants =
             Constants { inertia: one, stiffness: one, effect_ratio: one, law: EvolutionLaw::Slip };
         let zero = Interval::ZERO;
+        let nothing = Tube { distance: 0.0, slopes: [0.0; COORDINATES] };
+        let of_no_tube =
+            Manifold::over(&constants, &[zero; 2]).passage(nothing, 1e-9, [0.0; COORDINATES]).unwrap();
         for (from, h) in [(0.5_f64, 0.5), (1.0, 0.3), (0.2, 2.0), (-1.0, 0.5)] {
             for (impulse, by_p) in [(0.02, 0.0), (0.0, 0.3), (0.02, 0.3), (0.05, 0.01)] {
                 for direction in 0..2 {
@@ -246,7 +255,10 @@ mod tests {
                     };
                     let by_first = place(Interval::ONE).map(|slope| [slope, zero]);
                     let start = Set::new([zero; 2], place(Interval::point(from)), by_first);
-                    let end = disturbed(&start, &step, h, &manifold, impulse, [by_p, 0.0], growth);
+                    let mut passage = of_no_tube;
+                    (passage.growth, passage.moved) = (growth, impulse * growth);
+                    passage.moved_slopes = [by_p * growth, 0.0];
+                    let end = InTube { step, manifold, passage }.end(&start, h);
                     for sign in [1.0, -1.0] {
                         let [pushed, slope] = at(from + sign * impulse);
                         let holds =

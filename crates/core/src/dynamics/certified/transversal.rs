@@ -1,133 +1,94 @@
 //! Sets of states across the flow: each motion is followed to the plane through the centre that the flow crosses at right angles.
 //!
-//! Deviations along the flow only shift the time, but they grow as the speed does, and would spoil the others. With the normal n and a mean
-//! f of the rates, (z − c) becomes (I − f nᵀ/(n·f))(z − c), and the derivative by p likewise after a time τ.
+//! Deviations along the flow only shift the time, but they grow as the speed does, and would spoil the others.
 
-use super::Constants;
 use super::inertial::Inertial;
 use super::interval::{Interval, generously_up};
-use super::linear::{apply, largest_row, multiply};
+use super::linear::{Frame, largest_row, multiply};
 use super::manifold::{Manifold, Tube};
-use super::motion::{Motion, column_sizes};
+use super::motion::Motion;
 use super::observed::Wait;
 use super::set::{COORDINATES, Set};
+use super::short_time::{ShortStick, ShortTime, along};
 use super::sticking::LastStep;
-
-/// The largest change of the derivatives of a sticking slider during a shift: e^t − 1 < 1.25 t below it.
-const LARGEST_TURN: f64 = 0.2;
+use super::{Constants, Reason};
 
 impl Motion<'_> {
     /// The same motions, each a little earlier or later: where it crosses the plane through the centre across the flow.
-    ///
-    /// Deviations along the flow only shift the time, but they grow as the speed does, and would spoil the others. With the normal n and a mean
-    /// f of the rates, (z − c) becomes (I − f nᵀ/(n·f))(z − c), and the derivative by p likewise after a time τ.
     pub(super) fn without_flow(&mut self, set: &Set<3>, section: Option<f64>) -> Option<Set<3>> {
         let system = Inertial(self.constants);
-        let (hull, offsets) = (set.hull(), set.offsets());
+        let hull = set.hull();
         let normal = system.rates(&set.centre.map(Interval::point)).map(|rate| Interval::point(rate.mid));
-        let along = |v: &[Interval; 3]| (0..3).fold(Interval::ZERO, |sum, i| sum + normal[i] * v[i]);
-        let rates = system.rates(&hull);
-        let time = generously_up(2.0 * along(&offsets).magnitude() / along(&rates).mignitude());
-        let during: [Interval; 3] = std::array::from_fn(|i| {
-            hull[i].widened(generously_up(2.0 * time * rates[i].magnitude() + 1e-300))
-        });
-        let rates = system.rates(&during);
-        let least = along(&rates).lower();
-        let holds = (0..3)
-            .all(|i| hull[i].widened(generously_up(time * rates[i].magnitude())).is_inside(during[i]))
-            && least > 0.0
-            && generously_up(along(&offsets).magnitude() / least) < time;
-        if !holds || section.is_some_and(|x| during[0].may_contain(x)) {
+        let distance = along(&normal, &set.offsets()).magnitude();
+        let guess = system.rates(&hull);
+        let over = |at: &[Interval; 3], _| Ok(system.over(at));
+        let short = ShortTime::until_plane(&hull, normal, distance, &guess, over).ok()?;
+        if section.is_some_and(|x| short.during[0].may_contain(x)) {
             return None;
         }
-        let turned = short_flow(&system.jacobian(&during), time)?;
-        let inverse = along(&rates).reciprocal();
-        let one = |i: usize, j: usize| if i == j { Interval::ONE } else { Interval::ZERO };
-        let removed: [[Interval; 3]; 3] =
-            std::array::from_fn(|i| std::array::from_fn(|j| one(i, j) - rates[i] * normal[j] * inverse));
-        let image = set.centre.map(Interval::point);
-        let moved = set.mapped(image, &multiply(&removed, &turned), &[[Interval::ZERO; COORDINATES]; 3]);
+        let slope = multiply(&short.projection(), &short_flow(&short.around, short.time)?);
+        let moved = set.mapped(set.centre.map(Interval::point), &slope, &[[Interval::ZERO; COORDINATES]; 3]);
         let Constants { inertia, stiffness, .. } = *self.constants;
-        let velocity = during[0].exp();
+        let (x, time) = (short.during[0], Interval::symmetric(short.time));
+        let velocity = x.exp();
         self.observed.wait(Wait {
-            x: during[0],
+            x,
             stress: self.moment(&hull).stress,
-            stress_change: stiffness
-                * inertia
-                * velocity
-                * (Interval::ONE - velocity)
-                * Interval::symmetric(time),
-            duration: Interval::symmetric(time) * inertia * velocity,
+            stress_change: stiffness * inertia * velocity * (Interval::ONE - velocity) * time,
+            duration: time * inertia * velocity,
         });
         Some(moved)
     }
 
     /// The same for a sticking slider, after the step `last`.
-    ///
-    /// The slow equations alone would move z to c + (I − f nᵀ/(n·f))Φ(z − c), with Φ near I. In a time τ, ψ moves it by at most e = e^{μτ}τ|ψ|
-    /// from there, and back to the plane: by (I − f nᵀ/(n·f))e in all. The time of the shift depends on p, so that the derivative of ψ gains ψ' times
-    /// the derivative of this time.
     pub(super) fn slow_without_flow(
         &mut self,
         set: &Set<2>,
         last: &LastStep,
         section: Option<f64>,
     ) -> Option<(Set<2>, Tube)> {
-        let (hull, offsets) = (set.hull(), set.offsets());
+        let hull = set.hull();
         let at_centre = Manifold::over(self.constants, &set.centre.map(Interval::point));
         let normal = [at_centre.rate, at_centre.state_rate].map(|rate| Interval::point(rate.mid));
-        let along = |v: &[Interval; 2]| normal[0] * v[0] + normal[1] * v[1];
-        let time = generously_up(2.0 * along(&offsets).magnitude() / along(&normal).lower());
-        if !(time > 0.0 && time < 0.5 * last.h) {
+        let distance = along(&normal, &set.offsets()).magnitude();
+        let guess = [normal[0].widened(last.tube.distance), normal[1]];
+        let over = |at: &[Interval; 2], time| last.over(self.constants, at, time);
+        let short = ShortTime::until_plane(&hull, normal, distance, &guess, over).ok()?;
+        // The tube is known since the start of the last step.
+        if !(short.time < 0.5 * last.h) || section.is_some_and(|x| short.during[0].may_contain(x)) {
             return None;
         }
-        let reach =
-            |rate: Interval| generously_up(2.0 * time * (rate.magnitude() + last.tube.distance) + 1e-300);
-        let during = [hull[0].widened(reach(normal[0])), hull[1].widened(reach(normal[1]))];
-        if section.is_some_and(|x| during[0].may_contain(x)) {
-            return None;
-        }
-        let tube = last.prolonged(self.constants, &during, time)?.after(last.h - time);
-        let manifold = Manifold::over(self.constants, &during);
-        let rates = [manifold.rate.widened(tube.distance), manifold.state_rate];
-        let least = along(&rates).lower();
-        let holds = (0..2)
-            .all(|i| hull[i].widened(generously_up(time * rates[i].magnitude())).is_inside(during[i]))
-            && least > 0.0
-            && generously_up(along(&offsets).magnitude() / least) < time
-            && manifold.largest_slope * time < LARGEST_TURN;
-        if !holds {
-            return None;
-        }
-        let (inverse, turning) =
-            (along(&rates).reciprocal(), generously_up(1.25 * manifold.largest_slope * time));
-        let one = |i: usize, j: usize| if i == j { Interval::ONE } else { Interval::ZERO };
-        let removed: [[Interval; 2]; 2] =
-            std::array::from_fn(|i| std::array::from_fn(|j| one(i, j) - rates[i] * normal[j] * inverse));
-        let turned = std::array::from_fn(|i| std::array::from_fn(|j| one(i, j).widened(turning)));
-        let impulse = |size: f64| Interval::symmetric(generously_up(1.25 * time * size));
-        let gained = [tube.slopes.map(impulse); 2];
-        let moved_by_tube = apply(&removed, &[impulse(tube.distance); 2]);
-        let image = std::array::from_fn(|i| Interval::point(set.centre[i]) + moved_by_tube[i]);
-        let moved = set.mapped(image, &multiply(&removed, &turned), &multiply(&removed, &gained));
-        let derivative = set.derivative();
-        let (sizes, across) = (column_sizes(&derivative), multiply(&[normal], &derivative)[0]);
-        let sum = normal[0].magnitude() + normal[1].magnitude();
-        let slopes = std::array::from_fn(|j| {
-            let rest = sum * (2.0 * turning * sizes[j] + gained[0][j].magnitude());
-            let time_by_p = (across[j].magnitude() + rest) / least;
-            generously_up(tube.slopes[j] + manifold.tube_rate(tube.distance) * time_by_p)
-        });
+        let moved = shifted_slowly(set, &short).ok()?;
+        let (x, time) = (short.during[0], Interval::symmetric(short.time));
+        let (manifold, tube) = &short.around;
         self.observed.wait(Wait {
-            x: during[0],
-            stress: self.slow_moment(&hull, &manifold, tube.distance).stress,
-            stress_change: self.constants.stiffness
-                * (Interval::ONE - during[0].exp())
-                * Interval::symmetric(time),
-            duration: Interval::symmetric(time),
+            x,
+            stress: self.slow_moment(&hull, manifold, tube.distance).stress,
+            stress_change: self.constants.stiffness * (Interval::ONE - x.exp()) * time,
+            duration: time,
         });
-        Some((moved, Tube { distance: tube.distance, slopes }))
+        Some(moved)
     }
+}
+
+/// The set and the tube of a sticking slider on the plane.
+///
+/// In a time τ the derivative by p changes by (e^{μτ} − 1) of its size, and by e^{μτ}τ|∂ψ/∂p|. The time of the shift depends on p, so that
+/// the derivative of ψ gains ψ' times the derivative of this time.
+pub(super) fn shifted_slowly(set: &Set<2>, short: &ShortStick) -> Result<(Set<2>, Tube), Reason> {
+    let (manifold, tube) = &short.around;
+    let (turning, tube_rate) = (short.turning(manifold.largest_slope)?, manifold.tube_rate(tube.distance));
+    let turned = Frame::<2>::identity().columns.map(|row| row.map(|c| c.widened(turning)));
+    let gained = [tube.slopes.map(|slope| Interval::symmetric(generously_up(1.65 * short.time * slope))); 2];
+    let removed = short.projection();
+    let (slope, extra) = (multiply(&removed, &turned), multiply(&removed, &gained));
+    let moved = set.mapped(set.centre.map(Interval::point), &slope, &extra);
+    let carried = multiply(&turned, &set.derivative());
+    let slopes = std::array::from_fn(|j| {
+        let speed = along(&short.normal, &std::array::from_fn(|i| carried[i][j] + gained[i][j]));
+        generously_up(tube.slopes[j] + tube_rate * speed.magnitude() / short.slowest)
+    });
+    Ok((moved, Tube { distance: tube.distance, slopes }))
 }
 
 /// Encloses the derivative of the flow over a time of at most `time`, forward or backward; none for a long time.

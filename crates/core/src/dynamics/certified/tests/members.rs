@@ -5,7 +5,7 @@ use crate::dynamics::certified::inertial::Inertial;
 use crate::dynamics::certified::interval::Interval;
 use crate::dynamics::certified::manifold::Manifold;
 use crate::dynamics::certified::motion::{Motion, States};
-use crate::dynamics::certified::observed::Observed;
+use crate::dynamics::certified::observed::{Moment, Observed, Passed};
 use crate::dynamics::certified::set::{COORDINATES, Set};
 use crate::dynamics::certified::{Constants, Reason};
 use crate::friction::EvolutionLaw;
@@ -96,6 +96,22 @@ impl Slider {
             member = self.step(member, (section - member.state[0]) / member.state[2]);
         }
         member
+    }
+}
+
+/// A step of which only x and x' count.
+pub(in crate::dynamics::certified) fn passing(x: Interval, speed: Interval) -> Passed {
+    let moment = Moment { x, speed, stress: Interval::ZERO };
+    let nothing = Interval::ZERO;
+    Passed {
+        start: moment,
+        end: moment,
+        x,
+        speed,
+        acceleration: Interval::symmetric(f64::INFINITY),
+        loading: nothing,
+        length: 0.0,
+        duration: nothing,
     }
 }
 

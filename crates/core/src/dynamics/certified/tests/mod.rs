@@ -2,6 +2,8 @@
 
 pub(super) mod members;
 mod planted;
+mod short_time;
+mod steps;
 mod wide_sets;
 
 use super::cycle::Test;

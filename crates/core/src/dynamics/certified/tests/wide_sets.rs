@@ -3,12 +3,13 @@
 
 mod slow;
 
-use super::members::{Member, Slider};
+use super::members::{Member, Slider, passing};
 use crate::dynamics::certified::Constants;
 use crate::dynamics::certified::crossing::Crossing;
 use crate::dynamics::certified::inertial::Inertial;
 use crate::dynamics::certified::interval::Interval;
 use crate::dynamics::certified::motion::{Motion, States, landing};
+use crate::dynamics::certified::observed::Passed;
 use crate::dynamics::certified::set::{COORDINATES, Set};
 use crate::dynamics::certified::step::Expansion;
 use crate::friction::EvolutionLaw;
@@ -89,6 +90,11 @@ fn until(
     }
     assert!(distance(&end.state).abs() < 1e-11, "{member:?} does not get there");
     seen_at(slider, member, end.state)
+}
+
+/// A step far below a section, in which x falls.
+fn falling(section: f64) -> Passed {
+    passing(Interval::point(section - 10.0), Interval::point(-1.0))
 }
 
 /// A set of the whole slider: c + Dp + e.
@@ -308,9 +314,7 @@ fn a_step_of_the_widest_sets_crosses_a_section_once_or_never() {
         let reach = numbers.between(0.05, 0.7);
         (motion.may_stick, motion.reach) = (false, reach);
         // The motion has not started on the section: it has fallen far below.
-        motion
-            .refuse_other_crossings(Interval::point(section - 10.0), Interval::point(-1.0), section)
-            .unwrap();
+        motion.refuse_other_crossings(&falling(section), section).unwrap();
         let found = motion.advance(Some(section));
         let duration = motion.observed.duration;
         let States::Inertial(end) = &motion.states else { panic!("it sticks") };

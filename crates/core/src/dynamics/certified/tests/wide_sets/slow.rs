@@ -1,7 +1,7 @@
 //! The same of a slider near its slow manifold: steps, crossings, and both changes of the description.
 
 use super::super::members::{Member, Slider};
-use super::{ERROR, MIDDLE, Numbers, PAIRS, holds, holds_slope, seen_at, step, until};
+use super::{ERROR, MIDDLE, Numbers, PAIRS, falling, holds, holds_slope, seen_at, step, until};
 use crate::dynamics::certified::Constants;
 use crate::dynamics::certified::crossing::Crossing;
 use crate::dynamics::certified::interval::Interval;
@@ -253,9 +253,7 @@ fn a_step_of_the_widest_sets_on_the_slow_manifold_holds_the_members_or_is_refuse
             hull[0].upper() + if case % 4 == 1 { 0.01 * away } else { away }
         };
         let mut moved = motion(if case % 4 == 1 { reach } else { 0.5 });
-        moved
-            .refuse_other_crossings(Interval::point(section - 10.0), Interval::point(-1.0), section)
-            .unwrap();
+        moved.refuse_other_crossings(&falling(section), section).unwrap();
         let found = moved.slow_step(&set, tube, Some(section));
         if matches!(found, Ok(None)) && !near.is_long(moved.observed.duration) {
             missed += 1;
