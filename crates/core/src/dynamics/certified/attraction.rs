@@ -32,13 +32,13 @@ impl Ellipsoid {
         let inverse = diagonal_of_inverse(&form)?;
         (0..LEVELS).find_map(|step| {
             let level = libm::pow(10.0, f64::from(2 - step));
-            let reach: [f64; 3] =
-                std::array::from_fn(|i| (Interval::point(level) * inverse[i]).sqrt().upper());
-            let around = derivative(constants, &reach.map(Interval::symmetric));
-            let product = multiply(&form, &around);
-            let falls: Square<3> =
-                std::array::from_fn(|i| std::array::from_fn(|j| -(product[i][j] + product[j][i])));
-            is_positive_definite(&falls).then(|| Self { form, level, inverse, modes: Modes::of(&at_rest) })
+            let around = derivative(constants, &reach(level, &inverse).map(Interval::symmetric));
+            is_positive_definite(&fall(&form, &around)).then(|| Self {
+                form,
+                level,
+                inverse,
+                modes: Modes::of(&at_rest),
+            })
         })
     }
 
@@ -47,13 +47,24 @@ impl Ellipsoid {
         let value = (0..3)
             .fold(Interval::ZERO, |sum, i| (0..3).fold(sum, |sum, j| sum + z[i] * self.form[i][j] * z[j]));
         let value = value.upper();
-        (value < self.level).then(|| self.inverse.map(|side| (Interval::point(value) * side).sqrt().upper()))
+        (value < self.level).then(|| reach(value, &self.inverse))
     }
 
     /// The cone that a state and all later states are proved to stay in.
     pub fn cone(&self, constants: &Constants, z: &[Interval; 3]) -> Option<Cone<'_>> {
         self.modes.as_ref()?.cone(z, |region| derivative(constants, region))
     }
+}
+
+/// The largest |x|, |y| and |w| of zᵀPz ≤ `level`, from the diagonal of P⁻¹.
+fn reach(level: f64, inverse: &[Interval; 3]) -> [f64; 3] {
+    inverse.map(|side| (Interval::point(level) * side).sqrt().upper())
+}
+
+/// −(JᵀP + PJ).
+fn fall(form: &Square<3>, j: &Square<3>) -> Square<3> {
+    let product = multiply(form, j);
+    std::array::from_fn(|a| std::array::from_fn(|b| -(product[a][b] + product[b][a])))
 }
 
 /// The derivative of the rates of x, y and w = F/η over a box around zero.
@@ -211,6 +222,37 @@ mod tests {
                 assert!(
                     ellipsoid.reach_from(&z.map(Interval::point)).unwrap()[i] >= z[i].abs() * (1.0 - 1e-12)
                 );
+            }
+        }
+    }
+
+    /// −(JᵀP + PJ) of whole numbers.
+    #[test]
+    fn the_fall_of_a_form_is_symmetric() {
+        let form = [[2.0, 1.0, 0.0], [1.0, 3.0, -1.0], [0.0, -1.0, 5.0]];
+        let j = [[1.0, 2.0, 3.0], [-4.0, 5.0, 6.0], [7.0, -8.0, 9.0]];
+        let found = fall(&points(&form), &points(&j));
+        for a in 0..3 {
+            for b in 0..3 {
+                let exact: f64 = (0..3).map(|k| -(j[k][a] * form[k][b] + form[a][k] * j[k][b])).sum();
+                assert!(
+                    found[a][b].may_contain(exact) && found[a][b].rad < 1e-12,
+                    "{a} {b} {exact} {found:?}"
+                );
+            }
+        }
+    }
+
+    /// The reach is at least √(level · side) for each side of a wide interval.
+    #[test]
+    fn a_reach_counts_the_largest_sides() {
+        let sides =
+            [Interval { mid: 2.0, rad: 0.5 }, Interval { mid: 1e-3, rad: 1e-5 }, Interval::point(7.0)];
+        for level in [1e-9, 0.3, 100.0] {
+            let found = reach(level, &sides);
+            for (bound, side) in found.into_iter().zip(sides) {
+                let exact = level * (side.mid + side.rad);
+                assert!(bound * bound >= exact * (1.0 - 1e-15) && bound * bound < exact * (1.0 + 1e-12));
             }
         }
     }

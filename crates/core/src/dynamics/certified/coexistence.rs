@@ -43,12 +43,13 @@ pub fn certify_coexistence(
     if !repels(&crossing.derivative) {
         return Err(Reason::NotRepelling);
     }
-    let repelling_log_peak = observed.peak();
-    // Different peaks are those of different cycles.
-    if !(repelling_log_peak[1] < attracting_log_peak[0]) {
-        return Err(Reason::NotSeparate);
-    }
-    Ok(Coexistence { attracting_log_peak, contraction, repelling_log_peak })
+    separate(Coexistence { attracting_log_peak, contraction, repelling_log_peak: observed.peak() })
+}
+
+/// The three objects, if each peak of the cycle that repels is below each of the other: different peaks are those of different cycles.
+fn separate(found: Coexistence) -> Result<Coexistence, Reason> {
+    let is_below = found.repelling_log_peak[1] < found.attracting_log_peak[0];
+    is_below.then_some(found).ok_or(Reason::NotSeparate)
 }
 
 #[cfg(test)]
@@ -113,5 +114,23 @@ mod tests {
         for reason in [Reason::NoAttraction, Reason::NotAttracting, Reason::NotRepelling] {
             assert!(refused.contains(&reason), "{reason}: {refused:?}");
         }
+    }
+
+    /// Peaks that touch, overlap or come in the other order are refused.
+    #[test]
+    fn the_peak_that_repels_is_below_the_other_one() {
+        let is_found = |attracting_log_peak, repelling_log_peak| {
+            separate(Coexistence { attracting_log_peak, contraction: 0.5, repelling_log_peak }).is_ok()
+        };
+        let ends = [0.0, 1.0, 2.0, 3.0];
+        let ranges = || ends.into_iter().flat_map(|low| ends.into_iter().map(move |high| [low, high]));
+        for (first, second) in ranges().flat_map(|first| ranges().map(move |second| (first, second))) {
+            if first[0] <= first[1] && second[0] <= second[1] {
+                let numbers = |[low, high]: [f64; 2]| [low, 0.5 * (low + high), high];
+                let all = numbers(first).iter().all(|a| numbers(second).iter().all(|b| a < b));
+                assert_eq!(is_found(second, first), all, "{first:?} {second:?}");
+            }
+        }
+        assert!(!is_found([1.0, 2.0], [0.0, f64::NAN]) && !is_found([f64::NAN, 2.0], [0.0, 1.0]));
     }
 }

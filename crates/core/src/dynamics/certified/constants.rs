@@ -70,12 +70,13 @@ impl Units {
         }
     }
 
-    fn velocity_of([low, high]: [f64; 2], unit: Interval) -> [f64; 2] {
-        outward([low, high].map(|x| Interval::point(x).exp() * unit))
+    /// V at ln(V/V_l).
+    fn velocity_at(&self, x: Interval) -> Interval {
+        x.exp() * self.velocity
     }
 
     pub fn peak(&self, log_peak: [f64; 2]) -> [f64; 2] {
-        Self::velocity_of(log_peak, self.velocity)
+        outward(log_peak.map(|x| self.velocity_at(Interval::point(x))))
     }
 
     pub fn duration(&self, duration: Interval) -> [f64; 2] {
@@ -137,7 +138,7 @@ mod tests {
             let float = |value: &Rational| Float::with_val(BITS, value);
             let velocity = float(&member.point.loading_velocity_m_per_s);
             let peak = Float::with_val(BITS, x).exp() * &velocity;
-            let time = float(&member.slider.critical_slip_distance_m) / velocity;
+            let time = float(&member.slider.critical_slip_distance_m) / &velocity;
             let stress = float(&member.direct_stress_pa());
             let inside = |[low, high]: [f64; 2], value: &Float| *value >= low && *value <= high;
             assert!(inside(units.peak([x, x]), &peak), "{parts:?}");
@@ -148,6 +149,11 @@ mod tests {
                     && low[1] > 2.5 * peak.to_f64()
                     && high[0] < 0.5 * peak.to_f64()
             );
+            for end in [-1.0, 1.0] {
+                let wide = units.velocity_at(Interval { mid: x, rad: 0.25 });
+                let exact = Float::with_val(BITS, x + 0.249 * end).exp() * &velocity;
+                assert!(inside([wide.lower(), wide.upper()], &exact), "{parts:?} {wide:?}");
+            }
             for rad in [0.0, 0.25] {
                 for end in [-1.0, 1.0] {
                     let duration = Interval { mid: 2.0 / 3.0, rad };

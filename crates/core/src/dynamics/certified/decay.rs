@@ -34,16 +34,12 @@ pub(super) fn certify(constants: &Constants, start: Start, units: &Units) -> Res
     }
     // The stress of the limit, steady sliding, counts too; its velocity is approached.
     motion.observed.state(Interval::ZERO, Interval::ZERO);
-    loop {
-        if let Some(bounds) = captured(&motion, &ellipsoid)
-            && bounds.are_seen(&motion.observed)
-        {
-            motion.observed.rest(bounds.x, [bounds.highest, bounds.lowest]);
-            break;
+    let observed = loop {
+        if let Some(observed) = completed(&motion, &ellipsoid) {
+            break observed;
         }
         motion.advance(None)?;
-    }
-    let observed = &motion.observed;
+    };
     Ok(Certificate {
         proved: Proved::Decay { captured_after_s: units.duration(observed.duration)[1] },
         peak_velocity_m_per_s: units.peak(observed.peak()),
@@ -61,36 +57,51 @@ struct Bounds {
 impl Bounds {
     /// Whether what follows cannot widen the enclosures by more than [`NEGLIGIBLE`].
     fn are_seen(&self, observed: &Observed) -> bool {
-        let [peak, _] = observed.peak();
         let [highest, lowest] = observed.least_extremes();
-        self.x <= worse(peak, NEGLIGIBLE)
-            && self.highest <= worse(highest, NEGLIGIBLE)
-            && self.lowest <= worse(lowest, NEGLIGIBLE)
+        let is_seen = |bound: f64, seen: f64| bound <= worse(seen, NEGLIGIBLE);
+        is_seen(self.x, observed.peak()[0]) && is_seen(self.highest, highest) && is_seen(self.lowest, lowest)
     }
 }
 
-/// Bounds of x and ζ from here on, when every state lies inside the ellipsoid or a cone.
-fn captured(motion: &Motion<'_>, ellipsoid: &Ellipsoid) -> Option<Bounds> {
-    let Constants { inertia, effect_ratio, .. } = *motion.constants;
-    let z = match &motion.states {
+/// What the whole motion shows, if what follows from here on cannot widen it much.
+fn completed(motion: &Motion<'_>, ellipsoid: &Ellipsoid) -> Option<Observed> {
+    let bounds = captured(motion, ellipsoid).filter(|bounds| bounds.are_seen(&motion.observed))?;
+    let mut observed = motion.observed.clone();
+    observed.rest(bounds.x, [bounds.highest, bounds.lowest]);
+    Some(observed)
+}
+
+/// x, y and F/η of all states.
+fn coordinates(motion: &Motion<'_>) -> [Interval; 3] {
+    match &motion.states {
         States::Inertial(set) => {
             let [x, y, force] = set.hull();
-            [x, y, force * inertia.reciprocal()]
+            [x, y, force * motion.constants.inertia.reciprocal()]
         }
         States::Stuck(set, tube) => {
             let [x, y] = set.hull();
             let rate = Manifold::over(motion.constants, &[x, y]).rate.widened(tube.distance);
             [x, y, x.exp() * rate]
         }
-    };
+    }
+}
+
+/// x, ζ and −ζ as linear forms of x, y and F/η.
+fn extremes(constants: &Constants) -> [[Interval; 3]; 3] {
+    let stress = [Interval::ONE, constants.effect_ratio, constants.inertia];
+    [[Interval::ONE, Interval::ZERO, Interval::ZERO], stress, stress.map(|c| -c)]
+}
+
+/// Bounds of x and ζ from here on, when every state lies inside the ellipsoid or a cone.
+fn captured(motion: &Motion<'_>, ellipsoid: &Ellipsoid) -> Option<Bounds> {
+    let z = coordinates(motion);
     // Nearly along the slowest mode x and ζ keep their signs.
     if let Some(cone) = ellipsoid.cone(motion.constants, &z) {
-        let form = [Interval::ONE, effect_ratio, inertia];
-        let along = [[Interval::ONE, Interval::ZERO, Interval::ZERO], form, form.map(|c| -c)];
-        let [x, highest, lowest] = along.map(|form| cone.largest(&form));
+        let [x, highest, lowest] = extremes(motion.constants).map(|form| cone.largest(&form));
         return Some(Bounds { x, highest, lowest });
     }
     let [x, y, w] = ellipsoid.reach_from(&z)?;
+    let Constants { inertia, effect_ratio, .. } = motion.constants;
     let stress = generously_up(x + effect_ratio.magnitude() * y + inertia.magnitude() * w);
     Some(Bounds { x, highest: stress, lowest: stress })
 }
@@ -274,6 +285,97 @@ mod tests {
             }
         }
         assert!(captures[0] > 500 && captures[1] > 200 && by_cone > 50, "{captures:?} {by_cone}");
+    }
+
+    /// States that are captured before anything but steady sliding is seen: what follows them counts, of each sign.
+    #[test]
+    fn what_follows_a_run_is_counted() {
+        let mut by_cone = 0;
+        for law in EvolutionLaw::ALL {
+            for (inertia, stiffness) in [(0.5, 1.5), (20.0, 20.0), (0.01, 20.0), (0.1, 10.0)] {
+                let slider = Slider { inertia, stiffness, effect_ratio: 1.5, law };
+                let constants = slider.constants();
+                let ellipsoid = Ellipsoid::around_steady_sliding(&constants).unwrap();
+                // The slowest mode, where all are real: from anywhere after a while.
+                let mut slowest = slider.member([1e-3, 1e-3, 0.0]);
+                (0..4000).for_each(|_| slowest = slider.step(slowest, 0.02));
+                let [x, y, force, _] = slowest.state;
+                let along = [x, y, force].map(|c| c / x.abs().max(1e-300));
+                for direction in [[1.0, 0.3, 0.5], [-1.0, 0.5, 0.4], [0.0, 0.1, -1.0], along] {
+                    for size in [1e-11, -1e-11] {
+                        let state = direction.map(|c| size * c);
+                        let set = Set::new(
+                            [Interval::ZERO; 2],
+                            state.map(Interval::point),
+                            [[Interval::ZERO; 2]; 3],
+                        );
+                        let mut motion = Motion::new(&constants, States::Inertial(set), 1);
+                        motion.observed.state(Interval::ZERO, Interval::ZERO);
+                        let bounds = captured(&motion, &ellipsoid).unwrap();
+                        by_cone += usize::from(bounds.highest != bounds.lowest);
+                        let observed = completed(&motion, &ellipsoid).unwrap();
+                        let mut member = slider.member(state);
+                        (0..4000).for_each(|_| member = slider.step(member, 0.02));
+                        let [x, highest, lowest] = member.largest.map(|c| c.max(0.0));
+                        let holds = |bound: f64, value: f64| value <= bound * (1.0 + 1e-4) + 1e-15;
+                        assert!(holds(observed.peak()[1], x), "{slider:?} {state:?} {x} {observed:?}");
+                        let drop = observed.stress_drop()[1];
+                        assert!(
+                            holds(drop, highest + lowest),
+                            "{slider:?} {state:?} {highest} {lowest} {drop}"
+                        );
+                        // Each end counts alone.
+                        let [above, below] = [[0.0, 1.0], [1.0, 0.0]].map(|rest| {
+                            let mut observed = observed.clone();
+                            observed.rest(0.0, rest);
+                            observed.stress_drop()[1] - 1.0
+                        });
+                        assert!(above >= highest - 1e-14 && below >= lowest - 1e-14, "{slider:?} {state:?}");
+                    }
+                }
+            }
+        }
+        assert!(by_cone >= 8, "{by_cone}");
+    }
+
+    /// x, y and F/η of wide sets hold those of each state, and the forms are x, ζ and −ζ.
+    #[test]
+    fn coordinates_and_forms_are_those_of_each_state() {
+        let mut random = SplitMix64(37);
+        for case in 0..200 {
+            let mut number = |from: f64, to: f64| from + (to - from) * random.unit();
+            let law = EvolutionLaw::ALL[case % 2];
+            let slider =
+                Slider { inertia: 0.01, stiffness: number(0.1, 5.0), effect_ratio: number(0.3, 3.0), law };
+            let constants = slider.constants();
+            let (at, rad) = ([number(-2.0, 1.0), number(-1.0, 1.0)], [0.05, 0.2][case % 2]);
+            let along = [[1.0, 0.0], [0.0, 1.0]].map(|row| row.map(Interval::point));
+            let tube = Tube { distance: 0.1, slopes: [0.0; COORDINATES] };
+            let set = Set::new([Interval::symmetric(rad); 2], at.map(Interval::point), along);
+            let stuck = Motion::new(&constants, States::Stuck(set, tube), 1);
+            let z = coordinates(&stuck);
+            let force = number(-1.0, 1.0);
+            let along = [along[0], along[1], [Interval::ZERO; 2]];
+            let set =
+                Set::new([Interval::symmetric(rad); 2], [at[0], at[1], force].map(Interval::point), along);
+            let whole = coordinates(&Motion::new(&constants, States::Inertial(set), 1));
+            let holds = |c: Interval, value: f64| c.widened(1e-12 * (1.0 + value.abs())).may_contain(value);
+            for signs in [[0.0; 2], [1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]] {
+                let [x, y] = std::array::from_fn(|i| at[i] + signs[i] * rad);
+                let rate = Manifold::over(&constants, &[x, y].map(Interval::point)).rate.mid;
+                for psi in [0.1, -0.1] {
+                    let w = libm::exp(x) * (rate + psi);
+                    assert!([x, y, w].into_iter().zip(z).all(|(value, c)| holds(c, value)), "{z:?} {w}");
+                }
+                let w = force / slider.inertia;
+                assert!([x, y, w].into_iter().zip(whole).all(|(value, c)| holds(c, value)), "{whole:?}");
+                let stress = force + x + slider.effect_ratio * y;
+                let found =
+                    extremes(&constants).map(|form| form[0].mid * x + form[1].mid * y + form[2].mid * w);
+                let near = |i: usize, value: f64| (found[i] - value).abs() < 1e-12 * (1.0 + value.abs());
+                assert!(near(0, x) && near(1, stress) && near(2, -stress), "{found:?} {x} {stress}");
+            }
+        }
     }
 
     /// Runs that have come near the slowest mode: x and ζ of the state lie within the bounds of its cone, in which F counts as well.
