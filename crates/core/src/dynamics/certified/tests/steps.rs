@@ -162,10 +162,14 @@ fn a_step_of_a_sticking_slider_notes_what_its_members_do() {
         let expansion = Expansion::new(&Slow(&constants), &set);
         let inertia = slider.inertia * libm::exp(state[0]);
         let h = (number(0.5, 8.0) * inertia).min(0.7 * expansion.length());
-        // The first ones do not allow for what ψ moves.
+        // The first one allows nothing, the second one a third of what ψ moves at most.
         let mut allowed = 1e-18;
-        let mut attempts =
-            (0..4).filter_map(|_| InTube::of(&constants, &expansion, &set, tube, h, &mut allowed));
+        let mut attempts = (0..4).filter_map(|attempt| {
+            if attempt == 1 {
+                allowed /= 12.0;
+            }
+            InTube::of(&constants, &expansion, &set, tube, h, &mut allowed)
+        });
         let Some(in_tube) = attempts.next() else { continue };
         taken += 1;
         let motion = Motion::new(&constants, States::Stuck(set.clone(), tube), 1);
