@@ -4,12 +4,9 @@
 //! H = C2 C1 − C3 C0 are positive (Hurwitz). The largest real part falls with a parameter where each of these three rises with it or has one
 //! sign, for every g that it may have: then no parameters that are all left of g stop being so.
 
-use super::pair::coefficient_slopes;
+use super::corners::{A, B, D, K, M, S, V};
 use super::root_discs::{Values, cubic};
 use crate::number::Interval;
-
-/// The place of C0.
-const CONSTANT: usize = 1;
 
 /// C2, C0 and H, with their derivatives by each parameter that changes.
 struct Conditions {
@@ -58,11 +55,6 @@ pub(super) fn are_not_left(parameters: &Values, g: f64) -> bool {
     (0..3).any(|which| extreme(parameters, g, which, true) <= 0.0)
 }
 
-/// Whether the real root beside a pair is below a number at all points of a part, for certain.
-pub(super) fn is_lone_root_below(parameters: &Values, number: f64) -> bool {
-    extreme(parameters, number, CONSTANT, false) > 0.0
-}
-
 /// A bound of a condition over a part, from above or from below: each parameter with which it rises or falls is at its end.
 fn extreme(parameters: &Values, g: f64, which: usize, from_above: bool) -> f64 {
     let mut parameters = *parameters;
@@ -81,6 +73,21 @@ fn extreme(parameters: &Values, g: f64, which: usize, from_above: bool) -> f64 {
             return if from_above { found.values[which].high } else { found.values[which].low };
         }
     }
+}
+
+/// The derivatives of the four coefficients by each parameter.
+fn coefficient_slopes(values: &Values) -> [[Interval; 4]; 7] {
+    let [a, b, d, k, m, s, v] = *values;
+    let [zero, one] = [0.0, 1.0].map(Interval::point);
+    let mut slopes = [[zero; 4]; 7];
+    slopes[A] = [zero, s / d, s / v, zero];
+    slopes[B] = [zero, -s / d, zero, zero];
+    slopes[D] = [k * v, s * (a - b), m * v, zero].map(|value| -value / d.square());
+    slopes[K] = [v / d, one, zero, zero];
+    slopes[M] = [zero, zero, v / d, one];
+    slopes[S] = [zero, (a - b) / d, a / v, zero];
+    slopes[V] = [k / d, zero, m / d - s * a / v.square(), zero];
+    slopes
 }
 
 #[cfg(test)]
@@ -109,19 +116,17 @@ mod tests {
     #[test]
     fn what_is_certain_of_a_line_is_true_at_every_point() {
         let mut random = SplitMix64(8);
-        let mut certain = [0; 3];
+        let mut certain = [0; 2];
         for _ in 0..400 {
             let part = any_box(&mut random);
             let g = largest(&within(&part, &mut random)).middle() + 0.3 * (random.unit() - 0.5);
-            let said = [are_left(&part, g), are_not_left(&part, g), is_lone_root_below(&part, g)];
+            let said = [are_left(&part, g), are_not_left(&part, g)];
             certain.iter_mut().zip(said).for_each(|(count, said)| *count += u32::from(said));
             for _ in 0..20 {
                 let point = within(&part, &mut random);
                 let found = largest(&point);
                 assert!(!said[0] || found.low < g, "{part:?} {g} {point:?}");
                 assert!(!said[1] || found.high >= g, "{part:?} {g} {point:?}");
-                let [c0, c1, c2, c3] = cubic(&point.map(Interval::point)).map(Interval::middle);
-                assert!(!said[2] || ((c3 * g + c2) * g + c1) * g + c0 > 0.0, "{part:?} {g} {point:?}");
             }
         }
         assert!(certain.iter().all(|count| *count > 40), "{certain:?}");

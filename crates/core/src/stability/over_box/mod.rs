@@ -20,7 +20,6 @@ mod corners;
 mod fixtures;
 mod growth;
 mod lower_area;
-mod pair;
 mod pair_conditions;
 mod pair_point;
 mod pair_search;

@@ -8,7 +8,6 @@ use std::collections::BinaryHeap;
 
 use super::corners::{A, B, D, K, M, Point, S, V};
 use super::growth;
-use super::pair::Pair;
 use super::pair_search::PairSearch;
 use super::ranked::Ranked;
 use super::root_discs::{Quantity, RootDiscs, Values};
@@ -32,8 +31,6 @@ const MOST_COMPARED: usize = 1 << 8;
 /// A bound is lowered to the attained value with such a share of it, or of its distance from the bound, if that is certain; one
 /// within the first share of it is left to smaller parts.
 const LOWERINGS: [f64; 3] = [0.3, 0.05, 0.002];
-/// Shares of the real root at a point, below which the real root is looked for at all points of a part.
-const REAL_ROOTS: [f64; 5] = [0.9, 0.6, 0.3, 0.1, 0.01];
 
 /// The values of a quantity at the points of a box.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -311,15 +308,13 @@ impl Search {
         let mut bound = f64::NEG_INFINITY;
         for _ in 0..if self.goal.is_some() { MOST_COMPARED } else { MOST_PARTS } {
             let Some(most) = open.peek() else { break };
-            if self.goal.is_some_and(|goal| most.rank.max(bound) < goal.low || self.attained >= goal.high) {
-                break;
-            }
-            if most.rank <= self.attained + TOLERANCE * self.attained.abs() {
+            let is_decided = |goal: Interval| most.rank.max(bound) < goal.low || self.attained >= goal.high;
+            let is_near = most.rank <= self.attained + TOLERANCE * self.attained.abs();
+            if is_near || self.goal.is_some_and(is_decided) {
                 break;
             }
             let Some(Ranked { rank: of_part, of: (part, axis) }) = open.pop() else { break };
-            let halves = axis.and_then(|axis| part.halves(axis));
-            let Some(halves) = halves else {
+            let Some(halves) = axis.and_then(|axis| part.halves(axis)) else {
                 bound = bound.max(of_part);
                 continue;
             };
@@ -342,9 +337,8 @@ impl Search {
     /// The derivatives of the largest real part, negated in a search for the least, as far as they are known without roots: they count
     /// where the value lies between the greatest that is attained and the bound, since others cannot be the greatest.
     fn slopes_of_growth(&self, hull: &Values, bound: f64) -> [Interval; 7] {
-        let slopes =
-            growth::slopes(hull, self.value(Interval { low: self.attained.min(bound), high: bound }));
-        self.turned(slopes)
+        let values = self.value(Interval { low: self.attained.min(bound), high: bound });
+        self.turned(growth::slopes(hull, values))
     }
 
     fn turned(&self, slopes: [Interval; 7]) -> [Interval; 7] {
@@ -352,13 +346,10 @@ impl Search {
     }
 
     /// A bound over a part, lowered towards the greatest value that is attained as far as is certain.
-    fn lowered(&self, bound: f64, hull: &Values, discs: &RootDiscs) -> f64 {
+    fn lowered(&self, bound: f64, hull: &Values) -> f64 {
         let highest = self.attained + TOLERANCE * self.attained.abs();
-        if bound <= highest {
+        if bound <= highest || self.quantity == Quantity::Imaginary {
             return bound;
-        }
-        if self.quantity == Quantity::Imaginary {
-            return if self.side == Side::Greatest { bound.min(bound_of_pair(hull, discs)) } else { bound };
         }
         let is_above_all = |value: f64| match self.side {
             Side::Greatest => growth::are_left(hull, value),
@@ -385,7 +376,7 @@ impl Search {
             let hull = part.hull();
             let discs = RootDiscs::of(&hull)?;
             bound = bound.min(self.value(discs.largest(self.quantity, &[None; 3])).high);
-            bound = self.lowered(bound, &hull, &discs);
+            bound = self.lowered(bound, &hull);
             if self.quantity == Quantity::Real && part.go_to_ends(&self.slopes_of_growth(&hull, bound)) {
                 continue;
             }
@@ -393,19 +384,12 @@ impl Search {
             let at_middle = RootDiscs::of(&middle)?;
             self.visit(&middle);
             let tracked = discs.tracked(&hull, &at_middle, &middle);
-            let pair = (self.quantity == Quantity::Imaginary).then(|| {
-                let at_point = at_middle.others(&middle, &[None; 3])?[1];
-                Pair::of(&hull, discs.others(&hull, &tracked)?, at_point, &middle)
-            });
-            let pair = pair.flatten();
-            let top = discs.top(self.quantity, &tracked).map(|top| top.slopes(self.quantity));
-            let slopes = top.or_else(|| pair.as_ref().map(Pair::slopes)).map(|slopes| self.turned(slopes));
+            let top = discs.top(self.quantity, &tracked);
+            let slopes = top.map(|top| self.turned(top.slopes(self.quantity)));
             if slopes.is_some_and(|slopes| part.go_to_ends(&slopes)) {
                 continue;
             }
-            let of_discs = discs.largest(self.quantity, &tracked);
-            let values = pair.map_or(of_discs, |pair| of_discs.intersection(pair.height()));
-            let bound = bound.min(self.value(values).high);
+            let bound = bound.min(self.value(discs.largest(self.quantity, &tracked)).high);
             let effects: [f64; 7] = std::array::from_fn(|i| match slopes {
                 Some(slopes) => (slopes[i] * (hull[i] - middle[i])).width(),
                 None => hull[i].width() / hull[i].high,
@@ -415,16 +399,6 @@ impl Search {
             return Some(Ranked { rank: bound, of: (part, axis) });
         }
     }
-}
-
-/// A bound of a pair's imaginary part: the pair is slower than the slider on its spring alone, and c3 times the square of its size times the
-/// size of the real root is c0.
-fn bound_of_pair(hull: &Values, discs: &RootDiscs) -> f64 {
-    let natural = (hull[K] / hull[M]).square_root().high;
-    let real = REAL_ROOTS.map(|share| share * discs.real_root());
-    let below = real.into_iter().find(|number| *number < 0.0 && growth::is_lone_root_below(hull, *number));
-    let size = below.map(|below| hull[K] * hull[V] / (hull[M] * hull[D] * Interval::point(-below)));
-    size.map_or(natural, |square| square.square_root().high.min(natural))
 }
 
 impl Part {

@@ -68,11 +68,6 @@ impl RootDiscs {
         radii.iter().all(|radius| radius.is_finite()).then_some(Self { centres, radii, touch, others })
     }
 
-    /// The centre of the first disc: about the real root beside a pair.
-    pub(super) fn real_root(&self) -> f64 {
-        self.centres[0].re
-    }
-
     fn is_joined(&self, i: usize, j: usize) -> bool {
         i == j || self.touch[i + j - 1]
     }
@@ -145,12 +140,6 @@ impl RootDiscs {
                 others.map_or(by_discs, |[_, square]| by_discs.intersection((-square).square_root()))
             }
         }
-    }
-
-    /// As [`other_two`], with the real root that was narrowed; none where the first disc is not apart.
-    pub(super) fn others(&self, values: &Values, tracked: &[Option<Tracked>; 3]) -> Option<[Interval; 2]> {
-        let narrowed = |others| tracked[0].map_or(others, |real| other_two(&cubic(values), real.root.re));
-        self.others.map(narrowed)
     }
 
     /// The root whose value is the largest at all points. None where another root may have it.

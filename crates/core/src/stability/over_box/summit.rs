@@ -39,15 +39,10 @@ type Valued = (f64, Point);
 impl Summit {
     /// The best corner, moved along one parameter after another.
     pub(super) fn near_a_corner(&self) -> Point {
-        let wide: Vec<usize> = (0..7).filter(|i| self.lower[*i] < self.upper[*i]).collect();
-        let corner = |bits: usize| {
-            let mut corner = self.lower;
-            let raised = wide.iter().enumerate().filter(|(place, _)| bits >> place & 1 == 1);
-            raised.for_each(|(_, i)| corner[*i] = self.upper[*i]);
-            self.valued(corner)
+        let corner = |bits: u32| {
+            self.valued(std::array::from_fn(|i| [self.lower, self.upper][(bits >> i & 1) as usize][i]))
         };
-        let best = (0..1 << wide.len()).map(corner).reduce(better);
-        self.climbed(best.unwrap_or((f64::NEG_INFINITY, self.lower))).1
+        self.climbed((0..1 << 7).map(corner).fold((f64::NEG_INFINITY, self.lower), better)).1
     }
 
     /// The best point of some generations, the first of which has a point beside random ones.
@@ -63,8 +58,8 @@ impl Summit {
             let share = SHARE * (0.5 + random.unit());
             let at = points[place].1;
             let moved = std::array::from_fn(|i| {
-                let is_moved = random.unit() < CROSSING;
-                let step = if is_moved { share * (best.1[i] - at[i] + one[i] - other[i]) } else { 0.0 };
+                let difference = best.1[i] - at[i] + one[i] - other[i];
+                let step = if random.unit() < CROSSING { share * difference } else { 0.0 };
                 (at[i] + step).clamp(self.lower[i], self.upper[i])
             });
             points[place] = better(points[place], self.valued(moved));
