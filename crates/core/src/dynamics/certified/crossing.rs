@@ -38,7 +38,7 @@ impl Motion<'_> {
     pub(super) fn slow_crossing(
         &mut self,
         set: &Set<2>,
-        last: &LastStep,
+        last: &LastStep<'_>,
         section: f64,
     ) -> Result<Crossing, Reason> {
         let hull = set.hull();

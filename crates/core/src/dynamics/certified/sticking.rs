@@ -33,15 +33,15 @@ const LONGEST_SLOW: f64 = 2.0;
 /// How many times ε a step takes while ψ still fades.
 const FADING: f64 = 40.0;
 
-/// A step on the slow manifold: its states, and the tube and the sizes of the derivatives at its start.
-pub(super) struct LastStep {
+/// A step on the slow manifold: the box of its states, and the set and the tube at its start.
+pub(super) struct LastStep<'s> {
     pub during: [Interval; 2],
+    pub start: &'s Set<2>,
     pub tube: Tube,
-    pub sizes: [f64; COORDINATES],
     pub h: f64,
 }
 
-impl LastStep {
+impl LastStep<'_> {
     /// The rates of x and y in a box that the step enters if it lasts a little longer, with the slow manifold and the tube there.
     pub fn over(
         &self,
@@ -50,7 +50,8 @@ impl LastStep {
         time: f64,
     ) -> Result<([Interval; 2], (Manifold, Tube)), Reason> {
         let whole = Manifold::over(constants, &std::array::from_fn(|i| self.during[i].hull(at[i])));
-        let passage = whole.passage(self.tube, generously_up(self.h + time), self.sizes);
+        let sizes = column_sizes(&self.start.derivative());
+        let passage = whole.passage(self.tube, generously_up(self.h + time), sizes);
         let tube = passage.ok_or(Reason::LeftTheTube)?.after((self.h - time).max(0.0));
         let manifold = Manifold::over(constants, at);
         Ok(([manifold.rate.widened(tube.distance), manifold.state_rate], (manifold, tube)))
@@ -169,10 +170,10 @@ impl Motion<'_> {
             aimed = aimed.min(FADING * here.inertia.mid);
         }
         let (h, landed) = landing(&expansion, [aimed, length], section);
-        let sizes = column_sizes(&set.derivative());
         let mut allowed = LEAST_DISTURBANCE;
         let (h, taken) = self.held(h, |h| {
-            if let Some(expected) = here.passage(tube, h, sizes) {
+            // How far ψ moves the state does not depend on derivatives.
+            if let Some(expected) = here.passage(tube, h, [0.0; COORDINATES]) {
                 allowed = worse(allowed, 4.0 * expected.moved / expected.growth);
             }
             InTube::of(self.constants, &expansion, set, tube, h, &mut allowed)
@@ -181,7 +182,7 @@ impl Motion<'_> {
         let end_tube = taken.passage.after(h);
         let start = self.slow_moment(&start_hull, &here, tube.distance);
         let passed = self.slow_passed(start, &end.hull(), &taken, h);
-        let last = LastStep { during: taken.step.during, tube, sizes, h };
+        let last = LastStep { during: taken.step.during, start: set, tube, h };
         if let Some(x) = self.noted(&passed, landed == Some(h), section)? {
             let crossing = self.slow_crossing(&end, &last, x)?;
             self.states = States::Stuck(end, end_tube);

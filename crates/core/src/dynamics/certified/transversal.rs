@@ -44,7 +44,7 @@ impl Motion<'_> {
     pub(super) fn slow_without_flow(
         &mut self,
         set: &Set<2>,
-        last: &LastStep,
+        last: &LastStep<'_>,
         section: Option<f64>,
     ) -> Option<(Set<2>, Tube)> {
         let hull = set.hull();

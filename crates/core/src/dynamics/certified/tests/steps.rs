@@ -232,7 +232,8 @@ fn a_prolonged_step_holds_the_derivative_of_psi() {
                 let constants = slider.constants();
                 let here = Manifold::over(&constants, &[ZERO; 2]);
                 let [by_x, by_y] = here.rate_gradient.map(|c| c.mid);
-                let last = LastStep { during: [ZERO; 2], tube: NO_TUBE, sizes: [1.0, 0.5], h };
+                let start = Set::new(NO_P, [ZERO; 2], [[point(1.0), ZERO], [point(-1.0), point(0.5)]]);
+                let last = LastStep { during: [ZERO; 2], start: &start, tube: NO_TUBE, h };
                 let Ok((_, (_, tube))) = last.over(&constants, &[ZERO; 2], time) else { continue };
                 held += 1;
                 for start in [[1.0, 0.0], [0.0, 1.0], [1.0, 1.0], [1.0, -1.0]] {
@@ -283,7 +284,8 @@ fn a_prolonged_step_holds_psi_in_both_boxes() {
         let constants = slider.constants();
         for (distance, time) in [(0.0, 0.05), (0.05, 0.05), (0.05, 0.0995)] {
             let tube = Tube { distance, ..NO_TUBE };
-            let last = LastStep { during: from.map(point), tube, sizes: [0.0; 2], h: 0.1 };
+            let start = around(from, [0.0; 2]);
+            let last = LastStep { during: from.map(point), start: &start, tube, h: 0.1 };
             let wide = to.map(|mid| Interval { mid, rad: 0.15 });
             let (rates, (manifold, found)) = last.over(&constants, &wide, time).unwrap();
             for at in [from, to, [to[0] - 0.15, to[1] + 0.15], [to[0] + 0.15, to[1] - 0.15]] {
@@ -348,7 +350,7 @@ fn no_step_and_no_shift_passes_a_section_unseen() {
             let States::Stuck(end, _) = &motion.states else { panic!("it does not stick") };
             (matches!(found, Ok(None)), end.hull()[0].upper(), motion.observed.duration.rad)
         };
-        let last = LastStep { during: hull, tube: NO_TUBE, sizes: [0.0; COORDINATES], h: 0.1 };
+        let last = LastStep { during: hull, start: &set, tube: NO_TUBE, h: 0.1 };
         let shift = |section: f64| {
             let mut motion = Motion::new(&constants, States::Stuck(set.clone(), NO_TUBE), 1);
             motion.slow_without_flow(&set, &last, Some(section)).map(|(moved, _)| moved.hull()[0].upper())
@@ -416,7 +418,7 @@ fn a_shift_notes_the_stress_meanwhile() {
         let slider = Slider { inertia: 1e-9, stiffness: 1.0, effect_ratio: 0.5, law };
         let constants = slider.constants();
         let set = around([0.0, -1.0], [0.0, 0.04]);
-        let last = LastStep { during: set.hull(), tube: NO_TUBE, sizes: [0.0; COORDINATES], h: 1.0 };
+        let last = LastStep { during: set.hull(), start: &set, tube: NO_TUBE, h: 1.0 };
         let mut motion = Motion::new(&constants, States::Stuck(set.clone(), NO_TUBE), 1);
         motion.slow_without_flow(&set, &last, None).unwrap();
         let rates = |[x, y]: [f64; 2]| {

@@ -6,7 +6,7 @@ use crate::dynamics::certified::Constants;
 use crate::dynamics::certified::crossing::Crossing;
 use crate::dynamics::certified::interval::Interval;
 use crate::dynamics::certified::manifold::{Manifold, Tube};
-use crate::dynamics::certified::motion::{Motion, States, column_sizes};
+use crate::dynamics::certified::motion::{Motion, States};
 use crate::dynamics::certified::set::{COORDINATES, Derivative, Set};
 use crate::dynamics::certified::sticking::LastStep;
 use crate::friction::EvolutionLaw;
@@ -280,7 +280,7 @@ fn a_step_of_the_widest_sets_on_the_slow_manifold_holds_the_members_or_is_refuse
             let whole = hull[i].hull(end_hull[i]);
             whole.widened(0.1 * whole.rad)
         });
-        let last = LastStep { during, tube, sizes: column_sizes(&set.derivative()), h: duration.mid };
+        let last = LastStep { during, start: &set, tube, h: duration.mid };
         let section = section + away;
         let mut moved = motion(0.5);
         moved.observed.duration = Interval::point(duration.mid);
