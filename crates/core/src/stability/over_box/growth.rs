@@ -4,7 +4,7 @@
 //! H = C2 C1 − C3 C0 are positive (Hurwitz). The largest real part falls with a parameter where each of these three rises with it or has one
 //! sign, for every g that it may have: then no parameters that are all left of g stop being so.
 
-use super::corners::{A, B, D, K, M, S, V};
+use super::pair::coefficient_slopes;
 use super::root_discs::{Values, cubic};
 use crate::number::Interval;
 
@@ -73,21 +73,6 @@ fn extreme(parameters: &Values, g: f64, which: usize, from_above: bool) -> f64 {
             return if from_above { found.values[which].high } else { found.values[which].low };
         }
     }
-}
-
-/// The derivatives of the four coefficients by each parameter.
-fn coefficient_slopes(values: &Values) -> [[Interval; 4]; 7] {
-    let [a, b, d, k, m, s, v] = *values;
-    let [zero, one] = [0.0, 1.0].map(Interval::point);
-    let mut slopes = [[zero; 4]; 7];
-    slopes[A] = [zero, s / d, s / v, zero];
-    slopes[B] = [zero, -s / d, zero, zero];
-    slopes[D] = [k * v, s * (a - b), m * v, zero].map(|value| -value / d.square());
-    slopes[K] = [v / d, one, zero, zero];
-    slopes[M] = [zero, zero, v / d, one];
-    slopes[S] = [zero, (a - b) / d, a / v, zero];
-    slopes[V] = [k / d, zero, m / d - s * a / v.square(), zero];
-    slopes
 }
 
 #[cfg(test)]

@@ -20,6 +20,7 @@ mod corners;
 mod fixtures;
 mod growth;
 mod lower_area;
+mod pair;
 mod pair_conditions;
 mod pair_point;
 mod pair_search;

@@ -17,9 +17,6 @@ use super::ranked::Ranked;
 use super::root_discs::{Quantity, RootDiscs, Values, cubic};
 use crate::number::Interval;
 
-/// The most places that a search for a bound halves, and one for a point.
-const MOST_PLACES: usize = 1 << 12;
-const MOST_PLACES_FOR_A_POINT: usize = 1 << 11;
 /// How often the end of a place is cut.
 const CUTS: u32 = 3;
 /// A cut below this part of a place does not pay.
@@ -36,6 +33,8 @@ pub(super) struct PairSearch<'v> {
     pub is_greatest: bool,
     /// Points with a largest real part above it are left out.
     pub ceiling: f64,
+    /// The most places that are halved, twice as many as in a search for a point.
+    pub most: usize,
 }
 
 /// Values of two roots, as their kind says, and of r.
@@ -58,7 +57,7 @@ impl PairSearch<'_> {
         let attained = outward(attained);
         let ranked = |place: RootPlace| Ranked { rank: outward(self.bound_over(&place)), of: place };
         let mut open: BinaryHeap<_> = self.whole().map(ranked).collect();
-        for _ in 0..MOST_PLACES {
+        for _ in 0..self.most {
             if open.peek().is_none_or(|first| first.rank <= attained + gap) {
                 break;
             }
@@ -74,7 +73,7 @@ impl PairSearch<'_> {
     pub(super) fn has_points(&self) -> Sought {
         let ranked = |place: RootPlace| Ranked { rank: -self.bound_over(&place), of: place };
         let mut open: BinaryHeap<_> = self.whole().map(ranked).collect();
-        for _ in 0..MOST_PLACES_FOR_A_POINT {
+        for _ in 0..self.most / 2 {
             let Some(Ranked { of: place, .. }) = open.pop() else { return Sought::Nowhere };
             for half in place.halves().into_iter().filter_map(|half| self.cut(self.narrowed(half)?)) {
                 let middle = half.values.map(Interval::middle);

@@ -4,10 +4,12 @@
 //! parameter has one sign over a part, the greatest value over the part is at the parameter's end. Discs about the roots give derivatives
 //! and bounds where roots are apart, conditions on coefficients ([`growth`]) where they meet. All arithmetic is that of 64-bit intervals.
 
+use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 use super::corners::{A, B, D, K, M, Point, S, V};
 use super::growth;
+use super::pair::Pair;
 use super::pair_search::PairSearch;
 use super::ranked::Ranked;
 use super::root_discs::{Quantity, RootDiscs, Values};
@@ -21,12 +23,13 @@ const TOLERANCE: f64 = 1e-9;
 const MOST_PARTS: usize = 1 << 4;
 /// Where a search over seven parameters does not end, one over the roots goes on to this share of the attained values' distance.
 const NEAR: f64 = 4e-3;
+/// The most places that a search over the roots halves, and one that compares with a value.
+const MOST_PLACES: usize = 1 << 12;
+const MOST_PLACES_COMPARED: usize = 1 << 10;
 /// The most levels that are compared with a least value.
 const MOST_LEVELS: u32 = 12;
 /// How much farther from the attained value the next level is, up to the middle.
 const WIDER: f64 = 4.0;
-/// The most parts that a comparison halves.
-const MOST_COMPARED: usize = 1 << 8;
 
 /// A bound is lowered to the attained value with such a share of it, or of its distance from the bound, if that is certain; one
 /// within the first share of it is left to smaller parts.
@@ -144,9 +147,14 @@ pub(in crate::stability) fn sought_in(region: &ParameterBox, quantity: Quantity,
     let scaled = Scaled::new(region);
     let goal = values / scaled.rate;
     let compared = |side| {
-        let goal = if side == Side::Least { -goal } else { goal };
-        let found = Search::new(quantity, side, Some(goal)).run(scaled.part)?;
-        Some([found.bound < goal.low, found.attained >= goal.high])
+        let turned = if side == Side::Least { -goal } else { goal };
+        let found = Search::new(quantity, side, Some(turned)).run(scaled.part)?;
+        let is_reached = found.attained >= turned.high;
+        let is_passed_by_none = found.bound < turned.low;
+        Some([
+            is_passed_by_none || !is_reached && scaled.reaches_by_no_root(quantity, side, goal),
+            is_reached,
+        ])
     };
     match [Side::Greatest, Side::Least].map(compared) {
         [Some([true, _]), _] | [_, Some([true, _])] => Sought::Nowhere,
@@ -214,7 +222,8 @@ impl Scaled {
     fn by_roots(&self, quantity: Quantity, side: Side, range: &mut ValueRange) {
         let values = self.values();
         let is_greatest = side == Side::Greatest;
-        let search = |ceiling| PairSearch { values: &values, quantity, is_greatest, ceiling };
+        let search =
+            |ceiling| PairSearch { values: &values, quantity, is_greatest, ceiling, most: MOST_PLACES };
         let (in_si, scaled) = (
             |value: f64| Interval::point(value) * self.rate,
             |value: f64| Interval::point(value) / self.rate,
@@ -246,6 +255,24 @@ impl Scaled {
             }
             step *= WIDER;
         }
+    }
+
+    /// Whether two roots are of no point with a value as far out as some, which are not zero, for certain.
+    fn reaches_by_no_root(&self, quantity: Quantity, side: Side, goal: Interval) -> bool {
+        let is_greatest = side == Side::Greatest;
+        let values = self.values();
+        let search = |ceiling| PairSearch {
+            values: &values,
+            quantity,
+            is_greatest,
+            ceiling,
+            most: MOST_PLACES_COMPARED,
+        };
+        if quantity == Quantity::Real && !is_greatest {
+            return search(goal.high).has_points() == Sought::Nowhere;
+        }
+        let beside = if is_greatest { goal.low.next_down() } else { goal.high.next_up() };
+        goal.sign().is_some_and(Ordering::is_ne) && search(f64::INFINITY).bound(beside, 0.0) == beside
     }
 
     /// An end of the range of a quantity, in 1/s; none beyond the range of 64-bit numbers.
@@ -306,7 +333,7 @@ impl Search {
         self.visit(&whole.with_ends(&near_a_corner));
         let mut open = BinaryHeap::from([self.examine(whole, f64::INFINITY)?]);
         let mut bound = f64::NEG_INFINITY;
-        for _ in 0..if self.goal.is_some() { MOST_COMPARED } else { MOST_PARTS } {
+        for _ in 0..MOST_PARTS {
             let Some(most) = open.peek() else { break };
             let is_decided = |goal: Interval| most.rank.max(bound) < goal.low || self.attained >= goal.high;
             let is_near = most.rank <= self.attained + TOLERANCE * self.attained.abs();
@@ -384,12 +411,19 @@ impl Search {
             let at_middle = RootDiscs::of(&middle)?;
             self.visit(&middle);
             let tracked = discs.tracked(&hull, &at_middle, &middle);
-            let top = discs.top(self.quantity, &tracked);
-            let slopes = top.map(|top| self.turned(top.slopes(self.quantity)));
+            let pair = (self.quantity == Quantity::Imaginary).then(|| {
+                let at_point = at_middle.others(&middle, &[None; 3])?[1];
+                Pair::of(&hull, discs.others(&hull, &tracked)?, at_point, &middle)
+            });
+            let pair = pair.flatten();
+            let top = discs.top(self.quantity, &tracked).map(|top| top.slopes(self.quantity));
+            let slopes = top.or_else(|| pair.as_ref().map(Pair::slopes)).map(|slopes| self.turned(slopes));
             if slopes.is_some_and(|slopes| part.go_to_ends(&slopes)) {
                 continue;
             }
-            let bound = bound.min(self.value(discs.largest(self.quantity, &tracked)).high);
+            let of_discs = discs.largest(self.quantity, &tracked);
+            let values = pair.map_or(of_discs, |pair| of_discs.intersection(pair.height()));
+            let bound = bound.min(self.value(values).high);
             let effects: [f64; 7] = std::array::from_fn(|i| match slopes {
                 Some(slopes) => (slopes[i] * (hull[i] - middle[i])).width(),
                 None => hull[i].width() / hull[i].high,

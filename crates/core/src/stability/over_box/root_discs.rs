@@ -142,6 +142,12 @@ impl RootDiscs {
         }
     }
 
+    /// As [`other_two`], with the real root that was narrowed; none where the first disc is not apart.
+    pub(super) fn others(&self, values: &Values, tracked: &[Option<Tracked>; 3]) -> Option<[Interval; 2]> {
+        let narrowed = |others| tracked[0].map_or(others, |real| other_two(&cubic(values), real.root.re));
+        self.others.map(narrowed)
+    }
+
     /// The root whose value is the largest at all points. None where another root may have it.
     pub(super) fn top(&self, quantity: Quantity, tracked: &[Option<Tracked>; 3]) -> Option<Tracked> {
         let all = self.values(quantity, tracked);
