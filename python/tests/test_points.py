@@ -118,19 +118,29 @@ LONG = {
 
 
 @pytest.mark.filterwarnings("ignore::slipmode.SlipmodeWarning")
+@pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")
 @pytest.mark.parametrize("work", LONG)
 def test_control_c_ends_long_work(work):
-    sent = []
+    sent, done = [], threading.Event()
 
     def interrupt():
-        sent.append(time.monotonic())
-        os.kill(os.getpid(), signal.SIGINT)
+        # The interpreter loses one that comes during a callback, such as that of a weak set: then there is another one.
+        for pause in (0.5, 1.5):
+            if not done.wait(pause):
+                sent.append(time.monotonic())
+                os.kill(os.getpid(), signal.SIGINT)
 
-    threading.Timer(0.5, interrupt).start()
-    with pytest.raises(KeyboardInterrupt):
-        LONG[work]()
+    other = threading.Thread(target=interrupt)
+    other.start()
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            LONG[work]()
+        ended = time.monotonic()
+    finally:
+        done.set()
+        other.join()
     # 0.2 s on a machine that does nothing else.
-    assert time.monotonic() - sent[0] < 1.0
+    assert ended - sent[-1] < 1.0
 
 
 def test_frames_have_the_names_of_the_command_line():
