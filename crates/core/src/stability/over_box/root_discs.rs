@@ -9,7 +9,7 @@
 use num_complex::Complex64;
 
 use super::corners::{B, D, K, M, S, V};
-use crate::number::{Interval, Rectangle};
+use crate::number::{Field, Interval, Rectangle};
 use crate::roots::bounded_roots;
 
 /// The seven parameters of a part, in units of the box.
@@ -31,7 +31,7 @@ pub(in crate::stability) enum Quantity {
 }
 
 /// The coefficients of eq 8 by ascending power.
-pub(super) fn cubic(values: &Values) -> [Interval; 4] {
+pub(super) fn cubic<F: Field + Copy>(values: &[F; 7]) -> [F; 4] {
     let [a, b, d, k, m, s, v] = *values;
     let rate = v / d;
     [k * rate, k + s * (a - b) / d, m * rate + s * a / v, m]

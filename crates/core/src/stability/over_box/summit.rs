@@ -4,7 +4,7 @@
 //! one real part, or roots meet. No single parameter leads along such a place; differences of other points do (differential evolution,
 //! Storn and Price 1997).
 
-use super::root_discs::Quantity;
+use super::root_discs::{Quantity, cubic};
 use crate::number::search::golden_section;
 use crate::number::split_mix::SplitMix64;
 use crate::roots::{Pair, Spectrum, bounded_roots};
@@ -93,9 +93,7 @@ impl Summit {
 
     /// A point with its value. The imaginary part counts by its square, which is negative for real roots, so that it falls there, too.
     fn valued(&self, point: Point) -> Valued {
-        let [a, b, d, k, m, s, v] = point;
-        let rate = v / d;
-        let cubic = [k * rate, k + s * (a - b) / d, m * rate + s * a / v, m];
+        let cubic = cubic(&point);
         let Spectrum { real, pair } = bounded_roots(cubic);
         let [largest, square] = match pair {
             Pair::Real([low, high]) => {
