@@ -113,7 +113,7 @@ macro_rules! experiments {
         }
 
         /// What draws the figures of the experiments.
-        fn drawers() -> impl Iterator<Item = &'static Drawer> {
+        pub(super) fn drawers() -> impl Iterator<Item = &'static Drawer> {
             [$($(#[cfg($condition)])? <$section as Experiment>::FIGURES,)*].into_iter().flatten().copied().flatten()
         }
     };

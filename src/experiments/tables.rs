@@ -140,5 +140,10 @@ mod tests {
             assert!(is_complete || ["boundary", "marks"].contains(&maker.id), "{}", table.id);
         }
         assert!(compared > 300, "{compared}");
+        // A table that is not described has no title.
+        let made = table_makers().filter_map(|maker| (maker.make)(&context));
+        let without: Vec<String> =
+            made.filter(|table| table.title.is_empty()).map(|table| table.id).collect();
+        assert_eq!(without, ["test-experiment"]);
     }
 }
