@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{Expression, ParseError};
+use super::{Expression, Function};
 
 crate::named! {
     /// How an expression compares with zero.
@@ -40,17 +40,43 @@ impl From<Condition> for String {
     }
 }
 
-impl TryFrom<String> for Condition {
-    type Error = ParseError;
+impl Expression {
+    /// What must hold for the expression to have a value, as it is written: of each divisor, base of a power that divides, argument of
+    /// a logarithm and of a root.
+    #[must_use]
+    pub fn demands(&self) -> Vec<Condition> {
+        let mut found = Vec::new();
+        self.add_demands(&mut found);
+        found
+    }
 
-    fn try_from(text: String) -> Result<Self, ParseError> {
-        let parts = Relation::ALL
-            .iter()
-            .find_map(|&relation| Some((text.strip_suffix(relation.as_str())?, relation)));
-        let (expression, relation) = parts.ok_or_else(|| ParseError {
-            column: text.chars().count(),
-            message: "a condition ends with '> 0', '>= 0' or '!= 0'".to_owned(),
-        })?;
-        Ok(Self { expression: expression.to_owned().try_into()?, relation })
+    fn add_demands(&self, found: &mut Vec<Condition>) {
+        let mut demand = |expression: &Self, relation| {
+            let condition = Condition { expression: expression.clone(), relation };
+            if !found.contains(&condition) {
+                found.push(condition);
+            }
+        };
+        match self {
+            Self::Quotient(_, below) => demand(below, Relation::NonZero),
+            Self::Power(base, exponent) if *exponent <= 0 => demand(base, Relation::NonZero),
+            Self::Call(Function::Ln, argument) => demand(argument, Relation::Positive),
+            Self::Call(Function::Sqrt, argument) => demand(argument, Relation::NonNegative),
+            _ => {}
+        }
+        match self {
+            Self::Number(_) | Self::Variable(_) => {}
+            Self::Sum(parts) | Self::Product(parts) => {
+                parts.iter().for_each(|part| part.add_demands(found));
+            }
+            Self::Quotient(above, below) => {
+                above.add_demands(found);
+                below.add_demands(found);
+            }
+            Self::Negation(inner)
+            | Self::Power(inner, _)
+            | Self::Call(_, inner)
+            | Self::Generic(_, inner) => inner.add_demands(found),
+        }
     }
 }

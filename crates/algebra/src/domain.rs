@@ -5,10 +5,8 @@ use std::fmt;
 
 use rug::Rational;
 
-use super::budget::{Memory, remembered};
-use super::conversion::Converter;
-use super::refutation::evaluate;
-use super::{Condition, ConversionError, Expression, Function, Notation, RationalFunction, Relation, Symbol};
+use super::rational_function::evaluate;
+use super::{Condition, Expression, Notation, Relation, Symbol, TooLarge};
 
 /// Assumptions on variables, and expressions put in their places.
 ///
@@ -32,6 +30,42 @@ pub struct Domain {
     /// Values at which all assumptions hold; a positive variable without a value is 1, any other 0.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     example: Vec<(Symbol, Expression)>,
+}
+
+/// Why an expression is not a rational function under the assumptions.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum ConversionError {
+    /// A denominator vanishes identically.
+    #[error("division by zero in {0}")]
+    DivisionByZero(String),
+    /// A denominator may vanish.
+    #[error("{0} is a divisor and may be zero: the assumptions do not exclude it")]
+    PossibleZero(String),
+    /// The argument of a square root may be negative.
+    #[error("{0} is the argument of a square root and may be negative: the assumptions do not exclude it")]
+    PossibleNegative(String),
+    /// The logarithm of something that the assumptions do not make positive.
+    #[error(
+        "{0} is the argument of a logarithm and may be zero or negative: the assumptions do not exclude it"
+    )]
+    Logarithm(String),
+    /// The absolute value of something whose sign the assumptions leave open.
+    #[error("the sign of {0} is not decided by the assumptions")]
+    OpenSign(String),
+    /// A function of something that contains the imaginary unit.
+    #[error("{0} is the argument of a function and contains i: functions are those of real numbers")]
+    Imaginary(String),
+    /// Multiplying out would take too long.
+    #[error(transparent)]
+    TooLarge(#[from] TooLarge),
+}
+
+impl ConversionError {
+    /// Whether another form of the assumptions may decide it: the expression may still have a value.
+    #[must_use]
+    pub fn is_open(&self) -> bool {
+        matches!(self, Self::Logarithm(_) | Self::OpenSign(_))
+    }
 }
 
 /// Why a domain says nothing, or something else than what is computed in it.
@@ -62,12 +96,6 @@ pub enum DomainError {
     /// An assumption is no rational function.
     #[error(transparent)]
     Conversion(#[from] ConversionError),
-}
-
-thread_local! {
-    /// Searches and checks ask for the same functions and signs many times.
-    static FUNCTIONS: Memory<(Domain, Expression), Result<RationalFunction, ConversionError>> = Memory::default();
-    static SIGNS: Memory<(Domain, RationalFunction), Option<i8>> = Memory::default();
 }
 
 impl Domain {
@@ -213,69 +241,6 @@ impl Domain {
             true => expression.clone(),
             false => expression.replaced(&values(&self.substitutions)),
         }
-    }
-
-    /// The expression as a rational function, after the substitutions; i² = −1 and pm² = 1 are used.
-    ///
-    /// # Errors
-    /// When the assumptions do not exclude that it divides by zero or takes the root of a negative number, when a logarithm
-    /// or absolute value cannot be resolved under them, and when it is too large to be expanded.
-    pub fn rational_function(&self, expression: &Expression) -> Result<RationalFunction, ConversionError> {
-        let question = (self.clone().without_example(), expression.clone());
-        FUNCTIONS.with(|known| {
-            remembered(known, question, || Converter::new(self).convert(&self.as_written(expression)))
-        })
-    }
-
-    /// left − right as a rational function: zero exactly when both sides are the same.
-    ///
-    /// # Errors
-    /// As [`Domain::rational_function`].
-    pub fn difference(
-        &self,
-        left: &Expression,
-        right: &Expression,
-    ) -> Result<RationalFunction, ConversionError> {
-        self.rational_function(&(left.clone() - right.clone()))
-    }
-
-    /// The sign of an expression for all values of the domain, when coefficients of one sign decide it.
-    ///
-    /// # Errors
-    /// As [`Domain::rational_function`].
-    pub fn sign(&self, expression: &Expression) -> Result<Option<i8>, ConversionError> {
-        Ok(self.sign_of(&self.rational_function(expression)?))
-    }
-
-    /// Do the assumptions prove this condition?
-    ///
-    /// # Errors
-    /// When its expression divides by what may be zero, or cannot be converted for another reason.
-    pub fn proves(&self, condition: &Condition) -> Result<bool, ConversionError> {
-        let expression = condition.expression.clone();
-        let refuted = |error: ConversionError| match error {
-            ConversionError::PossibleZero(_)
-            | ConversionError::PossibleNegative(_)
-            | ConversionError::DivisionByZero(_) => Ok(false),
-            other => Err(other),
-        };
-        self.rational_function(&expression)?;
-        match condition.relation {
-            Relation::Positive => Ok(self.sign(&expression)? == Some(1)),
-            Relation::NonNegative => {
-                self.rational_function(&expression.call(Function::Sqrt)).map_or_else(refuted, |_| Ok(true))
-            }
-            Relation::NonZero => {
-                self.rational_function(&expression.power(-1)).map_or_else(refuted, |_| Ok(true))
-            }
-        }
-    }
-
-    pub(super) fn sign_of(&self, function: &RationalFunction) -> Option<i8> {
-        let question = (self.clone().without_example(), function.clone());
-        SIGNS.with(|known| {
-            remembered(known, question, || Converter::for_sign_of(self, function).sign_of(function))
-        })
     }
 
     /// Checks that the domain means what it says: every name stands for one thing, the assumptions can hold, and the

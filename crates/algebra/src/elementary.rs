@@ -5,9 +5,9 @@
 
 use rug::Rational;
 
-use super::conversion::{ConversionError, Converter};
+use super::conversion::Converter;
 use super::squares::is_imaginary;
-use super::{Expression, Function, Generator, Monomial, Polynomial, RationalFunction};
+use super::{ConversionError, Expression, Function, Generator, Monomial, Polynomial, RationalFunction};
 
 /// The largest prime that is looked for in a number: what is left of the number counts as one.
 const LARGEST_PRIME: u32 = 1000;

@@ -1,11 +1,12 @@
 //! Symbolic expressions: what an equation of the paper looks like before it becomes a polynomial.
 
+pub(super) mod symbol;
+
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::division::integer_scale;
-use super::{Condition, Generator, Monomial, Polynomial, RationalFunction, Relation, Symbol};
 use rug::Rational;
+use symbol::{Generator, Symbol};
 
 crate::named! {
     /// The functions of one argument that the paper's equations use.
@@ -165,45 +166,6 @@ impl Expression {
         let mut found = BTreeSet::new();
         self.add_generics(&mut found);
         found.iter().any(|generator| generator.hides(variable))
-    }
-
-    /// What must hold for the expression to have a value, as it is written: of each divisor, base of a power that divides, argument of
-    /// a logarithm and of a root.
-    #[must_use]
-    pub fn demands(&self) -> Vec<Condition> {
-        let mut found = Vec::new();
-        self.add_demands(&mut found);
-        found
-    }
-
-    fn add_demands(&self, found: &mut Vec<Condition>) {
-        let mut demand = |expression: &Self, relation| {
-            let condition = Condition { expression: expression.clone(), relation };
-            if !found.contains(&condition) {
-                found.push(condition);
-            }
-        };
-        match self {
-            Self::Quotient(_, below) => demand(below, Relation::NonZero),
-            Self::Power(base, exponent) if *exponent <= 0 => demand(base, Relation::NonZero),
-            Self::Call(Function::Ln, argument) => demand(argument, Relation::Positive),
-            Self::Call(Function::Sqrt, argument) => demand(argument, Relation::NonNegative),
-            _ => {}
-        }
-        match self {
-            Self::Number(_) | Self::Variable(_) => {}
-            Self::Sum(parts) | Self::Product(parts) => {
-                parts.iter().for_each(|part| part.add_demands(found));
-            }
-            Self::Quotient(above, below) => {
-                above.add_demands(found);
-                below.add_demands(found);
-            }
-            Self::Negation(inner)
-            | Self::Power(inner, _)
-            | Self::Call(_, inner)
-            | Self::Generic(_, inner) => inner.add_demands(found),
-        }
     }
 
     /// Is it, as can be seen at once, positive where these variables are?
@@ -379,32 +341,6 @@ impl Div for Expression {
             return -(-self / other);
         }
         Self::Quotient(Box::new(self), Box::new(other))
-    }
-}
-
-impl From<&Polynomial> for Expression {
-    fn from(polynomial: &Polynomial) -> Self {
-        let term = |(monomial, coefficient): (&Monomial, &Rational)| {
-            let size = monomial.factors().fold(
-                Self::Number(coefficient.clone().abs()),
-                |product, (name, exponent)| {
-                    // Exponents here stay far below i32's limit: they come from equations of a dozen terms.
-                    product * Self::from(name).power(*exponent as i32)
-                },
-            );
-            if coefficient.is_negative() { -size } else { size }
-        };
-        polynomial.terms().rev().map(term).fold(Self::integer(0), Add::add)
-    }
-}
-
-impl From<&RationalFunction> for Expression {
-    fn from(function: &RationalFunction) -> Self {
-        let both = [function.numerator(), function.denominator()];
-        let scale =
-            integer_scale(both.iter().flat_map(|side| side.terms().map(|(_, coefficient)| coefficient)));
-        let [numerator, denominator] = both.map(|side| Self::from(&side.scale(&scale)));
-        numerator / denominator
     }
 }
 

@@ -10,11 +10,28 @@ use std::cell::Cell;
 use std::fmt;
 
 use super::conversion::{Converter, split_by_parity};
-use super::{Domain, Expression, Function, Polynomial, RationalFunction, Symbol, Toward};
+use super::{Domain, Expression, Function, Polynomial, RationalFunction, Symbol};
 
 /// How often a quotient is differentiated, and how many parts are looked at.
 const MOST_SLOPES: usize = 6;
 const MOST_PARTS: usize = 400;
+
+/// Which way a variable goes in a limit; the others are held fixed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+pub enum Toward {
+    /// Down to zero.
+    Zero,
+    /// Up to infinity.
+    Infinity,
+}
+
+impl fmt::Display for Toward {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(if *self == Self::Zero { "0" } else { "infinity" })
+    }
+}
 
 /// Where an expression goes.
 #[derive(Debug, Clone, PartialEq, Eq)]

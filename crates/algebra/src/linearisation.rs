@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Certificate, Domain, Expression, Symbol};
+use super::{Expression, Symbol};
 
 /// A system with its slopes at its steady state.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -97,12 +97,6 @@ impl Linearisation {
             true => Err(format!("a rate or a steady value contains {variable}")),
             false => Ok(()),
         }
-    }
-
-    /// The certificate that this is the linearisation of the system, and that det(s − J) is this polynomial.
-    #[must_use]
-    pub fn certificate(self, variable: &Symbol, polynomial: Expression, domain: Domain) -> Certificate {
-        Certificate::Characteristic { system: self, variable: variable.clone(), polynomial, domain }
     }
 }
 

@@ -20,7 +20,7 @@ use std::str::FromStr;
 
 use thiserror::Error;
 
-use super::symbol::PARAMETER;
+use super::expression::symbol::PARAMETER;
 use super::{Condition, Expression, Function, Relation, Symbol};
 use crate::number::parse_decimal;
 
@@ -372,6 +372,21 @@ fn as_written(left: Expression, right: Expression) -> Expression {
 
 fn quotient(above: Expression, below: Expression) -> Expression {
     Expression::Quotient(Box::new(above), Box::new(below))
+}
+
+impl TryFrom<String> for Condition {
+    type Error = ParseError;
+
+    fn try_from(text: String) -> Result<Self, ParseError> {
+        let parts = Relation::ALL
+            .iter()
+            .find_map(|&relation| Some((text.strip_suffix(relation.as_str())?, relation)));
+        let (expression, relation) = parts.ok_or_else(|| ParseError {
+            column: text.chars().count(),
+            message: "a condition ends with '> 0', '>= 0' or '!= 0'".to_owned(),
+        })?;
+        Ok(Self { expression: expression.to_owned().try_into()?, relation })
+    }
 }
 
 #[cfg(test)]

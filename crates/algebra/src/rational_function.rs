@@ -1,14 +1,15 @@
 //! Quotients of polynomials over ℚ in lowest terms.
 
 use std::borrow::Cow;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::convert::Infallible;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use rug::Rational;
 
+use super::division::integer_scale;
 use super::size::Extent;
-use super::{Generator, Polynomial, Symbol};
+use super::{Expression, Generator, Monomial, Polynomial, Symbol};
 use crate::number::Field;
 
 /// numerator/denominator without common factor, the denominator's leading coefficient 1.
@@ -250,6 +251,38 @@ macro_rules! owned_operators {
 owned_operators!(Add add, Sub sub, Mul mul, Div div);
 
 impl Field for RationalFunction {}
+
+/// The exact value at a point, unless a variable is missing or the denominator vanishes.
+pub(super) fn evaluate(function: &RationalFunction, point: &BTreeMap<Symbol, Rational>) -> Option<Rational> {
+    let denominator = function.denominator().evaluate(point)?;
+    if denominator.is_zero() { None } else { Some(function.numerator().evaluate(point)? / denominator) }
+}
+
+impl From<&Polynomial> for Expression {
+    fn from(polynomial: &Polynomial) -> Self {
+        let term = |(monomial, coefficient): (&Monomial, &Rational)| {
+            let size = monomial.factors().fold(
+                Self::Number(coefficient.clone().abs()),
+                |product, (name, exponent)| {
+                    // Exponents here stay far below i32's limit: they come from equations of a dozen terms.
+                    product * Self::from(name).power(*exponent as i32)
+                },
+            );
+            if coefficient.is_negative() { -size } else { size }
+        };
+        polynomial.terms().rev().map(term).fold(Self::integer(0), Add::add)
+    }
+}
+
+impl From<&RationalFunction> for Expression {
+    fn from(function: &RationalFunction) -> Self {
+        let both = [function.numerator(), function.denominator()];
+        let scale =
+            integer_scale(both.iter().flat_map(|side| side.terms().map(|(_, coefficient)| coefficient)));
+        let [numerator, denominator] = both.map(|side| Self::from(&side.scale(&scale)));
+        numerator / denominator
+    }
+}
 
 #[cfg(test)]
 mod tests {

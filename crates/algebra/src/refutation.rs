@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
+use super::rational_function::evaluate;
 use super::{Domain, Expression, RationalFunction, Symbol};
 use rug::Rational;
 
@@ -78,12 +79,6 @@ impl CounterExample {
             })
         })
     }
-}
-
-/// The exact value at a point, unless a variable is missing or the denominator vanishes.
-pub(super) fn evaluate(function: &RationalFunction, point: &BTreeMap<Symbol, Rational>) -> Option<Rational> {
-    let denominator = function.denominator().evaluate(point)?;
-    if denominator.is_zero() { None } else { Some(function.numerator().evaluate(point)? / denominator) }
 }
 
 /// The point in the variables of the paper: values of the substituted variables are computed, the others kept.

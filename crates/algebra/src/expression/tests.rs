@@ -8,6 +8,7 @@ use rug::Float;
 use super::*;
 use crate::number::{Ball, Interval, nearest_f64};
 use crate::{Comparison, Domain, Extent};
+use crate::{Condition, Relation};
 
 /// A value by the rules of arithmetic: exact until the first function, with rounding errors from there on.
 #[derive(Debug, Clone)]

@@ -26,10 +26,10 @@ use std::fmt;
 use std::hash::{Hash, Hasher};
 use std::sync::Arc;
 
-use super::{Expression, Function};
+use crate::{Expression, Function};
 
 /// What the text of a parameter begins with; no name does.
-pub(super) const PARAMETER: char = '#';
+pub(crate) const PARAMETER: char = '#';
 
 /// What the text of a function's value at 0 ends with; no name does.
 const AT_ZERO: &str = "(0)";
@@ -75,7 +75,7 @@ impl Generator {
     }
 
     /// The function of which nothing is known, with its primes, if this is one of something.
-    pub(super) fn generic_function(&self) -> Option<&Symbol> {
+    pub(crate) fn generic_function(&self) -> Option<&Symbol> {
         match self.call.as_deref() {
             Some(Expression::Generic(function, _)) => Some(function),
             _ => None,
@@ -165,7 +165,7 @@ pub struct Symbol(Generator);
 
 impl Symbol {
     /// A name that the parser has read.
-    pub(super) fn read(name: &str) -> Self {
+    pub(crate) fn read(name: &str) -> Self {
         Self(Generator { text: Arc::from(name), call: None })
     }
 
