@@ -1,34 +1,54 @@
 //! The end of a decay: period and growth rate of its oscillation, or the rate of an end without one.
 
 use super::history::History;
-use super::long_term::{Decay, LongTerm, Oscillation};
 use super::section_return::{Return, ReturnEnd, next_return};
 use super::stepper::Stepper;
 use super::{Failure, Integrator, Scalar, State};
+
+/// An oscillation that shrinks or grows by the same factor in every period, in units of D_c/V_l.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Oscillation<R> {
+    /// The period.
+    pub period: R,
+    /// The growth rate, negative for a decay.
+    pub growth_rate: R,
+}
+
+/// A return to steady sliding.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Decay<R> {
+    /// All that happened before it was called linear, as one return.
+    pub transient: Return<R>,
+    /// The long-term oscillation; none when there is no oscillation.
+    pub oscillation: Option<Oscillation<R>>,
+    /// Rate at which the state shrank at the very end, when it does not oscillate.
+    pub rate: Option<R>,
+}
 
 /// Period and growth rate in the linear regime, when returns agree with one another.
 pub(super) fn measure_decay<R: Scalar, M: Stepper<R> + Clone>(
     run: &mut Integrator<'_, R, M>,
     mut history: History<R>,
     transient: Return<R>,
-) -> Result<LongTerm<R>, Failure> {
+) -> Result<Decay<R>, Failure> {
     /// Returns until the fast direction has died out; it shrinks by e^{−2π} a return at least when there is an oscillation.
     const RETURNS: usize = 12;
     for _ in 0..RETURNS {
         let (orbit, end) = next_return(run)?;
         if end == ReturnEnd::AtRest {
-            return Ok(LongTerm::Decay(Decay { oscillation: None, transient, rate: final_rate(run) }));
+            return Ok(Decay { oscillation: None, transient, rate: final_rate(run) });
         }
         history.push(orbit);
         if let Some(oscillation) = last_oscillation(&history)
             && history.returns.len() >= 4
             && steady(&history)
         {
-            return Ok(LongTerm::Decay(Decay { transient, oscillation: Some(oscillation), rate: None }));
+            return Ok(Decay { transient, oscillation: Some(oscillation), rate: None });
         }
     }
     // A real mode that dies about as slowly as the pair keeps the returns unequal: their last one is no measure of the period.
-    Ok(LongTerm::Decay(Decay { transient, oscillation: None, rate: final_rate(run) }))
+    Ok(Decay { transient, oscillation: None, rate: final_rate(run) })
 }
 
 /// Whether the last three returns took the same time to eleven digits.

@@ -4,8 +4,8 @@
 //! the propagator, whose eigenvalues e^{pΔ} show a pair with its period and growth rate if there is one, however fast it
 //! dies. No linear theory enters: the equations are the nonlinear ones, with errors of the order of the deviation.
 
+use super::decay::Oscillation;
 use super::integrator::{Control, Integrator, Work};
-use super::long_term::Oscillation;
 use super::{Failure, Model, Radau, Scalar, Stepper};
 use crate::number::Dd;
 

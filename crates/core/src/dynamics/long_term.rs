@@ -4,7 +4,7 @@
 //! 10^4, so the returns are extrapolated along the slow direction (the secant step of a fixed-point iteration), each jump limited to a
 //! part of the state and followed by returns of the true map; nothing is accepted on extrapolation alone.
 
-use super::decay::{final_rate, measure_decay};
+use super::decay::{Decay, final_rate, measure_decay};
 use super::history::{History, jump, returns_per_cycle, size};
 use super::section_return::{Return, ReturnEnd, next_return};
 use super::stepper::Stepper;
@@ -81,27 +81,6 @@ pub struct Cycle<R> {
     pub from: State<R>,
 }
 
-/// An oscillation that shrinks or grows by the same factor in every period, in units of D_c/V_l.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Oscillation<R> {
-    /// The period.
-    pub period: R,
-    /// The growth rate, negative for a decay.
-    pub growth_rate: R,
-}
-
-/// A return to steady sliding.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub struct Decay<R> {
-    /// All that happened before it was called linear, as one return.
-    pub transient: Return<R>,
-    /// The long-term oscillation; none when there is no oscillation.
-    pub oscillation: Option<Oscillation<R>>,
-    /// Rate at which the state shrank at the very end, when it does not oscillate.
-    pub rate: Option<R>,
-}
-
 /// Where a trajectory ends up.
 #[derive(Debug, Clone, PartialEq)]
 pub enum LongTerm<R> {
@@ -149,7 +128,7 @@ pub(super) fn long_term_within<R: Scalar, M: Stepper<R> + Clone>(
         if approach.is_linear()
             && let Some(transient) = approach.transient.take()
         {
-            return measure_decay(run, approach.history, transient);
+            return measure_decay(run, approach.history, transient).map(LongTerm::Decay);
         }
         let Some(change) = approach.history.change(1) else { continue };
         let noise = approach.noise(run.local_tolerance());

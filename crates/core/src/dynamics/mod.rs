@@ -60,7 +60,6 @@ mod checks_smooth;
 mod checks_transition;
 mod clock;
 mod collocation;
-mod collocation_modes;
 mod cycle_family;
 mod cycle_fold;
 mod decay;
@@ -81,6 +80,7 @@ mod long_term;
 mod loose_cycle;
 mod model;
 mod observables;
+mod options;
 mod outcome;
 mod peak_law;
 mod profile;
@@ -110,6 +110,7 @@ pub use arrow::{Arrow, Factors};
 pub use cycle_family::{CycleFamily, Member};
 #[doc(hidden)]
 pub use cycle_fold::Fold;
+pub use decay::{Decay, Oscillation};
 #[doc(hidden)]
 pub use deviations::oscillation_of_small_deviations;
 pub use driven::{DRIVEN_PARAMETERS, Driven, DrivenControl, DrivenSlider, Piece, drive};
@@ -118,8 +119,9 @@ pub use failure::Failure;
 #[doc(hidden)]
 pub use integrator::{Control, Integrator};
 pub use kick::Kick;
-pub use long_term::{Cycle, Decay, LongTerm, Oscillation, long_term_behaviour};
+pub use long_term::{Cycle, LongTerm, long_term_behaviour};
 pub use model::{Balance, Model, State};
+pub use options::Options;
 pub use outcome::{Behaviour, Outcome, Simulation};
 pub use peak_law::{DEEP, DeepCycle, PeakLaw, drop_over_impedance, least_loading};
 #[doc(hidden)]
@@ -130,7 +132,7 @@ pub use radau::Radau;
 pub use scalar::Scalar;
 #[doc(hidden)]
 pub use section_return::{Return, ReturnEnd, next_return};
-pub use simulation::{Options, simulate, simulate_model};
+pub use simulation::{simulate, simulate_model};
 #[cfg(test)]
 pub(crate) use slow_pair::square_amplitude;
 pub use start::Start;

@@ -1,9 +1,9 @@
 //! What a simulation showed: without units, with its errors, and in SI.
 
-use super::Model;
 use super::integrator::Work;
-use super::long_term::{Cycle, Decay, LongTerm};
+use super::long_term::{Cycle, LongTerm};
 use super::section_return::Return;
+use super::{Decay, Model};
 use crate::friction::{Groups, Parameters, SlipMode};
 
 /// Errors of what a long-term behaviour shows, in units of V_l, D_c/V_l and aσ.

@@ -9,14 +9,14 @@ use super::barely_stops::{Confirmed, confirm, may_stop_or_not};
 use super::deviations::{oscillation_in_double_double, oscillation_of_small_deviations};
 use super::history::size;
 use super::integrator::{Control, Integrator, Work};
-use super::long_term::{Cycle, Decay, LongTerm, PermittedDistance, SLOW, long_term_within};
+use super::long_term::{Cycle, LongTerm, PermittedDistance, SLOW, long_term_within};
 use super::observables::Observables;
 use super::outcome::{Errors, Outcome, extremes, peak_and_period, trough};
 use super::refine::{Accuracy, Refined, derivative, follow, refine};
 use super::return_errors::{OF_DIFFERENCE, OF_LARGEST};
 use super::return_map::{Derivative, ReturnMap};
 use super::stepper::Stepper;
-use super::{Failure, Model, Options, Radau, Return};
+use super::{Decay, Failure, Model, Options, Radau, Return};
 use crate::number::Dd;
 
 /// The tightest local tolerance in f64.

@@ -9,73 +9,9 @@ use super::outcome::{Outcome, Simulation};
 use super::search::Search;
 use super::slow_pair::{Pace, SlowPair};
 use super::smooth_decay::{slow_oscillation, smooth_decay};
-use super::{Balance, Failure, Model, Radau, Start};
+use super::{Balance, Failure, Model, Options, Radau};
 use crate::friction::{EvolutionLaw, Groups, Parameters};
 use crate::number::{Rational, nearest_f64};
-
-/// What to simulate, beyond the parameters.
-///
-/// ```
-/// use slipmode_core::dynamics::{Options, Start};
-///
-/// let options = Options::at(1e-6).with_start(Start::VelocityKick);
-/// assert_eq!((options.tolerance, options.velocity_ratio), (1e-6, 0.1));
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub struct Options {
-    /// How the start is completed.
-    pub start: Start,
-    /// V/V_l at the start; the paper takes 1/10.
-    pub velocity_ratio: f64,
-    /// Permitted relative error of peak velocity and period.
-    pub tolerance: f64,
-    /// μ0 of the regularised friction law; none for eq 1 as it stands.
-    pub regularised_reference_friction: Option<f64>,
-    /// Most steps of one run, refused ones included.
-    pub most_steps: u64,
-    /// Most oscillations before the long-term behaviour is called undecided.
-    pub most_returns: u64,
-}
-
-impl Default for Options {
-    fn default() -> Self {
-        Self {
-            start: Start::default(),
-            velocity_ratio: 0.1,
-            tolerance: 1e-8,
-            regularised_reference_friction: None,
-            most_steps: 5_000_000,
-            most_returns: 4_000,
-        }
-    }
-}
-
-impl Options {
-    /// The paper's start, simulated to this relative error of peak velocity and period.
-    #[must_use]
-    pub fn at(tolerance: f64) -> Self {
-        Self { tolerance, ..Self::default() }
-    }
-
-    /// The same from another start.
-    #[must_use]
-    pub const fn with_start(self, start: Start) -> Self {
-        Self { start, ..self }
-    }
-
-    /// The same from V/V_l = `velocity_ratio`.
-    #[must_use]
-    pub const fn with_velocity_ratio(self, velocity_ratio: f64) -> Self {
-        Self { velocity_ratio, ..self }
-    }
-
-    /// The same with another limit of oscillations.
-    #[must_use]
-    pub const fn with_most_returns(self, most_returns: u64) -> Self {
-        Self { most_returns, ..self }
-    }
-}
 
 /// Simulates a slider.
 ///

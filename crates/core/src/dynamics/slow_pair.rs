@@ -4,9 +4,9 @@
 //! taken from the roots of eq 8, of the parameters as they were given. Near K = K_c the normal form gives the rate of ln A, with A the amplitude
 //! of ln(V/V_l), as growth rate + cubic A².
 
+use super::decay::Oscillation;
 use super::deviations::Modes;
 use super::integrator::Work;
-use super::long_term::Oscillation;
 use super::{Balance, Model};
 use crate::friction::{EvolutionLaw, Groups};
 use crate::number::{Rational, nearest_f64};

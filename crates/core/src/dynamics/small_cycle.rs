@@ -11,14 +11,13 @@
 //! without the largest member, and the error of the members thrice the difference from members at a local tolerance a hundred times coarser. The members
 //! alone also give e at D = 0: unless it is that of the normal form, there is no answer.
 
-use super::Model;
 use super::cycle_family::{CycleFamily, Member};
 use super::integrator::Work;
-use super::long_term::{Cycle, Oscillation};
 use super::outcome::Errors;
 use super::return_errors::OF_DIFFERENCE;
 use super::section_return::Return;
 use super::slow_pair::NearTransition;
+use super::{Cycle, Model, Oscillation};
 
 /// Amplitudes of ln(V/V_l) of the members.
 const AMPLITUDES: [f64; 3] = [0.05, 0.1, 0.2];

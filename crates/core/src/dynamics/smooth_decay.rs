@@ -21,13 +21,13 @@
 use super::deviations::{Modes, inertial_modes};
 use super::history::History;
 use super::integrator::{Control, Integrator, Work};
-use super::long_term::{Decay, LongTerm};
+use super::long_term::LongTerm;
 use super::outcome::Outcome;
 use super::search::decay_errors;
 use super::section_return::{FAINT, Return, ReturnEnd, return_above};
 use super::slow_pair::{NearTransition, SlowPair};
 use super::small_cycle::SmallCycle;
-use super::{Balance, Model, Options, Radau, State, Stepper, Taylor, friction_work};
+use super::{Balance, Decay, Model, Options, Radau, State, Stepper, Taylor, friction_work};
 
 /// The largest rate e^{−x}/η of the balance of forces at the start, in units of √(K/M).
 const FASTEST_BALANCE: f64 = 100.0;

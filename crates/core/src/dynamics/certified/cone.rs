@@ -12,8 +12,8 @@
 //! all end in steady sliding. A linear form ℓ of z is
 //! s u_1 times a number in s(ℓT_1 ± |ℓT_2| γ_2 ± |ℓT_3| γ_3).
 
-use super::interval::{Interval, generously_up};
-use super::linear::{Square, apply, inverse, multiply, points, worse};
+use super::interval::{Interval, generously_up, worse};
+use super::linear::{Square, apply, inverse, multiply, points};
 use crate::roots::{Pair, bounded_roots};
 
 /// The sides γ_i over what the state, and the coupling of the modes, need at least.

@@ -5,19 +5,10 @@ use super::inertial::Inertial;
 use super::interval::{Interval, generously_up};
 use super::linear::largest_row;
 use super::manifold::Manifold;
-use super::motion::{Motion, column_sizes};
-use super::set::{COORDINATES, Derivative, Set};
+use super::motion::{Crossing, Motion};
+use super::set::{COORDINATES, Derivative, Set, column_sizes};
 use super::short_time::{ShortMotion, ShortStick, ShortTime};
 use super::sticking::LastStep;
-
-/// Where the motion crossed the section, seen from p.
-#[derive(Debug, Clone)]
-pub(super) struct Crossing {
-    /// (y, F) or (y, ψ) for p = 0.
-    pub centre: [Interval; COORDINATES],
-    /// Its derivative by p over the box.
-    pub derivative: [[Interval; COORDINATES]; COORDINATES],
-}
 
 impl Motion<'_> {
     /// The section x = `section`, reached to rounding by the centre.

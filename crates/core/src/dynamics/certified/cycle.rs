@@ -1,11 +1,10 @@
 //! A limit cycle: Krawczyk's test on the return map of a section, then the multipliers.
 
-use super::crossing::Crossing;
 use super::guess::{Guess, guess};
-use super::interval::{Interval, generously_up, up};
-use super::linear::{Square, apply, multiply, points, worse};
+use super::interval::{Interval, generously_up, up, worse};
+use super::linear::{Square, apply, multiply, points};
 use super::manifold::Manifold;
-use super::motion::{Motion, States};
+use super::motion::{Crossing, Motion, States};
 use super::observed::Observed;
 use super::set::{COORDINATES, Set};
 use super::{Certificate, Constants, MOST_STEPS, Proved, Reason, Units};

@@ -1,8 +1,7 @@
 //! A decay: the enclosed run from the start, until it is inside an ellipsoid or a cone that steady sliding attracts.
 
 use super::attraction::Ellipsoid;
-use super::interval::{Interval, generously_up};
-use super::linear::worse;
+use super::interval::{Interval, generously_up, worse};
 use super::manifold::Manifold;
 use super::motion::{Motion, States};
 use super::observed::Observed;

@@ -10,7 +10,6 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 use rug::{Float, Rational, float::Round};
 
-use super::linear::worse;
 use crate::{dynamics::quick_exp::exponentials, number::nearest_f64};
 
 /// u, the largest relative error of one operation.
@@ -202,6 +201,11 @@ impl Mul for Interval {
         let spread = self.mid.abs() * other.rad + self.rad * (other.mid.abs() + other.rad);
         Self { mid, rad: up(spread + UNIT * mid.abs()) }
     }
+}
+
+/// The larger of two numbers; not a number if one of them is not.
+pub(super) fn worse(a: f64, b: f64) -> f64 {
+    if a.is_nan() || a > b { a } else { b }
 }
 
 #[cfg(test)]

@@ -2,11 +2,13 @@
 
 use std::ops::{Add, Mul, Neg, Sub};
 
-use super::interval::Interval;
-use super::linear::worse;
+use super::interval::{Interval, worse};
+
+/// n, how often the slow manifold is corrected for inertia.
+pub(super) const CORRECTIONS: usize = 3;
 
 /// The degree of a polynomial, and the number of its coefficients.
-pub(super) const DEGREE: usize = super::slow::CORRECTIONS + 2;
+pub(super) const DEGREE: usize = CORRECTIONS + 2;
 const TERMS: usize = (DEGREE + 1) * (DEGREE + 2) / 2;
 
 /// The place of the coefficient of δx^i δy^j.

@@ -1,6 +1,6 @@
 //! Small matrices of intervals, and orthogonal frames with an enclosed inverse.
 
-use super::interval::{Interval, generously_up};
+use super::interval::{Interval, generously_up, worse};
 
 /// A square matrix of intervals.
 pub(super) type Square<const N: usize> = [[Interval; N]; N];
@@ -103,11 +103,6 @@ impl<const N: usize> Frame<N> {
 /// The largest sum of sizes in a row.
 pub(super) fn largest_row<const N: usize, const M: usize>(matrix: &[[Interval; M]; N]) -> f64 {
     matrix.iter().map(|row| generously_up(row.iter().map(|entry| entry.magnitude()).sum())).fold(0.0, worse)
-}
-
-/// The larger of two numbers; not a number if one of them is not.
-pub(super) fn worse(a: f64, b: f64) -> f64 {
-    if a.is_nan() || a > b { a } else { b }
 }
 
 fn norm<const N: usize>(v: &[f64; N]) -> f64 {

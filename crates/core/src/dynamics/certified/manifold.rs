@@ -13,10 +13,8 @@
 //! right-hand side by (x, y) in place of R holds for the derivative of ψ by the initial state.
 
 use super::Constants;
-use super::interval::{Interval, generously_up};
-use super::jet::Jet;
-use super::linear::worse;
-use super::slow::CORRECTIONS;
+use super::interval::{Interval, generously_up, worse};
+use super::jet::{CORRECTIONS, Jet};
 use crate::friction::EvolutionLaw;
 
 /// What holds of the slow manifold and of ψ over a box of (x, y).

@@ -1,12 +1,10 @@
 //! An enclosed motion: the whole slider where inertia matters, the slow manifold with its tube where it sticks.
 
-use super::crossing::Crossing;
 use super::inertial::Inertial;
-use super::interval::Interval;
-use super::linear::worse;
+use super::interval::{Interval, worse};
 use super::manifold::Tube;
 use super::observed::{Moment, Observed, Passed};
-use super::set::{COORDINATES, Derivative, Set};
+use super::set::{COORDINATES, Set};
 use super::step::{Expansion, Step};
 use super::{Constants, Reason};
 
@@ -27,6 +25,15 @@ pub(super) enum States {
     Inertial(Set<3>),
     /// (x, y) and ψ.
     Stuck(Set<2>, Tube),
+}
+
+/// Where the motion crossed the section, seen from p.
+#[derive(Debug, Clone)]
+pub(super) struct Crossing {
+    /// (y, F) or (y, ψ) for p = 0.
+    pub centre: [Interval; COORDINATES],
+    /// Its derivative by p over the box.
+    pub derivative: [[Interval; COORDINATES]; COORDINATES],
 }
 
 /// A motion in progress.
@@ -187,11 +194,6 @@ pub(super) fn landing<const N: usize, const C: usize>(
         Some(length) if length <= first => (length, Some(length)),
         _ => (first, None),
     }
-}
-
-/// The sizes of the columns of a derivative, in the norm of the largest entry.
-pub(super) fn column_sizes<const N: usize>(derivative: &Derivative<N>) -> [f64; COORDINATES] {
-    std::array::from_fn(|j| derivative.iter().fold(0.0, |largest, row| worse(largest, row[j].magnitude())))
 }
 
 #[cfg(test)]

@@ -1,7 +1,6 @@
 //! What an enclosed motion shows: peak velocity, extremes of the spring stress, and elapsed time.
 
-use super::interval::{Interval, generously_up};
-use super::linear::worse;
+use super::interval::{Interval, generously_up, worse};
 
 /// A maximum that lies between two bounds.
 #[derive(Debug, Clone, Copy, PartialEq)]

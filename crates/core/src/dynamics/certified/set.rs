@@ -3,8 +3,8 @@
 //! D encloses the derivative by p, Q is orthogonal and r holds the errors (Lohner, *Enclosing the solutions of ordinary initial and boundary
 //! value problems*, 1987).
 
-use super::interval::Interval;
-use super::linear::{Frame, Square, apply, multiply, worse};
+use super::interval::{Interval, worse};
+use super::linear::{Frame, Square, apply, multiply};
 
 /// The coordinates of the section.
 pub(super) const COORDINATES: usize = 2;
@@ -114,6 +114,11 @@ impl<const N: usize> Set<N> {
             frame,
         }
     }
+}
+
+/// The sizes of the columns of a derivative, in the norm of the largest entry.
+pub(super) fn column_sizes<const N: usize>(derivative: &Derivative<N>) -> [f64; COORDINATES] {
+    std::array::from_fn(|j| derivative.iter().fold(0.0, |largest, row| worse(largest, row[j].magnitude())))
 }
 
 #[cfg(test)]

@@ -5,13 +5,10 @@
 
 use super::Constants;
 use super::interval::Interval;
-use super::jet::{exponents, inverse_factorial, place};
+use super::jet::{CORRECTIONS, exponents, inverse_factorial, place};
 use super::lanes::{Factor, Lanes, product};
 use super::step::{ORDER, Series, System};
 use crate::friction::EvolutionLaw;
-
-/// n, how often the slow manifold is corrected for inertia.
-pub(super) const CORRECTIONS: usize = 3;
 
 /// The slow equations of x and y in t.
 #[derive(Debug, Clone, Copy)]

@@ -4,9 +4,9 @@
 //! interval method for validating existence and uniqueness of the solution of an IVP for an ODE*, 2001). The derivatives by
 //! the initial state obey an equation of the same kind and are enclosed with the state.
 
-use super::interval::{Interval, generously_up};
+use super::interval::{Interval, generously_up, worse};
 use super::lanes::Lanes;
-use super::linear::{Square, apply, worse};
+use super::linear::{Square, apply};
 use super::set::Set;
 use crate::number::dispatch::{Kernel, run_on_widest_unit};
 

@@ -1,12 +1,10 @@
 //! Steps of a sticking slider on the slow manifold, and the changes between both descriptions.
 
-use super::crossing::Crossing;
-use super::interval::{Interval, generously_up};
-use super::linear::worse;
+use super::interval::{Interval, generously_up, worse};
 use super::manifold::{Manifold, Passage, Tube};
-use super::motion::{Motion, States, column_sizes, landing};
+use super::motion::{Crossing, Motion, States, landing};
 use super::observed::{Moment, Passed};
-use super::set::{COORDINATES, Derivative, Set};
+use super::set::{COORDINATES, Derivative, Set, column_sizes};
 use super::slow::Slow;
 use super::step::{Expansion, Step};
 use super::{Constants, Reason};

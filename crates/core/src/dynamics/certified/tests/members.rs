@@ -1,9 +1,9 @@
 //! Enclosed motions of wide sets against single motions of the sets, by Runge and Kutta's method on the whole equations.
 
-use crate::dynamics::certified::crossing::Crossing;
 use crate::dynamics::certified::inertial::Inertial;
 use crate::dynamics::certified::interval::Interval;
 use crate::dynamics::certified::manifold::Manifold;
+use crate::dynamics::certified::motion::Crossing;
 use crate::dynamics::certified::motion::{Motion, States};
 use crate::dynamics::certified::observed::{Moment, Observed, Passed};
 use crate::dynamics::certified::set::{COORDINATES, Set};

@@ -1,10 +1,11 @@
 //! Flows with solutions in closed form: the box of a short time, the shift across the flow and the crossing of a section.
 
 use crate::dynamics::certified::Constants;
-use crate::dynamics::certified::crossing::{Crossing, crossed, crossed_slowly};
+use crate::dynamics::certified::crossing::{crossed, crossed_slowly};
 use crate::dynamics::certified::inertial::Inertial;
 use crate::dynamics::certified::interval::Interval;
 use crate::dynamics::certified::manifold::{Manifold, Tube};
+use crate::dynamics::certified::motion::Crossing;
 use crate::dynamics::certified::set::{COORDINATES, Set};
 use crate::dynamics::certified::short_time::ShortTime;
 use crate::dynamics::certified::transversal::shifted_slowly;

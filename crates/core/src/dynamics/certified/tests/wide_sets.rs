@@ -5,9 +5,9 @@ mod slow;
 
 use super::members::{Member, Slider, passing};
 use crate::dynamics::certified::Constants;
-use crate::dynamics::certified::crossing::Crossing;
 use crate::dynamics::certified::inertial::Inertial;
 use crate::dynamics::certified::interval::Interval;
+use crate::dynamics::certified::motion::Crossing;
 use crate::dynamics::certified::motion::{Motion, States, landing};
 use crate::dynamics::certified::observed::Passed;
 use crate::dynamics::certified::set::{COORDINATES, Set};

@@ -3,9 +3,9 @@
 use super::super::members::{Member, Slider};
 use super::{ERROR, MIDDLE, Numbers, PAIRS, falling, holds, holds_slope, seen_at, step, until};
 use crate::dynamics::certified::Constants;
-use crate::dynamics::certified::crossing::Crossing;
 use crate::dynamics::certified::interval::Interval;
 use crate::dynamics::certified::manifold::{Manifold, Tube};
+use crate::dynamics::certified::motion::Crossing;
 use crate::dynamics::certified::motion::{Motion, States};
 use crate::dynamics::certified::set::{COORDINATES, Derivative, Set};
 use crate::dynamics::certified::sticking::LastStep;
