@@ -55,6 +55,24 @@ impl<R> From<Parameters<R>> for [R; 7] {
     }
 }
 
+impl<R: Clone> Slider<R> {
+    /// The slider driven at V0 (m/s) under σ (Pa).
+    ///
+    /// ```
+    /// use slipmode_core::friction::Slider;
+    ///
+    /// let parameters = Slider::from([0.004, 0.006, 1e-5, 1e7, 1000.0]).at(1e6, 1e-5);
+    /// assert_eq!(parameters.point.normal_stress_pa, 1e6);
+    /// ```
+    #[must_use]
+    pub fn at(&self, normal_stress_pa: R, loading_velocity_m_per_s: R) -> Parameters<R> {
+        Parameters {
+            slider: self.clone(),
+            point: OperatingPoint { normal_stress_pa, loading_velocity_m_per_s },
+        }
+    }
+}
+
 impl<R> Parameters<R> {
     /// The same parameters in another number type.
     #[must_use]

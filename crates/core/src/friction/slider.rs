@@ -1,6 +1,5 @@
 //! Material and machine: the five inputs of the spring-slider that do not say how it is driven, in SI.
 
-use crate::friction::{OperatingPoint, Parameters};
 use crate::number::{Field, Real};
 
 /// Rate-and-state friction on a spring and a mass; every value is positive.
@@ -50,24 +49,6 @@ impl<R> From<Slider<R>> for [R; 5] {
             slider.stiffness_pa_per_m,
             slider.mass_per_area_kg_per_m2,
         ]
-    }
-}
-
-impl<R: Clone> Slider<R> {
-    /// The slider driven at V0 (m/s) under σ (Pa).
-    ///
-    /// ```
-    /// use slipmode_core::friction::Slider;
-    ///
-    /// let parameters = Slider::from([0.004, 0.006, 1e-5, 1e7, 1000.0]).at(1e6, 1e-5);
-    /// assert_eq!(parameters.point.normal_stress_pa, 1e6);
-    /// ```
-    #[must_use]
-    pub fn at(&self, normal_stress_pa: R, loading_velocity_m_per_s: R) -> Parameters<R> {
-        Parameters {
-            slider: self.clone(),
-            point: OperatingPoint { normal_stress_pa, loading_velocity_m_per_s },
-        }
     }
 }
 
