@@ -1,6 +1,6 @@
 //! The exact boundary max Im(s) = 0: a rational curve with one cusp.
 
-use super::notation::{coefficients, cubic, discriminant_of_cubic, formula, given_nonzero, rational};
+use super::notation::{coefficients, discriminant_of_cubic, formula, given_nonzero, rational};
 use super::{Equations, Role};
 use slipmode_algebra::{Domain, Expression, Polynomial, Proof, RationalFunction, Refutation, Symbol};
 
@@ -21,11 +21,11 @@ pub struct Curve {
 /// When eq 8 is no cubic that is linear in η and κ.
 pub fn curve(equations: &Equations) -> Result<Curve, Refutation> {
     let proof = Proof::new("boundary-curve", "");
-    let value = cubic(equations).with("p", &formula("r"));
+    let value = equations.cubic().with("p", &formula("r"));
     let slope = value.derivative(&Symbol::from("r"));
     let cited = equations.numbers([Role::Characteristic]);
     let [inertial_parameter, stiffness_group] = solve_for_groups(&proof, &cited, [&value, &slope])?;
-    let [_, _, c2, c3]: [Expression; 4] = coefficients(&proof, &cited, &cubic(equations), "p")?;
+    let [_, _, c2, c3]: [Expression; 4] = coefficients(&proof, &cited, &equations.cubic(), "p")?;
     let sum = (Expression::integer(-1) * c2 / c3 - formula("2*r"))
         .with("eta", &Expression::from(&inertial_parameter))
         .with("kappa", &Expression::from(&stiffness_group));
@@ -81,5 +81,5 @@ fn at_double_root() -> Domain {
 pub fn cubic_discriminant(equations: &Equations) -> Result<Polynomial, Refutation> {
     let proof = Proof::new("discriminant", "");
     let cited = equations.numbers([Role::Characteristic]);
-    discriminant_of_cubic(&proof, &cited, &cubic(equations), "p", &Domain::default())
+    discriminant_of_cubic(&proof, &cited, &equations.cubic(), "p", &Domain::default())
 }

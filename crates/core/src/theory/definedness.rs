@@ -3,12 +3,22 @@
 //! An equation in positive a and b, the direct and the evolution effect, may speak of a < b or of a > b only, as eqs 12 and 13 do: it
 //! must have a value for all positive quantities of one of the two cases at least. The proofs state which case they are about. Other conditions are written beside it.
 
-use super::notation::formula;
-use super::reading::Assumed;
 use slipmode_algebra::{Condition, Demand, Domain, Expression, Extent, Relation, Symbol};
 
 /// What a side of an equation may come to when it is multiplied out. The largest side of the paper has 8 terms and degree 14.
 const LARGEST: Extent = Extent { terms: 16, degree: 24, bits: 4096 };
+
+/// What a file assumes while its equations are read.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Assumed<'a> {
+    /// The positive variables and the conditions.
+    pub domain: &'a Domain,
+    /// The functions of which nothing is known.
+    pub functions: &'a std::collections::BTreeSet<Symbol>,
+    /// The direct and the evolution effect, where the file says which variables they are: an equation may speak of one order of
+    /// the two only.
+    pub effects: Option<[&'a str; 2]>,
+}
 
 /// Reads one side of an equation that is stated for some conditions, besides those of the domain.
 ///
@@ -66,7 +76,9 @@ fn message(Demand { column, condition }: &Demand, domain: &Domain, tried: &str) 
         return format!("column {column}: {error}");
     }
     let fault = match condition.relation {
-        Relation::NonZero if domain.difference(part, &formula("0")).is_ok_and(|value| value.is_zero()) => {
+        Relation::NonZero
+            if domain.difference(part, &Expression::integer(0)).is_ok_and(|value| value.is_zero()) =>
+        {
             format!("'{part}' is zero: a division by it, or its power 0, has no value")
         }
         Relation::NonZero => {

@@ -3,81 +3,18 @@
 use std::fmt;
 use std::sync::{Arc, LazyLock};
 
+use super::definedness::Assumed;
 use super::definitions::{self, Rest};
 use super::names::Names;
-use super::reading::{self, Assumed, DefinitionText, EquationsText, FunctionText, SystemText};
-use super::roles::{self, Quantities, Role};
+use super::notation::in_groups;
+use super::quantities::{self, Quantities};
+use super::reading;
 use super::stated_proofs::StatedProofs;
-use slipmode_algebra::{Condition, Domain, Expression, within_budget};
+use super::{DefinitionText, Equation, EquationFault, EquationsText, FunctionText, Role, SystemText};
+use slipmode_algebra::{Domain, Expression, within_budget};
 
 /// The most steps of algebra that the reading of one file takes.
 const STEPS: u64 = 6_000_000;
-
-/// One equation of a paper.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Equation {
-    /// Its number in the paper, or a name where the paper gives none.
-    pub number: String,
-    /// The left side.
-    pub left: Expression,
-    /// The right side.
-    pub right: Expression,
-    /// Both sides as the page at hand shows them, where that differs from what is meant.
-    pub printed: Option<(Expression, Expression)>,
-    /// Why it differs, or what it is.
-    pub note: String,
-    /// What it is stated for, besides the assumptions of the file.
-    pub given: Vec<Condition>,
-    /// What it is: procedures find it so.
-    pub role: Option<Role>,
-}
-
-impl Equation {
-    /// left − right, which the equation says is zero.
-    #[must_use]
-    pub fn residual(&self) -> Expression {
-        self.left.clone() - self.right.clone()
-    }
-
-    /// What the names `left_N`, `right_N` and `residual_N` mean, each with the word that stands before N.
-    #[must_use]
-    pub fn sides(&self) -> [(&'static str, Expression); 3] {
-        [("left", self.left.clone()), ("right", self.right.clone()), ("residual", self.residual())]
-    }
-
-    /// Its number as a part of a name, as in `left_steady_state`.
-    #[must_use]
-    pub fn word(&self) -> String {
-        self.number.replace(['-', '.'], "_")
-    }
-
-    /// The equation in LaTeX.
-    #[must_use]
-    pub fn latex(&self) -> String {
-        format!("{} = {}", self.left.latex(), self.right.latex())
-    }
-}
-
-impl fmt::Display for Equation {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(formatter, "{} = {}", self.left, self.right)
-    }
-}
-
-/// What is wrong with one equation of the file.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct EquationFault {
-    /// The key at fault, such as `equation 16`.
-    pub key: String,
-    /// What is wrong with it.
-    pub message: String,
-}
-
-impl fmt::Display for EquationFault {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(formatter, "{}: {}", self.key, self.message)
-    }
-}
 
 /// All faults of a file of equations at once.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -162,7 +99,7 @@ impl Equations {
         let (equations, of_equations) = reading::read(equation, &assumptions.positive, &assumed);
         // Without the quantities every variable would be told to be none of them.
         let of_roles = match of_quantities.is_empty() {
-            true => roles::faults(&equations.iter().collect::<Vec<_>>(), &quantities),
+            true => quantities::faults(&equations.iter().collect::<Vec<_>>(), &quantities),
             false => of_quantities,
         };
         faults.extend(of_roles);
@@ -279,9 +216,10 @@ impl Equations {
         let with_role = |role: &Role| self.iter().filter(|one| one.role == Some(*role)).collect::<Vec<_>>();
         let missing = roles.iter().flat_map(|role| match &with_role(role)[..] {
             [] => vec![format!("no equation has the role `{}`", role.as_str())],
-            some => {
-                roles::faults(some, &self.quantities).into_iter().map(|fault| fault.to_string()).collect()
-            }
+            some => quantities::faults(some, &self.quantities)
+                .into_iter()
+                .map(|fault| fault.to_string())
+                .collect(),
         });
         missing.collect()
     }
@@ -294,6 +232,11 @@ impl Equations {
     /// left − right of the equation with this role.
     pub(super) fn residual(&self, role: Role) -> Expression {
         self.with_role(role).residual()
+    }
+
+    /// Eq 8 in groups: F(p) = η p³ + (1 + η) p² + (κ + 1 − β) p + κ when eq 8 is right.
+    pub(super) fn cubic(&self) -> Expression {
+        in_groups(&self.residual(Role::Characteristic))
     }
 
     /// The numbers of the equations with these roles.

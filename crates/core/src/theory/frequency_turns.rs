@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use rug::Rational;
 
 use super::boundary::solve_for_groups;
-use super::notation::{coefficients, cubic, formula, rational};
+use super::notation::{coefficients, formula, rational};
 use super::{Equations, Role};
 use crate::number::{Ball, Field};
 use slipmode_algebra::{
@@ -187,7 +187,7 @@ fn groups_of_pair(
     beta: &Rational,
 ) -> Result<[RationalFunction; 2], Refutation> {
     let cited = equations.numbers([Role::Characteristic]);
-    let [c0, c1, c2, c3]: [Expression; 4] = coefficients(proof, &cited, &cubic(equations), "p")?;
+    let [c0, c1, c2, c3]: [Expression; 4] = coefficients(proof, &cited, &equations.cubic(), "p")?;
     let (two, three) = (Expression::integer(2), Expression::integer(3));
     let (x, w) = (formula("x"), formula("(u - (1 + x)^2)"));
     let square = || x.clone().power(2);

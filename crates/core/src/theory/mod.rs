@@ -23,7 +23,9 @@ mod definitions;
 pub mod derivation;
 #[doc(hidden)]
 pub mod emergence;
+mod equation;
 mod equations;
+mod equations_text;
 #[doc(hidden)]
 pub mod frequency_turns;
 #[doc(hidden)]
@@ -32,11 +34,11 @@ pub mod lyapunov_sign;
 mod names;
 mod notation;
 pub mod planar;
+mod quantities;
 mod reached;
 mod reading;
 #[doc(hidden)]
 pub mod regularised;
-mod roles;
 pub mod root_location;
 pub mod stated_proofs;
 #[doc(hidden)]
@@ -46,11 +48,14 @@ pub mod sufficient_inertia;
 mod units;
 
 pub use derivation::{Form as Derivation, Operation, System};
-pub use equations::{Equation, EquationFault, Equations, EquationsError};
+pub use equation::{Equation, EquationFault, Role};
+pub use equations::{Equations, EquationsError};
+pub use equations_text::{
+    AssumptionsText, DefinitionText, EquationText, EquationsText, FunctionText, SystemText,
+};
 pub use names::{Meaning, Names};
+pub use quantities::QUANTITIES;
 pub use reached::{Start, without_layout};
-pub use reading::{AssumptionsText, DefinitionText, EquationText, EquationsText, FunctionText, SystemText};
-pub use roles::{QUANTITIES, Role};
 pub use units::Dimension;
 
 #[cfg(test)]

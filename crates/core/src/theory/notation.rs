@@ -1,7 +1,5 @@
 //! Formulas and assumptions that the proofs share.
 
-use super::root_location::polynomial_coefficients;
-use super::{Equations, Role};
 use slipmode_algebra::{
     Domain, Expression, Polynomial, Proof, RationalFunction, Refutation, Relation, Symbol, discriminant,
 };
@@ -67,9 +65,16 @@ pub(super) fn in_groups(expression: &Expression) -> Expression {
     expression.substitute(&values.map(|(name, value)| (Symbol::from(name), formula(value))).into())
 }
 
-/// Eq 8 in groups: F(p) = η p³ + (1 + η) p² + (κ + 1 − β) p + κ when eq 8 is right.
-pub(super) fn cubic(equations: &Equations) -> Expression {
-    in_groups(&equations.residual(Role::Characteristic))
+/// The coefficients by ascending power; none where the variable occurs in the denominator or inside a function.
+pub(super) fn polynomial_coefficients(function: &RationalFunction, name: &Symbol) -> Option<Vec<Expression>> {
+    if function.denominator().degree(name) > 0 || function.hides(name).is_some() {
+        return None;
+    }
+    let quotient = |part: Polynomial| {
+        RationalFunction::new(part, function.denominator().clone())
+            .map(|quotient| Expression::from(&quotient))
+    };
+    function.numerator().coefficients(name).into_iter().map(quotient).collect()
 }
 
 /// The coefficients of a polynomial equation by ascending power of one variable.

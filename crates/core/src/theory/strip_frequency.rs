@@ -3,7 +3,7 @@
 //! At given V0 the groups are κ and η = λκ with λ = (V0/(ω_n D_c))². A pair x ± iy of eq 8 has ω²/ω_n² = λy². For a given value
 //! of this ratio both equations for x and y are linear in κ, which leaves one polynomial in x and λ.
 
-use super::notation::{coefficients, cubic, formula, in_groups, rational};
+use super::notation::{coefficients, formula, in_groups, rational};
 use super::{Equations, Role};
 use crate::number::{Ball, Rational};
 use rug::Float;
@@ -82,7 +82,7 @@ impl Level {
             equations.numbers([Role::Characteristic, Role::QuasiStaticCharacteristic]);
         let beta = Expression::Number(effect_ratio.clone());
         let p = Symbol::from("p");
-        let value = cubic(equations).with("beta", &beta).with("eta", &formula("lambda*kappa"));
+        let value = equations.cubic().with("beta", &beta).with("eta", &formula("lambda*kappa"));
         let slope = value.derivative(&p);
         let curvature = slope.derivative(&p);
         let ratio = || Expression::Number(square_ratio.clone());

@@ -4,9 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use rug::Rational;
 
-use crate::theory::EquationFault;
 use crate::theory::derivation::{read_condition, read_name};
-use crate::theory::reading::AssumptionsText;
+use crate::theory::{AssumptionsText, EquationFault};
 use slipmode_algebra::{Condition, Domain, Expression, Relation, Symbol, unknowns};
 
 /// The positive variables and the conditions of a file, with values at which they hold.

@@ -3,11 +3,10 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::{Forms, Reader};
-use crate::theory::EquationFault;
 use crate::theory::derivation::{NOT_A_NAME, Operation, read_name};
 use crate::theory::names::Defined;
-use crate::theory::reading::FunctionText;
 use crate::theory::root_location::RootStatement;
+use crate::theory::{EquationFault, FunctionText};
 use slipmode_algebra::Symbol;
 
 /// The names of the functions, those at fault left out.

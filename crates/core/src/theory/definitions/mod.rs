@@ -16,8 +16,7 @@ use super::derivation::{
     Form, NOT_A_NAME, Operation, System, Work, derive, is_name, read_condition, read_name,
 };
 use super::names::{Names, circle, defined_by_equations, in_order};
-use super::reading::{AssumptionsText, DefinitionText, FunctionText, SystemText};
-use super::{Equation, EquationFault};
+use super::{AssumptionsText, DefinitionText, Equation, EquationFault, FunctionText, SystemText};
 use slipmode_algebra::nearest;
 use slipmode_algebra::{Condition, Domain, Expression, Proof, Symbol};
 

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::Reader;
 use super::assumptions::with_conditions;
 use crate::theory::derivation::{MOST_STATES, NOT_A_NAME, System, Work, is_name, read_name};
-use crate::theory::reading::SystemText;
+use crate::theory::equations_text::SystemText;
 use slipmode_algebra::{Condition, Domain, Expression, Proof, Symbol};
 
 impl Reader<'_> {

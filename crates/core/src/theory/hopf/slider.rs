@@ -3,7 +3,7 @@
 use super::expansion::in_basis;
 use super::projection::Critical;
 use crate::friction::EvolutionLaw;
-use crate::theory::notation::{any, cubic, formula, in_parameters, simplified};
+use crate::theory::notation::{any, formula, in_parameters, simplified};
 use crate::theory::{Equations, Role};
 use slipmode_algebra::{Domain, Expression, Proof, Refutation, Symbol};
 
@@ -130,7 +130,7 @@ fn in_logarithms(rate: &Expression) -> Expression {
 /// # Errors
 /// When eq 8 depends otherwise on κ.
 pub(super) fn crossing_speed(proof: Proof, equations: &Equations) -> Result<Proof, Refutation> {
-    let cubic = cubic(equations);
+    let cubic = equations.cubic();
     let [number] = equations.numbers([Role::Characteristic]);
     let slope = |name: &'static str| cubic.derivative(&Symbol::from(name)).with("p", &formula("i*omega"));
     let speed = -slope("kappa") / slope("p");

@@ -1,8 +1,8 @@
 //! Routh and Hurwitz for degrees 1 to 3: when all roots lie left of the imaginary axis, and when one lies right of it.
 
-use super::{free, quadratic_factors};
+use super::{below_zero, free, not_negative_step, quadratic_factors};
 use crate::theory::notation::{formula, given_nonzero, given_positive, in_parameters};
-use slipmode_algebra::{Domain, Expression, Proof, Refutation, Relation, Sign, SignFormula};
+use slipmode_algebra::{Domain, Expression, Proof, Refutation, Relation, SignFormula};
 
 /// For a positive leading coefficient: all are positive exactly when all roots have negative real parts.
 pub(super) fn stable(coefficients: &[Expression]) -> Vec<Expression> {
@@ -18,11 +18,6 @@ pub(super) fn unstable(coefficients: &[Expression]) -> SignFormula {
         [_, _, _, _, _, ..] => quadratic_factors::unstable(coefficients),
         _ => SignFormula::Any(conditions(coefficients).iter().map(below_zero).collect()),
     }
-}
-
-/// The expression is negative.
-pub(super) fn below_zero(expression: &Expression) -> SignFormula {
-    SignFormula::sign(&-expression.clone(), Sign::Positive)
 }
 
 /// Up to degree 3 one list serves both: a root has a positive real part exactly when one of these is negative.
@@ -170,17 +165,6 @@ fn cubic(proof: Proof) -> Result<Proof, Refutation> {
             &free(),
         )?
         .negative("so it is negative for B ≥ 0", &[], &formula("-T*(B*(B + T) + Q)"), &pair)
-}
-
-/// Adds the step that an expression is not negative: its square root is real.
-pub(super) fn not_negative_step(
-    proof: Proof,
-    says: &str,
-    expression: &Expression,
-    domain: &Domain,
-) -> Result<Proof, Refutation> {
-    let root = expression.clone().call(slipmode_algebra::Function::Sqrt).power(2);
-    proof.identity(says, &[], &root, expression, domain)
 }
 
 /// Routh and Hurwitz for a cubic with c3, c2, c0 > 0: the sign of c2 c1 − c3 c0 is minus that of the pair's real part.

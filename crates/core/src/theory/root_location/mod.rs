@@ -11,9 +11,8 @@ mod real;
 pub use crossing::pair_crosses;
 pub(super) use half_plane::positive_coefficients;
 
-use slipmode_algebra::{
-    Domain, Expression, Polynomial, Proof, RationalFunction, Refutation, Sign, SignFormula, Symbol,
-};
+use super::notation::polynomial_coefficients;
+use slipmode_algebra::{Domain, Expression, Proof, RationalFunction, Refutation, Sign, SignFormula, Symbol};
 
 /// The largest degree of a polynomial whose roots are located in a half plane.
 pub const MOST_DEGREE: usize = 6;
@@ -40,18 +39,6 @@ slipmode_algebra::named! {
 pub fn coefficients(function: &RationalFunction, variable: &Symbol, most: usize) -> Option<Vec<Expression>> {
     let parts = polynomial_coefficients(function, variable)?;
     (2..=most + 1).contains(&parts.len()).then_some(parts)
-}
-
-/// The coefficients by ascending power; none where the variable occurs in the denominator or inside a function.
-pub(super) fn polynomial_coefficients(function: &RationalFunction, name: &Symbol) -> Option<Vec<Expression>> {
-    if function.denominator().degree(name) > 0 || function.hides(name).is_some() {
-        return None;
-    }
-    let quotient = |part: Polynomial| {
-        RationalFunction::new(part, function.denominator().clone())
-            .map(|quotient| Expression::from(&quotient))
-    };
-    function.numerator().coefficients(name).into_iter().map(quotient).collect()
 }
 
 /// The polynomial with these coefficients, by ascending power.
@@ -122,6 +109,22 @@ impl RootStatement {
 /// No assumption at all.
 fn free() -> Domain {
     Domain::default()
+}
+
+/// The expression is negative.
+fn below_zero(expression: &Expression) -> SignFormula {
+    SignFormula::sign(&-expression.clone(), Sign::Positive)
+}
+
+/// Adds the step that an expression is not negative: its square root is real.
+fn not_negative_step(
+    proof: Proof,
+    says: &str,
+    expression: &Expression,
+    domain: &Domain,
+) -> Result<Proof, Refutation> {
+    let root = expression.clone().call(slipmode_algebra::Function::Sqrt).power(2);
+    proof.identity(says, &[], &root, expression, domain)
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@
 use std::collections::BTreeMap;
 
 use super::free;
-use super::half_plane::{below_zero, not_negative_step};
+use super::{below_zero, not_negative_step};
 use crate::theory::notation::formula;
 use slipmode_algebra::{Domain, Expression, Proof, Refutation, Relation, Sign, SignFormula, Symbol};
 

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use slipmode_algebra::{Domain, Expression, Proof, Symbol};
 
-use super::super::Equations;
+use super::super::Equation;
 use super::super::derivation::{Operation, Work, derive, read_name};
 use super::super::names::circle;
 use super::{Faults, StatedProof, StatedProofs};
@@ -57,9 +57,9 @@ pub(super) struct Named<'p> {
 pub(super) type Meant = (Expression, BTreeSet<String>);
 
 impl<'p> Named<'p> {
-    pub fn new(all: &'p StatedProofs, proof: &'p StatedProof, equations: &'p Equations) -> Self {
+    pub fn new(all: &'p StatedProofs, proof: &'p StatedProof, equations: &[&'p Equation]) -> Self {
         let mut sides = BTreeMap::new();
-        for equation in equations.iter() {
+        for equation in equations {
             for (side, expression) in equation.sides() {
                 sides.insert(format!("{side}_{}", equation.word()), (expression, equation.number.as_str()));
             }

@@ -1,60 +1,10 @@
-//! What the equations and the variables of a file are: procedures find them by these words, whatever their numbers and names.
+//! What the variables of a file are: procedures find them by these words, whatever their names.
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::reading::AssumptionsText;
-use super::{Equation, EquationFault};
-use crate::friction::EvolutionLaw;
-use slipmode_algebra::{Expression, Symbol, nearest};
+use super::{AssumptionsText, Equation, EquationFault};
 
-slipmode_algebra::named! {
-    /// What an equation is.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-    pub enum Role {
-        /// Friction by velocity and state.
-        Friction = "friction",
-        /// The rate of the state, which heals at rest.
-        AgingLaw = "aging-law",
-        /// The rate of the state, which evolves by slip only.
-        SlipLaw = "slip-law",
-        /// The motion of the slider: mass, spring and friction per normal stress.
-        Motion = "motion",
-        /// The state in steady sliding.
-        SteadyState = "steady-state",
-        /// Friction in steady sliding.
-        SteadyFriction = "steady-friction",
-        /// Friction without a limit of small velocities.
-        RegularisedFriction = "regularised-friction",
-        /// The cubic of which a small disturbance's rate is a root.
-        Characteristic = "characteristic",
-        /// The same without inertia.
-        QuasiStaticCharacteristic = "quasi-static-characteristic",
-        /// K_c, where max Re(s) = 0.
-        Transition = "transition",
-        /// The part of K_c without inertia.
-        QuasiStaticTransition = "quasi-static-transition",
-        /// The part of K_c with inertia.
-        InertialTransition = "inertial-transition",
-        /// The normal stress of the transition without inertia.
-        CriticalNormalStress = "critical-normal-stress",
-        /// The velocity of the transition where inertia prevails.
-        CriticalVelocity = "critical-velocity",
-        /// The boundary's upper arc at low velocity: a normal stress.
-        QuasiStaticUpper = "quasi-static-upper",
-        /// The boundary's lower arc at low velocity: a normal stress.
-        QuasiStaticLower = "quasi-static-lower",
-        /// The boundary's upper arc at high velocity: where a ratio in proportion to velocity is 1.
-        InertialUpper = "inertial-upper",
-        /// The boundary's lower arc at high velocity: where a ratio in proportion to velocity is 1.
-        InertialLower = "inertial-lower",
-        /// The root at low velocity on the transition.
-        FrequencyLimit = "frequency-limit",
-        /// The angular frequency of mass and spring.
-        NaturalFrequency = "natural-frequency",
-        /// η.
-        InertialParameter = "inertial-parameter",
-    }
-}
+use slipmode_algebra::{Expression, Symbol, nearest};
 
 /// What a variable is, with the symbol that stands for it in procedures.
 pub const QUANTITIES: [(&str, &str); 23] = [
@@ -85,51 +35,6 @@ pub const QUANTITIES: [(&str, &str); 23] = [
 
 /// How many of them, from the first, procedures take as positive.
 const POSITIVE: usize = 10;
-
-impl Role {
-    /// The role of this word.
-    pub(super) fn read(word: &str) -> Result<Self, String> {
-        Self::from_word(word).ok_or_else(|| {
-            let words = || Self::ALL.iter().map(|role| role.as_str());
-            let near = nearest(word, words()).map(|near| format!("; did you mean `{near}`?"));
-            let all = words().collect::<Vec<_>>().join(", ");
-            format!("'{word}' is no role{} (allowed: {all})", near.unwrap_or_default())
-        })
-    }
-
-    /// The law's equation.
-    #[must_use]
-    pub const fn of_law(law: EvolutionLaw) -> Self {
-        match law {
-            EvolutionLaw::Aging => Self::AgingLaw,
-            EvolutionLaw::Slip => Self::SlipLaw,
-        }
-    }
-
-    /// The symbol that stands alone on its left, where procedures take its right side for that.
-    const fn left(self) -> Option<&'static str> {
-        Some(match self {
-            Self::Friction | Self::RegularisedFriction => "mu",
-            Self::AgingLaw | Self::SlipLaw => "theta'",
-            Self::SteadyState => "theta_ss",
-            Self::SteadyFriction => "mu_ss",
-            Self::Transition => "K_c",
-            Self::QuasiStaticTransition => "K_c_qs",
-            Self::InertialTransition => "K_c_dyn",
-            Self::CriticalNormalStress => "sigma_c",
-            Self::CriticalVelocity => "V_c",
-            Self::QuasiStaticUpper | Self::QuasiStaticLower => "sigma",
-            Self::FrequencyLimit => "s",
-            Self::NaturalFrequency => "omega_n",
-            Self::InertialParameter => "eta",
-            Self::Motion
-            | Self::Characteristic
-            | Self::QuasiStaticCharacteristic
-            | Self::InertialUpper
-            | Self::InertialLower => return None,
-        })
-    }
-}
 
 /// The variables of a file by what they are.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
