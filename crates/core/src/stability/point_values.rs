@@ -1,7 +1,6 @@
 //! What double-double says of a point, without branches: signs, roots, growth rate and frequency, each with its proof.
 
 use super::certain_signs::{BoundedGroups, InputError};
-use super::three_roots::WORKING_ERROR;
 use crate::friction::{Groups, Parameters};
 use crate::number::Dd;
 use crate::roots::{Bounded, BranchlessRoots};
@@ -11,6 +10,9 @@ const RATE_ERROR: f64 = 6.0 * Dd::UNIT;
 
 /// Covers the rounding of bounds that are computed in 64-bit.
 const SLACK: f64 = 1.05;
+
+/// The relative error of a root before it is rounded: 2^-64.
+pub(super) const WORKING_ERROR: f64 = f64::EPSILON / 4096.0;
 
 /// How the three roots are found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -8,12 +8,13 @@
 //!    residual, the slope and the curvature, with the errors of the coefficients in the residual (`roots/forward/branchless.rs`).
 //! 4. The other two roots solve the quadratic that is left. Next to a triple root the depressed cubic is solved instead, nearer
 //!    still with P and Q from integers.
-//! 5. If one of these ways bounds every error by 2^-64 of the root's modulus ([`WORKING_ERROR`]), the roots are rounded to
+//! 5. If one of these ways bounds every error by 2^-64 of the root's modulus (`WORKING_ERROR`), the roots are rounded to
 //!    64-bit, each part to nearest: that adds 2^-53 of the modulus. Otherwise certified enclosures of 22 digits of the exact
 //!    inputs are rounded.
 //!
 //! The sum is below 2^-53·(1 + 2^-10), which is [`ROOT_ERROR`].
 
+use super::point_values::{PointValues, Route};
 use num_complex::Complex;
 use rug::Float;
 use thiserror::Error;
@@ -21,13 +22,9 @@ use thiserror::Error;
 use super::batch::one_point;
 use super::certain_signs::InputError;
 use super::integer_cubic::IntegerCubic;
-use super::point_values::{PointValues, Route};
 use crate::friction::Parameters;
 use crate::number::{Dd, Rational};
 use crate::roots::{CertifiedRoot, PrecisionLevel, certified_roots};
-
-/// The relative error of a root before it is rounded: 2^-64.
-pub(super) const WORKING_ERROR: f64 = f64::EPSILON / 4096.0;
 
 /// Bound on the error of every root of [`three_roots`], relative to the root's modulus: 2^-53·(1 + 2^-10) < 1.112e-16.
 pub const ROOT_ERROR: f64 = f64::EPSILON / 2.0 * (1.0 + 1.0 / 1024.0);

@@ -89,3 +89,8 @@ pub(super) fn spread([_, c1, c2, c3]: &[Rational; 4]) -> Rational {
 pub(super) fn skew([c0, c1, c2, c3]: &[Rational; 4]) -> Rational {
     (c2.square() * 2_u32 - Rational::from(c1 * c3) * 9_u32) * c2 + Rational::from(c0 * c3) * c3 * 27_u32
 }
+
+/// A.
+pub(super) fn lead([.., lead]: &[Rational; 4]) -> &Rational {
+    lead
+}

@@ -3,21 +3,15 @@
 //! R(ω) = A⁴·Π(4ω² + (sᵢ − sⱼ)²) = Δ + 4ω²H² + 32ω⁴A²H + 64ω⁶A⁴, with A the leading coefficient and H = c2² − 3c1c3. For
 //! real roots R > 0. For roots −q, x ± iy it is zero at ω = y, and at ω = y/2 where also x = −q, which is no solution.
 
-use std::sync::Arc;
-
 use rug::Rational;
 
-use crate::number::{Ball, Field};
+use super::Target;
+use crate::number::{Ball, Field, Interval};
 use crate::roots;
-use crate::stability::inverse::Undecided;
-use crate::stability::inverse::family::{Family, skew, spread};
-use crate::stability::inverse::root::{MOST_BITS, Root};
+use crate::stability::inverse::family::{Family, lead, spread};
 use slipmode_algebra::{
     IsolatingInterval, Monomial, Polynomial, Symbol, UnivariatePolynomial, discriminant, horner,
 };
-
-/// Precision of the first attempt, in bits.
-const FIRST_BITS: u32 = 128;
 
 /// R as a polynomial in ω², each coefficient a polynomial in the unknown.
 #[derive(Debug)]
@@ -59,32 +53,8 @@ impl FrequencyCondition {
         (0..length).map(coefficient).collect()
     }
 
-    /// The solutions at ω = 2πf.
-    ///
-    /// Their number can change with ω² only at a zero of R's discriminant, leading or constant coefficient. These are
-    /// polynomials over ℚ and not identically zero, so that none is zero at the transcendental ω². A rational below it, with
-    /// no zero between the two, has the same number. For the same reason there is no zero at half the frequency: x = −q
-    /// at an algebraic value of the unknown only, where ω is algebraic.
-    pub(super) fn at_hertz(self, frequency: &Rational) -> Result<Vec<Root>, Undecided> {
-        let changes = self.changes();
-        let condition = Arc::new(self);
-        let mut bits = FIRST_BITS;
-        while bits <= MOST_BITS {
-            let square = squared_angular_frequency(frequency, bits);
-            if let Some(brackets) = condition.brackets(&changes, &square) {
-                let root = |(lower, upper)| {
-                    let (condition, frequency) = (Arc::clone(&condition), frequency.clone());
-                    Root::AtHertz { condition, frequency, lower, upper }
-                };
-                return Ok(brackets.into_iter().map(root).collect());
-            }
-            bits *= 2;
-        }
-        Err(Undecided)
-    }
-
     /// The polynomials in ω² at whose zeros the number of positive solutions can change.
-    fn changes(&self) -> [UnivariatePolynomial; 3] {
+    pub(super) fn changes(&self) -> [UnivariatePolynomial; 3] {
         let [solution, square] = ["x", "w"].map(Symbol::from);
         let powers = || self.by_power.iter().flat_map(|part| part.coefficients().iter().enumerate());
         // Where V0 is the unknown, only even powers occur, and V0² serves as well.
@@ -105,7 +75,7 @@ impl FrequencyCondition {
     }
 
     /// Intervals with one solution each and none elsewhere; `None` when ω² is not known well enough.
-    fn brackets(
+    pub(super) fn brackets(
         &self,
         changes: &[UnivariatePolynomial; 3],
         square: &Ball,
@@ -131,31 +101,19 @@ impl FrequencyCondition {
     }
 }
 
-/// The solutions at an ω² that depends rationally on the unknown: `scaled` is Aω². The zeros at half the frequency are left out exactly.
-///
-/// A·R = AΔ + 4wH² + 32w²AH + 64w³A² with w = Aω², which is linear in the coefficients of eq 8.
-pub(super) fn at_square(family: &Family, scaled: impl Fn(&[Rational; 4]) -> Rational) -> Vec<Root> {
-    let condition = family.along(5, |_, cubic| {
-        let (lead, spread, square) = (lead(cubic), spread(cubic), scaled(cubic));
-        let terms = [
-            roots::discriminant(cubic) * lead,
-            spread.clone().square() * &square * 4_u32,
-            square.clone().square() * lead * spread * 32_u32,
-            square.clone().square() * square * lead.clone().square() * 64_u32,
-        ];
-        terms.into_iter().fold(Rational::new(), |sum, term| sum + term)
-    });
-    let halved = family.along(2, |_, cubic| scaled(cubic) * lead(cubic) * 12_u32 + spread(cubic));
-    let spurious = family.along(3, |_, cubic| skew(cubic)).gcd(&halved);
-    Root::all_of(&condition).into_iter().filter(|root| !root.is_root_of(&spurious)).collect()
-}
-
-/// A.
-fn lead([.., lead]: &[Rational; 4]) -> &Rational {
-    lead
-}
-
 /// (2πf)².
 pub(super) fn squared_angular_frequency(frequency: &Rational, bits: u32) -> Ball {
     (Ball::pi(bits) * Ball::from_rational(&Rational::from(frequency * 2_u32), bits)).square()
+}
+
+/// The angular frequency of a target, 1/s; 0 for the boundary.
+pub(super) fn angular_frequency(target: &Target) -> Interval {
+    let tau = std::f64::consts::TAU;
+    match target {
+        Target::AngularFrequency(frequency) => Interval::enclosing(frequency),
+        Target::Frequency(frequency) => {
+            Interval::enclosing(frequency) * Interval { low: tau.next_down(), high: tau.next_up() }
+        }
+        Target::GrowthRate(_) | Target::Boundary | Target::FrequencyRatio(_) => Interval::point(0.0),
+    }
 }

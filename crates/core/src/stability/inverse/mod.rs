@@ -5,10 +5,10 @@
 //! No such equation holds identically: as σ → 0 or V0 → ∞ the roots tend to −V0/D_c and ±iω_n, and for K and M a
 //! coefficient of the polynomial is not zero.
 
-mod damping;
 mod family;
 mod frequency;
 mod over_box;
+mod pair_roots;
 mod root;
 mod tails;
 #[cfg(test)]
@@ -136,10 +136,10 @@ pub fn solve(
         Target::Boundary => on_boundary(&family, parameters, unknown),
         Target::AngularFrequency(frequency) => {
             let square = Rational::from(frequency.square_ref());
-            Ok(of_pair(frequency::at_square(&family, |cubic| cubic[3].clone() * &square)))
+            Ok(of_pair(pair_roots::at_square(&family, |cubic| cubic[3].clone() * &square)))
         }
         Target::FrequencyRatio(threshold) => {
-            Ok(of_pair(frequency::at_square(&family, of_ratio(parameters, unknown, threshold))))
+            Ok(of_pair(pair_roots::at_square(&family, of_ratio(parameters, unknown, threshold))))
         }
         Target::Frequency(frequency) => FrequencyCondition::new(&family).at_hertz(frequency).map(of_pair),
     }?;
@@ -157,7 +157,7 @@ pub fn at_damping_ratio(
     digits: u32,
 ) -> Result<Vec<Solution>, Undecided> {
     let family = Family::new(parameters, unknown);
-    let found = of_pair(damping::at_squared_ratio(&family, &ratio.value().square()));
+    let found = of_pair(pair_roots::at_squared_ratio(&family, &ratio.value().square()));
     let mut all = solutions(&family, found, digits)?;
     all.retain(|solution| (solution.transition_sign > 0) == (*ratio.value() > 0));
     Ok(all)

@@ -7,6 +7,7 @@ use std::collections::VecDeque;
 
 use rug::Rational;
 
+use super::frequency::angular_frequency;
 use super::tails::{Tails, tails};
 use super::{Target, Unknown};
 use crate::number::Interval;
@@ -156,18 +157,6 @@ impl Axis<'_> {
             ],
             certain,
         }
-    }
-}
-
-/// The angular frequency of a target, 1/s; 0 for the boundary.
-pub(super) fn angular_frequency(target: &Target) -> Interval {
-    let tau = std::f64::consts::TAU;
-    match target {
-        Target::AngularFrequency(frequency) => Interval::enclosing(frequency),
-        Target::Frequency(frequency) => {
-            Interval::enclosing(frequency) * Interval { low: tau.next_down(), high: tau.next_up() }
-        }
-        Target::GrowthRate(_) | Target::Boundary | Target::FrequencyRatio(_) => Interval::point(0.0),
     }
 }
 

@@ -1,6 +1,6 @@
 //! Where the polynomials of an inverse question have no zero near 0 and far out, for all points of a box: with intervals as coefficients.
 
-use super::over_box::angular_frequency;
+use super::frequency::angular_frequency;
 use super::{Target, Unknown};
 use crate::number::Interval;
 use crate::stability::over_box::{ParameterBox, Scaled, Values};
