@@ -2,7 +2,8 @@
 
 use std::cell::{Cell, OnceCell, RefCell};
 
-use super::polynomials::Units;
+use rug::{Complete, Integer};
+
 use crate::friction::{Groups, ParameterBox, Parameters, SlipMode};
 use crate::number::{Dd, Rational};
 use crate::stability::certain_signs::{BoundedGroups, Signs};
@@ -105,6 +106,28 @@ impl State {
     /// All roots real and below −1.
     pub(super) fn is_lower(self) -> bool {
         self.real_mode == Some(SlipMode::OverdampedStableSliding)
+    }
+}
+
+/// The factors that make every parameter of a box an integer and change no group.
+pub(super) struct Units([Integer; 7]);
+
+impl Units {
+    /// Units of a, b; of length; of stiffness. Those of σ and M V0² follow: a σ ~ K D_c, M V0² ~ K D_c².
+    pub(super) fn of(region: &ParameterBox) -> Self {
+        let common = |i: usize| region.lower[i].denom().clone().lcm(region.upper[i].denom());
+        let effects = common(A).lcm(&common(B));
+        let length = &effects * common(S) * common(D);
+        let velocity = common(V);
+        let mass = common(K).lcm(&common(M));
+        let stiffness = &mass * velocity.square_ref().complete();
+        let stress = Integer::from(&stiffness * &length) / &effects;
+        Self([effects.clone(), effects, length.clone(), stiffness, mass, stress, length * velocity])
+    }
+
+    /// A parameter's value in these units; an integer for the ends of the box.
+    pub(super) fn integer(&self, parameter: usize, value: &Rational) -> Integer {
+        (value.numer() * &self.0[parameter]).complete() / value.denom()
     }
 }
 

@@ -36,8 +36,9 @@ mod tests;
 mod threshold;
 
 pub use crate::friction::ParameterBox;
+pub(super) use pair_search::Sought;
 pub use ranges::{Ranges, ValueRange, ranges_over_box};
-pub(super) use ranges::{Scaled, Sought, sought_in};
+pub(super) use ranges::{Scaled, sought_in};
 pub(super) use root_discs::{Quantity, Values};
 pub use shares::{Distribution, SampledShare, sampled_shares};
 

@@ -12,7 +12,6 @@ use std::collections::BinaryHeap;
 
 use super::pair_conditions::{CONDITIONS, Slopes, Terms, TwoRoots, VARIABLES};
 use super::pair_point::point_with;
-use super::ranges::Sought;
 use super::ranked::Ranked;
 use super::root_discs::{Quantity, RootDiscs, Values, cubic};
 use crate::number::Interval;
@@ -21,6 +20,17 @@ use crate::number::Interval;
 const CUTS: u32 = 3;
 /// A cut below this part of a place does not pay.
 const LEAST_CUT: f64 = 0.1;
+
+/// What is known of a value that is looked for in a box.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::stability) enum Sought {
+    /// No point has it.
+    Nowhere,
+    /// Some point has it.
+    Somewhere,
+    /// Not decided.
+    Unknown,
+}
 
 /// A search for the greatest or the least value of a quantity.
 #[derive(Debug, Clone, Copy)]

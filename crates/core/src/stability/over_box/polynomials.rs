@@ -6,33 +6,9 @@
 use rug::{Complete, Integer};
 
 use super::coefficient::Coefficient;
-use super::corners::{A, B, Corner, D, Filtered, K, M, S, V};
+use super::corners::{A, Corner, D, Filtered, M, S, V};
 use super::tensor::Tensor;
-use crate::friction::ParameterBox;
-use crate::number::Rational;
 use crate::stability::InertialThreshold;
-
-/// The factors that make every parameter of a box an integer and change no group.
-pub(super) struct Units([Integer; 7]);
-
-impl Units {
-    /// Units of a, b; of length; of stiffness. Those of σ and M V0² follow: a σ ~ K D_c, M V0² ~ K D_c².
-    pub(super) fn of(region: &ParameterBox) -> Self {
-        let common = |i: usize| region.lower[i].denom().clone().lcm(region.upper[i].denom());
-        let effects = common(A).lcm(&common(B));
-        let length = &effects * common(S) * common(D);
-        let velocity = common(V);
-        let mass = common(K).lcm(&common(M));
-        let stiffness = &mass * velocity.square_ref().complete();
-        let stress = Integer::from(&stiffness * &length) / &effects;
-        Self([effects.clone(), effects, length.clone(), stiffness, mass, stress, length * velocity])
-    }
-
-    /// A parameter's value in these units; an integer for the ends of the box.
-    pub(super) fn integer(&self, parameter: usize, value: &Rational) -> Integer {
-        (value.numer() * &self.0[parameter]).complete() / value.denom()
-    }
-}
 
 /// The seven parameters as polynomials, and with them all that decides a point.
 pub(super) struct Lines<T>([Tensor<T>; 7]);
@@ -149,7 +125,9 @@ fn discriminant<T: Coefficient>([e, c, b, a]: &[Tensor<T>; 4]) -> Tensor<T> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::friction::ParameterBox;
     use crate::friction::Parameters;
+    use crate::number::Rational;
     use crate::roots::Depressed;
     use crate::stability::over_box::coefficient::Rough;
     use crate::stability::over_box::fixtures::any_point;

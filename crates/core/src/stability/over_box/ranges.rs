@@ -10,7 +10,7 @@ use std::collections::BinaryHeap;
 use super::corners::{A, B, D, K, M, Point, S, V};
 use super::growth;
 use super::pair::Pair;
-use super::pair_search::PairSearch;
+use super::pair_search::{PairSearch, Sought};
 use super::ranked::Ranked;
 use super::root_discs::{Quantity, RootDiscs, Values};
 use super::summit::Summit;
@@ -129,17 +129,6 @@ fn of_signs(mut range: ValueRange, [least, greatest]: [i8; 2]) -> ValueRange {
         range.attained[1] = 0.0;
     }
     range
-}
-
-/// What is known of a value that is looked for in a box.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(in crate::stability) enum Sought {
-    /// No point has it.
-    Nowhere,
-    /// Some point has it.
-    Somewhere,
-    /// Not decided.
-    Unknown,
 }
 
 /// Whether a point of the box has a value of the quantity in an interval, 1/s.
