@@ -1,14 +1,13 @@
 //! Line charts: several series over linear, logarithmic or signed logarithmic axes.
 
 use super::frame::{CANVAS_WIDTH, Frame};
-use super::inset::Inset;
 use super::legend::{Entry, KEY_WIDTH, Legend};
-use super::overlay::draw_words_on_lines;
+use super::overlay::{draw_named_lines, draw_words_on_lines};
 use super::path::{Point, simplify};
 use super::path_data::line_data;
 use super::series_style::{Look, draw_markers, spread};
 use super::svg::Svg;
-use super::{Axis, Caption, palette};
+use super::{Axis, Caption, Line, palette};
 
 /// One line of a chart. Dash, marker and colour follow from its place in the list.
 #[derive(Debug, Clone, PartialEq)]
@@ -278,4 +277,42 @@ fn draw_band(svg: &mut Svg, frame: &Frame, index: usize, edges: [f64; 2]) {
     let (from, to) = (frame.place_unit((0.0, high)), frame.place_unit((1.0, low)));
     let (class, fill) = band_look(index);
     svg.rect(from, (to.0 - from.0, to.1 - from.1), &[("class", &class), ("fill", fill)]);
+}
+
+/// A small map in the corner of a line chart: where the chart's lines lie.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Inset {
+    /// Horizontal axis.
+    pub x: Axis,
+    /// Vertical axis.
+    pub y: Axis,
+    /// Lines of the map.
+    pub lines: Vec<Line>,
+    /// The places of the chart's series: they look as in the chart when both list them in the same order.
+    pub series: Vec<Series>,
+}
+
+/// Width and height of the map.
+const INSET_SIZE: Point = (196.0, 140.0);
+/// Room right of the map, and below it for its labels.
+const MARGIN: Point = (16.0, 56.0);
+/// Room left of the map for its labels, and above it.
+const LABELS: Point = (66.0, 10.0);
+
+impl Inset {
+    /// Draws the map with its lower right corner at this place.
+    fn draw(&self, svg: &mut Svg, (right, bottom): Point) {
+        let corner = (right - MARGIN.0 - INSET_SIZE.0, bottom - MARGIN.1 - INSET_SIZE.1);
+        let frame = Frame::new(&self.x, &self.y, corner, INSET_SIZE);
+        let ground = (corner.0 - LABELS.0, corner.1 - LABELS.1);
+        svg.rect(
+            ground,
+            (right - ground.0 - 1.0, bottom - ground.1 - 1.0),
+            &[("class", "panel"), ("fill", palette::PLATE)],
+        );
+        frame.draw_panel(svg, "panel-map");
+        draw_named_lines(svg, &frame, &self.lines, "inset-");
+        draw_lines(svg, &frame, &[], &self.series, LineStyle { tolerance: 0.2, markers: false });
+        frame.draw_axes(svg);
+    }
 }

@@ -29,7 +29,6 @@ mod covered;
 mod family_map;
 mod frame;
 mod heat_map;
-mod inset;
 mod layer_places;
 mod layers;
 mod legend;
@@ -44,6 +43,7 @@ mod readout;
 mod rich_text;
 #[cfg(test)]
 pub(crate) mod sample;
+mod scale;
 mod series_style;
 mod svg;
 #[cfg(test)]
@@ -52,16 +52,16 @@ mod ticks;
 mod zone_map;
 mod zones;
 
-pub use axis::{Axis, Scale};
+pub use axis::Axis;
 pub use family_map::FamilyMap;
 pub use heat_map::{ColourScale, HeatMap};
-pub use inset::Inset;
 pub use layers::{BoxLook, BoxNode, LayeredGraph};
-pub use line_chart::{LineChart, Reference, Series};
+pub use line_chart::{Inset, LineChart, Reference, Series};
 pub use overlay::{Line, LineRole, PointMark, RegionLabel, Side};
 pub use panels::{Panel, Panels};
 pub use range_chart::{RangeChart, RangeRow, Span};
 pub use readout::{Readout, Words, packed};
+pub use scale::Scale;
 pub use svg::within_html;
 pub use zone_map::{Zone, ZoneMap, zone_fill};
 pub use zones::zones_of_grid;

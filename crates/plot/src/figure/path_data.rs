@@ -1,7 +1,7 @@
 //! Paths as text: relative steps in tenths, each written in as few characters as it can be.
 
 use super::path::Point;
-use super::svg::{tenths, tenths_text};
+use super::svg::{Svg, tenths, tenths_text};
 
 /// A place on the canvas or a step on it, in tenths.
 type Tenths = (i64, i64);
@@ -43,6 +43,16 @@ pub(crate) fn rules_data(rules: &[(Point, Point)]) -> String {
         pen = Some(ways[way].1);
     }
     data
+}
+
+impl Svg {
+    /// Upright and lying lines, all in one path.
+    pub fn rules(&mut self, rules: &[(Point, Point)]) {
+        let data = rules_data(rules);
+        if !data.is_empty() {
+            self.leaf("path", &[("d", &data)]);
+        }
+    }
 }
 
 fn move_to(pen: Option<Tenths>, (x, y): Tenths) -> String {

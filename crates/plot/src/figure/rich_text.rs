@@ -1,6 +1,6 @@
 //! The little markup of words in figures: `*italic*`, `**bold**`, `_sub`, `^super`, braces for more than one character.
 
-use super::svg::{escape, number};
+use super::svg::{Svg, escape, number};
 
 /// A run of characters in one style.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -64,6 +64,14 @@ pub(crate) fn to_svg(markup: &str, size: f64) -> String {
         svg += &if attributes.is_empty() { text } else { format!("<tspan{attributes}>{text}</tspan>") };
     }
     svg
+}
+
+impl Svg {
+    /// Words in figure markup at a place, in the style of the group around them.
+    pub fn words(&mut self, (x, y): (f64, f64), markup: &str, size: f64) {
+        let at = [number(x), number(y)];
+        self.text(&[("x", &at[0]), ("y", &at[1])], &to_svg(markup, size));
+    }
 }
 
 /// Estimated width of the markup for a line of the given font size: room enough for the wider system fonts.

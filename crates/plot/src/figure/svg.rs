@@ -1,8 +1,7 @@
 //! A small SVG writer: escaped text, quoted attributes, coordinates in tenths.
 
 use super::path::Point;
-use super::path_data::rules_data;
-use super::{Caption, palette, rich_text};
+use super::{Caption, palette};
 use crate::table::printable;
 
 /// Fonts of all figures; the first that the viewer has is taken.
@@ -78,12 +77,6 @@ impl Svg {
         self.text += &format!(">{markup}</text>\n");
     }
 
-    /// Words in figure markup at a place, in the style of the group around them.
-    pub fn words(&mut self, (x, y): (f64, f64), markup: &str, size: f64) {
-        let at = [number(x), number(y)];
-        self.text(&[("x", &at[0]), ("y", &at[1])], &rich_text::to_svg(markup, size));
-    }
-
     /// The accessible name of the element opened last.
     pub fn title(&mut self, words: &str) {
         self.text += &format!("<title>{}</title>\n", escape(words));
@@ -93,14 +86,6 @@ impl Svg {
     pub fn line(&mut self, from: (f64, f64), to: (f64, f64)) {
         let ends = [number(from.0), number(from.1), number(to.0), number(to.1)];
         self.leaf("line", &[("x1", &ends[0]), ("y1", &ends[1]), ("x2", &ends[2]), ("y2", &ends[3])]);
-    }
-
-    /// Upright and lying lines, all in one path.
-    pub fn rules(&mut self, rules: &[(Point, Point)]) {
-        let data = rules_data(rules);
-        if !data.is_empty() {
-            self.leaf("path", &[("d", &data)]);
-        }
     }
 
     /// A circle around a point.
