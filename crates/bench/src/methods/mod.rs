@@ -2,12 +2,12 @@
 
 mod case_tables;
 mod cases;
+mod method;
 mod score;
-mod signs;
 mod tables;
 
 pub use case_tables::case_table;
 pub use cases::{Expected, FamilyOutcome, HardCase, compare_hard_cases, read_hard_cases};
-pub use score::{FamilyScores, Method, MethodScore, score_families, wide};
-pub use signs::{TEXTBOOK, Textbook, signs_of};
+pub use method::{Method, TEXTBOOK, Textbook, signs_of};
+pub use score::{FamilyScores, MethodScore, score_families, wide};
 pub use tables::tables;

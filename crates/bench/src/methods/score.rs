@@ -4,12 +4,12 @@
 //! Their class is read off their roots as they come. Our precision levels get the exact groups rounded once, because the relative
 //! error of an input below the normal range has no bound; they may leave a point open, which is no answer but no lie.
 
+use super::method::{Method, signs_of};
 use num_complex::Complex;
 use rayon::prelude::*;
 use rug::Float;
 
 use super::HardCase;
-use super::signs::signs_of;
 use crate::textbook::{Three, aberth, cardano, companion, newton, viete};
 use slipmode_core::friction::Groups;
 use slipmode_core::number::{Dd, Rational, Real, nearest_f64};
@@ -27,56 +27,6 @@ const ULP: f64 = f64::EPSILON;
 
 /// Coefficients must lie within these for the bounds of 64-bit and double-double roots to hold.
 const SAFE: std::ops::Range<f64> = 1e-60..1e60;
-
-/// A way to the roots of eq 8.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Method {
-    /// Cardano's formula.
-    Cardano,
-    /// Viète's trigonometric formula.
-    Viete,
-    /// Eigenvalues of the companion matrix.
-    Companion,
-    /// Newton's iteration with deflation.
-    Newton,
-    /// Aberth's simultaneous iteration.
-    Aberth,
-    /// Our 64-bit roots with their error bounds.
-    Ours64,
-    /// Our double-double roots with their error bounds.
-    DoubleDouble,
-    /// Our certified roots.
-    Certified,
-}
-
-impl Method {
-    /// All of them, the textbook first.
-    pub const ALL: [Self; 8] = [
-        Self::Cardano,
-        Self::Viete,
-        Self::Companion,
-        Self::Newton,
-        Self::Aberth,
-        Self::Ours64,
-        Self::DoubleDouble,
-        Self::Certified,
-    ];
-
-    /// The name in tables.
-    #[must_use]
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            Self::Cardano => "Cardano",
-            Self::Viete => "trigonometric",
-            Self::Companion => "companion eigenvalues",
-            Self::Newton => "Newton and deflation",
-            Self::Aberth => "Aberth",
-            Self::Ours64 => "64-bit with bounds",
-            Self::DoubleDouble => "double-double with bounds",
-            Self::Certified => "certified",
-        }
-    }
-}
 
 /// How a method fared on some points.
 #[derive(Debug, Clone, Copy, PartialEq)]

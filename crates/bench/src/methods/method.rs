@@ -1,7 +1,56 @@
-//! The textbook root finders by name, and the signs that are read off their roots.
+//! The ways to the roots of eq 8 that are compared, and the signs that are read off the roots of a textbook method.
 
-use super::Method;
 use crate::textbook::{Three, aberth, cardano, companion, newton, viete};
+
+/// A way to the roots of eq 8.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Method {
+    /// Cardano's formula.
+    Cardano,
+    /// Viète's trigonometric formula.
+    Viete,
+    /// Eigenvalues of the companion matrix.
+    Companion,
+    /// Newton's iteration with deflation.
+    Newton,
+    /// Aberth's simultaneous iteration.
+    Aberth,
+    /// Our 64-bit roots with their error bounds.
+    Ours64,
+    /// Our double-double roots with their error bounds.
+    DoubleDouble,
+    /// Our certified roots.
+    Certified,
+}
+
+impl Method {
+    /// All of them, the textbook first.
+    pub const ALL: [Self; 8] = [
+        Self::Cardano,
+        Self::Viete,
+        Self::Companion,
+        Self::Newton,
+        Self::Aberth,
+        Self::Ours64,
+        Self::DoubleDouble,
+        Self::Certified,
+    ];
+
+    /// The name in tables.
+    #[must_use]
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::Cardano => "Cardano",
+            Self::Viete => "trigonometric",
+            Self::Companion => "companion eigenvalues",
+            Self::Newton => "Newton and deflation",
+            Self::Aberth => "Aberth",
+            Self::Ours64 => "64-bit with bounds",
+            Self::DoubleDouble => "double-double with bounds",
+            Self::Certified => "certified",
+        }
+    }
+}
 
 /// The name in tables, and the solver of a 64-bit cubic.
 pub type Textbook = (&'static str, fn([f64; 4]) -> Three);
