@@ -7,9 +7,7 @@ use std::time::Duration;
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
-use slipmode::cli::{capture, capture_roots};
-
-use crate::classified::{Answer, answer};
+use slipmode::cli::capture;
 
 /// Between two looks at signals.
 const TICK: Duration = Duration::from_millis(20);
@@ -26,14 +24,6 @@ pub fn call(py: Python<'_>, arguments: Vec<OsString>) -> PyResult<(u8, Bound<'_,
     let found = in_background(py, move || capture([program].into_iter().chain(arguments)))?;
     let messages = String::from_utf8_lossy(&found.messages).into_owned();
     Ok((found.exit_code, PyBytes::new(py, &found.output), messages))
-}
-
-/// The list that `roots --json` prints of a point; [`call`] says how Ctrl-C ends it.
-#[pyfunction]
-pub fn roots_of_point(py: Python<'_>, values: [String; 7], digits: String) -> PyResult<Answer<String>> {
-    let work = move || capture_roots(values.each_ref().map(String::as_str), &digits);
-    let (roots, captured) = in_background(py, work)?;
-    Ok(answer(roots, captured))
 }
 
 /// Does work on a thread of its own, for which Ctrl-C does not wait.

@@ -1,8 +1,8 @@
-//! All that `classify` states of a point, and the coordinates and picture of a grid, as functions without a command line.
+//! All that `classify` states of a point, its roots, and the coordinates and picture of a grid, as functions without a command line.
 
 use pyo3::prelude::*;
 use pyo3::types::PyByteArray;
-use slipmode::cli::{Captured, capture_grid, capture_point};
+use slipmode::cli::{Captured, capture_grid, capture_point, capture_roots};
 
 use crate::call::in_background;
 
@@ -21,6 +21,14 @@ pub fn describe_point(
 ) -> Option<String> {
     let values = values.each_ref().map(String::as_str);
     py.detach(|| Some(capture_point(values, inertial_threshold).0?.json().to_string()))
+}
+
+/// The list that `roots --json` prints of a point; [`crate::call::call`] says how Ctrl-C ends it.
+#[pyfunction]
+pub fn roots_of_point(py: Python<'_>, values: [String; 7], digits: String) -> PyResult<Answer<String>> {
+    let work = move || capture_roots(values.each_ref().map(String::as_str), &digits);
+    let (roots, captured) = in_background(py, work)?;
+    Ok(answer(roots, captured))
 }
 
 /// Draws the slip modes of a grid, whose axes, V0 and σ, are `FROM:TO:N`.

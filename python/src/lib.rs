@@ -20,9 +20,9 @@ pyo3::import_exception!(slipmode._errors, InputError);
 #[pymodule(gil_used = false)]
 mod _slipmode {
     #[pymodule_export]
-    use super::call::{call, roots_of_point};
+    use super::call::call;
     #[pymodule_export]
-    use super::classified::{describe_point, draw_grid};
+    use super::classified::{describe_point, draw_grid, roots_of_point};
     #[pymodule_export]
     use super::points::{classify_point, classify_points, exact_values, has_error_bar, roots_of_points};
     #[pymodule_export]
