@@ -6,8 +6,7 @@ use std::fmt::Write;
 
 use crate::scene::{Author, Paper};
 
-use super::Files;
-use super::contents::{Parts, REPORT_FOLDER};
+use super::{Files, Parts, REPORT_FOLDER};
 
 /// The file with manifest, title and authors.
 pub const CODECHECK_FILE: &str = "codecheck.yml";

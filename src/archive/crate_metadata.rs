@@ -2,9 +2,8 @@
 
 use serde_json::{Value, json};
 
-use super::Files;
-use super::contents::{INPUT_FOLDER, Parts, REPORT_FOLDER};
 use super::digests::{DIGESTS_FILE, sha256_hex};
+use super::{Files, INPUT_FOLDER, Parts, REPORT_FOLDER};
 
 /// The file with the metadata.
 pub(super) const CRATE_FILE: &str = "ro-crate-metadata.json";

@@ -27,10 +27,7 @@ use std::collections::BTreeMap;
 pub use budget::{Budget, Request, requests};
 pub use codecheck::{CODECHECK_FILE, open_fields};
 pub use container::{ReleaseTime, pack};
-pub use contents::{
-    Facts, INPUT_FOLDER, Parts, README_FILE, REPORT_FOLDER, SOURCES_FILE, STATEMENT_FILE, THEOREMS_FOLDER,
-    VERSIONS_FILE, contents,
-};
+pub use contents::contents;
 pub use digests::{DIGESTS_FILE, digest_faults, finished_hex, sha256_hex, sha256_of_reader};
 pub use ledger_difference::ledger_differences;
 pub use names::check_path;
@@ -38,5 +35,119 @@ pub use reproduction::{Maker, Reproduction, reproduction};
 pub use unpack::{Caps, unpack};
 pub use untrusted::shown;
 
+use crate::claims::Ledger;
+use crate::scene::Paper;
+use serde::{Deserialize, Serialize};
+
 /// Files by their path, `/` between the parts, in the order of the paths.
 pub type Files = BTreeMap<String, Vec<u8>>;
+
+/// The folder with the report's inputs: what `slipmode report` reads.
+pub const INPUT_FOLDER: &str = "input";
+/// The folder with what was made from them.
+pub const REPORT_FOLDER: &str = "report";
+/// The folder with the theorems on the ledger's proofs, for Coq.
+pub const THEOREMS_FOLDER: &str = "theorems";
+/// The versions that computed it.
+pub const VERSIONS_FILE: &str = "versions.json";
+/// What is inside, and how each claim is checked again.
+pub const README_FILE: &str = "README.md";
+/// The unsigned in-toto statement.
+pub const STATEMENT_FILE: &str = "provenance.intoto.json";
+/// The program that proves certified cycles again without slipmode.
+pub const CHECKER_FILE: &str = "certified_cycle.py";
+/// The exact versions and digests of the packages that the program is built from.
+pub const LOCK_FILE: &str = "Cargo.lock";
+/// The sources of the program with all packages, from which it builds without a network.
+pub const SOURCES_FILE: &str = "sources.tar.xz";
+
+/// What is known of the program that computed the report.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Facts {
+    /// The program's version.
+    pub version: String,
+    /// Names and versions of the program and of the libraries it computes with.
+    pub versions: BTreeMap<String, String>,
+    /// SHA-256 over the program's sources.
+    pub source_sha256: String,
+    /// The time that the archive states.
+    pub time: ReleaseTime,
+}
+
+/// The form of `versions.json`.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Versions {
+    source_sha256: String,
+    versions: BTreeMap<String, String>,
+}
+
+impl Facts {
+    /// As `versions.json`.
+    #[must_use]
+    pub fn to_json(&self) -> String {
+        let (source_sha256, versions) = (self.source_sha256.clone(), self.versions.clone());
+        format!("{:#}\n", serde_json::json!(Versions { source_sha256, versions }))
+    }
+
+    /// What the `versions.json` of an archive states, which nothing proves.
+    ///
+    /// # Errors
+    /// When it is not what a build of this program writes.
+    pub fn parse(json: &[u8], time: ReleaseTime) -> Result<Self, String> {
+        let refuse = |why: &str| format!("{VERSIONS_FILE}: {why}");
+        let Versions { source_sha256, versions } =
+            serde_json::from_slice(json).map_err(|error| refuse(&error.to_string()))?;
+        let is_word = |text: &String| {
+            text.len() <= 100
+                && text
+                    .chars()
+                    .all(|c| c.is_ascii_alphanumeric() || matches!(c, ' ' | '.' | '+' | '-' | '(' | ')'))
+        };
+        let is_digest =
+            source_sha256.len() == 64 && source_sha256.bytes().all(|byte| byte.is_ascii_hexdigit());
+        let version =
+            versions.get("slipmode").cloned().ok_or_else(|| refuse("states no version of slipmode"))?;
+        let facts = Self { version, versions, source_sha256, time };
+        let is_plain = facts.versions.iter().all(|(name, version)| is_word(name) && is_word(version));
+        if is_digest && is_plain && facts.to_json().as_bytes() == json {
+            Ok(facts)
+        } else {
+            Err(refuse("is not what a build of slipmode writes"))
+        }
+    }
+}
+
+/// What is archived.
+#[derive(Debug)]
+pub struct Parts<'p> {
+    /// The report's name.
+    pub name: &'p str,
+    /// The report's title.
+    pub title: &'p str,
+    /// The report's inputs by their path in its folder.
+    pub inputs: &'p Files,
+    /// What was made from them, without anything that depends on the machine.
+    pub product: &'p BTreeMap<String, String>,
+    /// The verdicts.
+    pub ledger: &'p Ledger,
+    /// The theorems on the proofs of the ledger, and how Coq checks them, by their path in their folder.
+    pub theorems: &'p BTreeMap<String, String>,
+    /// The program.
+    pub facts: &'p Facts,
+    /// The file of [`SOURCES_FILE`], where the archive has one.
+    pub sources: Option<&'p [u8]>,
+    /// The paper, where the archive is prepared for a CODECHECK certificate.
+    pub codecheck: Option<&'p Paper>,
+}
+
+impl<'p> Parts<'p> {
+    /// The inputs that are files of certificates, by their header.
+    pub(super) fn certificate_files(&self) -> impl Iterator<Item = (&'p str, &'p [u8])> {
+        let is_named = |header: &[u8]| header.split(|byte| *byte == b',').any(|name| name == b"certificate");
+        let files = self.inputs.iter().filter(|(path, _)| path.ends_with(".csv"));
+        files
+            .filter(move |(_, bytes)| bytes.split(|byte| *byte == b'\n').next().is_some_and(is_named))
+            .map(|(path, bytes)| (path.as_str(), bytes.as_slice()))
+    }
+}

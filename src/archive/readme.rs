@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::codecheck::CODECHECK_FILE;
-use super::contents::{
+use super::{
     CHECKER_FILE, INPUT_FOLDER, Parts, REPORT_FOLDER, SOURCES_FILE, STATEMENT_FILE, THEOREMS_FOLDER,
     VERSIONS_FILE,
 };

@@ -4,12 +4,11 @@ use std::collections::BTreeSet;
 
 use super::canonical::container_fault;
 use super::compare::{byte_difference, same_text, text_differences};
-use super::contents::{
-    DERIVED, Facts, INPUT_FOLDER, LOCK_FILE, Parts, REPORT_FOLDER, THEOREMS_FOLDER, VERSIONS_FILE,
-    add_derived, contents,
-};
+use super::contents::{DERIVED, add_derived, contents};
 use super::ledger_difference::ledger_differences;
-use super::{Files, ReleaseTime};
+use super::{
+    Facts, Files, INPUT_FOLDER, LOCK_FILE, Parts, REPORT_FOLDER, ReleaseTime, THEOREMS_FOLDER, VERSIONS_FILE,
+};
 
 /// Which build made an archive, as its `versions.json` states.
 #[derive(Debug, Clone, PartialEq, Eq)]

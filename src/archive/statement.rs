@@ -2,9 +2,8 @@
 
 use serde_json::{Value, json};
 
-use super::Files;
-use super::contents::{INPUT_FOLDER, Parts, REPORT_FOLDER};
 use super::digests::sha256_hex;
+use super::{Files, INPUT_FOLDER, Parts, REPORT_FOLDER};
 
 /// The statement about the report's files, as JSON.
 pub(super) fn statement(parts: &Parts<'_>, files: &Files) -> String {
