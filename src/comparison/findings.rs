@@ -1,14 +1,11 @@
-//! A run compared: every finding, the verdict on the run, and a unit that would explain a difference.
+//! Every finding on a run at its own parameters, and the verdict on the run.
 
-use super::units::diagnose;
-use super::within_errors::look_within_error_bars;
 use super::{
     Agreement, Finding, Observable, Origin, Reference, Simulate, StatedMode, StatedRun, Theory, Value,
 };
 use crate::comparison::recording::{Measured, RecordedBehaviour, RecordedDecay};
 use slipmode_core::dynamics::{Behaviour, Simulation};
-use slipmode_core::friction::Parameters;
-use slipmode_core::number::{Rational, nearest_f64};
+use slipmode_core::number::nearest_f64;
 
 /// A run compared with theory and simulation.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,22 +29,6 @@ const BELOW_TOLERANCE: f64 = 0.01;
 const TIGHTEST_SIMULATION: f64 = 1e-15;
 /// Relative error of theory's 64-bit numbers.
 const THEORY_ERROR: f64 = 1e-14;
-
-/// Compares a run, at its parameters and, where these do not agree, at the others within their error bars.
-#[must_use]
-pub fn compare_run(run: &StatedRun, others: &[Parameters<Rational>], simulate: Simulate<'_>) -> Comparison {
-    let mut found = compare_as_stated(run, simulate);
-    if found.verdict == Agreement::Differs && !others.is_empty() {
-        look_within_error_bars(run, others, simulate, &mut found);
-    }
-    found.diagnosis = match found.verdict {
-        Agreement::Agrees | Agreement::AgreesWithinErrorBars => None,
-        _ if run.is_empty() => Some("the row has nothing to compare".into()),
-        // Velocities in another unit never pass V_l, so that such a trajectory is not even compared.
-        Agreement::Differs | Agreement::NotCompared => diagnose(run, simulate),
-    };
-    found
-}
 
 /// The comparison without a guess at what went wrong.
 pub(crate) fn compare_as_stated(run: &StatedRun, simulate: Simulate<'_>) -> Comparison {

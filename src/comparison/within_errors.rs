@@ -2,8 +2,7 @@
 
 use rayon::prelude::*;
 use slipmode_core::friction::Parameters;
-use slipmode_core::number::Rational;
-use slipmode_core::number::format::round_digits;
+use slipmode_core::number::{Rational, format::round_digits};
 
 use super::findings::{compare_as_stated, verdict_of};
 use super::{Agreement, Comparison, Finding, Simulate, StatedRun, Value};

@@ -1,8 +1,7 @@
 //! Decays: how fast and how often the velocity still moves about its steady value.
 
-use super::Recording;
-use super::long_term::{Measured, RecordedDecay, Reduced};
-use super::returns::Return;
+use super::returns::{Reduced, Return};
+use super::{Measured, Recording};
 
 /// Deviations below this part of the largest one are noise, in a decay without oscillation.
 const NOISE: f64 = 1e-6;
@@ -12,6 +11,15 @@ const NOISY_RETURN: f64 = 1e-10;
 const WINDOW: usize = 3;
 /// Parts of a decay without oscillation that are compared with each other.
 const PARTS: usize = 3;
+
+/// A return to steady sliding.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RecordedDecay {
+    /// Period of the long-term oscillation, s; none when nothing oscillates.
+    pub period_s: Option<Measured>,
+    /// Growth rate of the deviation of ln V, 1/s, as a rule negative; none when too little is recorded.
+    pub rate_per_s: Option<Measured>,
+}
 
 /// Rate and period of a decaying oscillation, where three neighbouring returns agree best about the rate.
 ///

@@ -1,36 +1,8 @@
 //! The long-term behaviour of a recording: a cycle, a decay, or neither yet.
 
-use serde::Serialize;
-
-use super::decay::{decay_of_returns, decay_without_returns};
-use super::returns::{Return, returns};
-use super::{LEAST_SAMPLES, Recording};
-
-/// A value with the error that the recording leaves.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Measured {
-    /// The value.
-    pub value: f64,
-    /// Its estimated relative error; infinite when the samples do not resolve it.
-    pub relative_error: f64,
-}
-
-impl Measured {
-    /// The value and its absolute error.
-    #[must_use]
-    pub fn with_absolute_error(self) -> (f64, f64) {
-        (self.value, self.relative_error * self.value.abs())
-    }
-}
-
-/// A return to steady sliding.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RecordedDecay {
-    /// Period of the long-term oscillation, s; none when nothing oscillates.
-    pub period_s: Option<Measured>,
-    /// Growth rate of the deviation of ln V, 1/s, as a rule negative; none when too little is recorded.
-    pub rate_per_s: Option<Measured>,
-}
+use super::decay::{RecordedDecay, decay_of_returns, decay_without_returns};
+use super::returns::{Reduced, Return};
+use super::{LEAST_SAMPLES, Measured, Recording};
 
 /// The long-term behaviour of a recording.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -115,35 +87,7 @@ impl Recording {
     }
 }
 
-/// Cycles from all samples, and from each half of them.
-pub(crate) struct Reduced {
-    /// From all samples.
-    pub whole: Vec<Return>,
-    halves: [Vec<Return>; 2],
-}
-
 impl Reduced {
-    fn of(recording: &Recording, log_level: f64, per_cycle: usize) -> Self {
-        let mut whole = returns(recording, log_level, per_cycle);
-        let halves = [0, 1].map(|phase| returns(&recording.every_second(phase), log_level, per_cycle));
-        if !whole.is_empty() {
-            whole.remove(0);
-        }
-        Self { whole, halves }
-    }
-
-    /// How far `value` of a return moves when every second sample is left out: the larger of two ways to do so.
-    pub fn resolution(&self, orbit: &Return, value: impl Fn(&Return) -> f64) -> f64 {
-        let moved = |half: &Vec<Return>| {
-            let near = half.iter().min_by(|one, other| {
-                (one.end_s - orbit.end_s).abs().total_cmp(&(other.end_s - orbit.end_s).abs())
-            });
-            let same = near.filter(|near| (near.end_s - orbit.end_s).abs() < 0.3 * orbit.duration_s);
-            same.map_or(f64::INFINITY, |same| (value(same) - value(orbit)).abs())
-        };
-        self.halves.iter().map(moved).fold(0.0, f64::max)
-    }
-
     fn cycle(&self, without_stress: bool) -> RecordedBehaviour {
         let peak = self.last_value(|orbit| orbit.peak);
         let relative = |(value, error): (f64, f64)| Measured { value, relative_error: error / value.abs() };

@@ -9,8 +9,28 @@ mod interpolation;
 mod long_term;
 mod returns;
 
+pub use decay::RecordedDecay;
 pub use gaps::Gap;
-pub use long_term::{Measured, RecordedBehaviour, RecordedDecay, Undecided};
+pub use long_term::{RecordedBehaviour, Undecided};
+
+use serde::Serialize;
+
+/// A value with the error that the recording leaves.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Measured {
+    /// The value.
+    pub value: f64,
+    /// Its estimated relative error; infinite when the samples do not resolve it.
+    pub relative_error: f64,
+}
+
+impl Measured {
+    /// The value and its absolute error.
+    #[must_use]
+    pub fn with_absolute_error(self) -> (f64, f64) {
+        (self.value, self.relative_error * self.value.abs())
+    }
+}
 
 /// Samples in order of strictly increasing time.
 #[derive(Debug, Clone, PartialEq, Default)]

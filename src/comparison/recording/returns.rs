@@ -92,3 +92,33 @@ fn orbit(recording: &Recording, log_level: f64, pair: &[Crossing]) -> Return {
         stresses_pa: extremes,
     }
 }
+
+/// Cycles from all samples, and from each half of them.
+pub(crate) struct Reduced {
+    /// From all samples.
+    pub whole: Vec<Return>,
+    halves: [Vec<Return>; 2],
+}
+
+impl Reduced {
+    pub fn of(recording: &Recording, log_level: f64, per_cycle: usize) -> Self {
+        let mut whole = returns(recording, log_level, per_cycle);
+        let halves = [0, 1].map(|phase| returns(&recording.every_second(phase), log_level, per_cycle));
+        if !whole.is_empty() {
+            whole.remove(0);
+        }
+        Self { whole, halves }
+    }
+
+    /// How far `value` of a return moves when every second sample is left out: the larger of two ways to do so.
+    pub fn resolution(&self, orbit: &Return, value: impl Fn(&Return) -> f64) -> f64 {
+        let moved = |half: &Vec<Return>| {
+            let near = half.iter().min_by(|one, other| {
+                (one.end_s - orbit.end_s).abs().total_cmp(&(other.end_s - orbit.end_s).abs())
+            });
+            let same = near.filter(|near| (near.end_s - orbit.end_s).abs() < 0.3 * orbit.duration_s);
+            same.map_or(f64::INFINITY, |same| (value(same) - value(orbit)).abs())
+        };
+        self.halves.iter().map(moved).fold(0.0, f64::max)
+    }
+}
