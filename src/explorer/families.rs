@@ -73,6 +73,21 @@ pub struct PointState {
     pub max_imaginary_per_s: Wide,
 }
 
+impl PointState {
+    /// The slip mode, or all that are possible within the error bars.
+    pub(crate) fn mode(&self) -> String {
+        match self.possible.as_slice() {
+            [] => self.slip_mode.words().into(),
+            possible => possible.iter().map(|mode| mode.words()).collect::<Vec<_>>().join(" or "),
+        }
+    }
+
+    /// Largest Im(s) as a 64-bit number.
+    pub(crate) fn imaginary(&self) -> f64 {
+        self.max_imaginary_per_s.to_f64().unwrap_or(0.0)
+    }
+}
+
 /// A slider with its relatives.
 #[derive(Debug, Clone)]
 pub struct Families {

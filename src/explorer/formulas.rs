@@ -1,10 +1,9 @@
 //! What eqs 15, 16, 18 and 20 and the ends of the transition say for a slider, in words for the explorer.
 
-use crate::explorer::view::{DIGITS, FormulaRow, Varying};
+use crate::explorer::{DIGITS, Varying};
 use crate::scene::cited;
 use slipmode_core::friction::Slider;
-use slipmode_core::number::format::round_digits;
-use slipmode_core::number::{Ball, Rational};
+use slipmode_core::number::{Ball, Rational, format::round_digits};
 use slipmode_core::stability::{Arc, Asymptote, asymptote};
 
 /// How many values [`formula_values`] gives.
@@ -15,6 +14,25 @@ const WORKING_BITS: u32 = 96;
 
 /// What stands where a formula has no value, as eqs 15 and 18 for a = b.
 const NONE: &str = "none";
+
+/// What a formula says, between words that stay.
+#[derive(Debug, Clone, serde::Serialize)]
+pub struct FormulaRow {
+    /// The formula's name.
+    pub name: String,
+    /// Words before the value.
+    pub before: &'static str,
+    /// The value.
+    pub value: Varying,
+    /// Its unit.
+    pub unit: &'static str,
+    /// Words before the limit of its range.
+    pub where_before: &'static str,
+    /// The limit.
+    pub limit: Varying,
+    /// Its unit.
+    pub limit_unit: &'static str,
+}
 
 /// Eqs 15, 16, 18 and 20 (the latter two in m/s at 1 Pa), V0 at the upper and at the lower corner, σ_c and V_c.
 pub(crate) fn formula_values(slider: &Slider<Rational>) -> [String; FORMULAS] {

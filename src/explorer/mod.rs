@@ -8,6 +8,28 @@ pub(crate) mod tables;
 pub(crate) mod view;
 
 pub use families::{Factors, Families, NamedPoint, PointState};
+pub use formulas::FormulaRow;
 pub use live::{LiveControl, LiveMap, LiveMode, live_map};
 pub use points::points;
-pub use view::{Control, Explorer, FormulaRow, PointRow, Varying, Window, explorer};
+pub use view::{Control, Explorer, PointRow, Window, explorer};
+
+/// Digits of a number; what is computed is certain to far more.
+const DIGITS: usize = 4;
+
+/// A text for every combination: its different words and a code for each, and the text of the slider itself.
+#[derive(Debug, Clone, Default, serde::Serialize)]
+pub struct Varying {
+    /// The different texts.
+    pub words: String,
+    /// A code for each combination; see [`slipmode_plot::figure::packed`].
+    pub cells: String,
+    /// The text for the slider's own b, K and M.
+    pub base: String,
+}
+
+impl Varying {
+    fn of(texts: &[String], base: usize) -> Self {
+        let (words, cells) = slipmode_plot::figure::packed(texts);
+        Self { words, cells, base: texts.get(base).cloned().unwrap_or_default() }
+    }
+}

@@ -1,7 +1,6 @@
 //! The points that a page of a scene follows.
 
-use slipmode_core::friction::OperatingPoint;
-use slipmode_core::number::Rational;
+use slipmode_core::{friction::OperatingPoint, number::Rational};
 
 use super::{NamedPoint, Window};
 use crate::experiments::Scene;

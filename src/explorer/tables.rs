@@ -1,8 +1,7 @@
 //! The explorer's numbers as tables in which one parameter changes at a time: what a reader without scripts has.
 
 use crate::explorer::formulas::FORMULAS;
-use crate::explorer::view::{DIGITS, imaginary, mode};
-use crate::explorer::{Factors, Families};
+use crate::explorer::{DIGITS, Factors, Families};
 use crate::scene::cited;
 use slipmode_core::number::format::{rational_to_decimal, round_digits};
 use slipmode_plot::table::{Cell, Column, Table};
@@ -28,7 +27,7 @@ pub(crate) fn one_at_a_time(families: &Families, values: &[[String; FORMULAS]]) 
             row.extend(values[place][..4].iter().map(|text| Cell::number(text.as_str())));
             row.extend(families.states.iter().map(|states| {
                 let state = &states[place];
-                Cell::text(format!("{}, {}", mode(state), round_digits(imaginary(state), DIGITS)))
+                Cell::text(format!("{}, {}", state.mode(), round_digits(state.imaginary(), DIGITS)))
             }));
             table.push(row);
         }

@@ -5,13 +5,13 @@ use serde::Serialize;
 
 use crate::experiments::shared::axes::{asymptote_lines, boundary_lines, transition_line};
 use crate::experiments::shared::bands::band_lines;
-use crate::explorer::formulas::{self, FORMULAS, formula_values};
+use crate::explorer::formulas::{self, FORMULAS, FormulaRow, formula_values};
 use crate::explorer::tables::one_at_a_time;
-use crate::explorer::{Factors, Families, NamedPoint, PointState};
+use crate::explorer::{DIGITS, Factors, Families, NamedPoint, PointState, Varying};
 use slipmode_core::number::format::{rational_to_decimal, round_digits};
 use slipmode_core::number::{Rational, nearest_f64};
 use slipmode_core::stability::boundary::BoundaryPoint;
-use slipmode_plot::figure::{Axis, Caption, FamilyMap, Line, LineRole, PointMark, Side, packed};
+use slipmode_plot::figure::{Axis, Caption, FamilyMap, Line, LineRole, PointMark, Side};
 use slipmode_plot::table::Table;
 
 /// Everything that the explorer's page shows.
@@ -44,36 +44,6 @@ pub struct Control {
     pub base: usize,
 }
 
-/// A text for every combination: its different words and a code for each, and the text of the slider itself.
-#[derive(Debug, Clone, Default, Serialize)]
-pub struct Varying {
-    /// The different texts.
-    pub words: String,
-    /// A code for each combination; see [`packed`].
-    pub cells: String,
-    /// The text for the slider's own b, K and M.
-    pub base: String,
-}
-
-/// What a formula says, between words that stay.
-#[derive(Debug, Clone, Serialize)]
-pub struct FormulaRow {
-    /// The formula's name.
-    pub name: String,
-    /// Words before the value.
-    pub before: &'static str,
-    /// The value.
-    pub value: Varying,
-    /// Its unit.
-    pub unit: &'static str,
-    /// Words before the limit of its range.
-    pub where_before: &'static str,
-    /// The limit.
-    pub limit: Varying,
-    /// Its unit.
-    pub limit_unit: &'static str,
-}
-
 /// What is known of a point.
 #[derive(Debug, Clone, Serialize)]
 pub struct PointRow {
@@ -99,9 +69,6 @@ pub struct Window {
     /// Normal stresses, Pa.
     pub stress: (f64, f64),
 }
-
-/// Digits of a number; what is computed is certain to far more.
-pub(crate) const DIGITS: usize = 4;
 
 /// Decades by which curves move at most: σ by two with K, V by one with K and one with M.
 const MARGIN: i32 = 2;
@@ -135,13 +102,6 @@ pub fn explorer(families: &Families, window: Window) -> Explorer {
     }
 }
 
-impl Varying {
-    fn of(texts: &[String], base: usize) -> Self {
-        let (words, cells) = packed(texts);
-        Self { words, cells, base: texts.get(base).cloned().unwrap_or_default() }
-    }
-}
-
 fn point_row(
     point: &NamedPoint,
     states: &[PointState],
@@ -152,23 +112,10 @@ fn point_row(
         name: point.name.clone(),
         stress: rational_to_decimal(&point.normal_stress_pa, DIGITS),
         velocity: rational_to_decimal(&point.loading_velocity_m_per_s, DIGITS),
-        mode: of(mode),
-        imaginary: of(|state| round_digits(imaginary(state), DIGITS)),
-        frequency: of(|state| round_digits(imaginary(state) / std::f64::consts::TAU, DIGITS)),
+        mode: of(PointState::mode),
+        imaginary: of(|state| round_digits(state.imaginary(), DIGITS)),
+        frequency: of(|state| round_digits(state.imaginary() / std::f64::consts::TAU, DIGITS)),
     }
-}
-
-/// The slip mode, or all that are possible within the error bars.
-pub(crate) fn mode(state: &PointState) -> String {
-    match state.possible.as_slice() {
-        [] => state.slip_mode.words().into(),
-        possible => possible.iter().map(|mode| mode.words()).collect::<Vec<_>>().join(" or "),
-    }
-}
-
-/// Largest Im(s) as a 64-bit number.
-pub(crate) fn imaginary(state: &PointState) -> f64 {
-    state.max_imaginary_per_s.to_f64().unwrap_or(0.0)
 }
 
 fn controls(families: &Families) -> Vec<Control> {
