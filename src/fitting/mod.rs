@@ -8,6 +8,7 @@ mod least_squares;
 mod load_path;
 mod parameter;
 mod peak_profile;
+mod peak_rows;
 mod peaks;
 mod problem;
 mod profile;
@@ -21,10 +22,8 @@ mod words;
 pub use estimate::{Estimate, Fit, FitFailure, Fits, LawComparison};
 pub use load_path::LoadPath;
 pub use parameter::{Parameter, slider};
-pub use peaks::{
-    EFFECT_RATIOS, LEAST_ROWS, PeakComparison, PeakFailure, PeakFit, PeakFits, PeakGiven, PeakRow, fit_peaks,
-    hidden_part,
-};
+pub use peak_rows::{LEAST_ROWS, PeakFailure, PeakGiven, PeakRow};
+pub use peaks::{EFFECT_RATIOS, PeakComparison, PeakFit, PeakFits, fit_peaks, hidden_part};
 pub use problem::FitGiven;
 pub use profile::ProfilePoint;
 pub use record::{Load, Measured, Response, StepRecord};

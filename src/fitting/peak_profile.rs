@@ -4,7 +4,7 @@ use slipmode_core::dynamics::{DEEP, DeepCycle, PeakLaw};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::search::{border_between, golden_section};
 
-use super::peaks::{PeakFailure, PeakGiven, PeakRow, UNKNOWNS, noise};
+use super::peak_rows::{PeakFailure, PeakGiven, PeakRow, UNKNOWNS, noise};
 
 /// A of the largest peak that is tried, and places between it and the smallest.
 const LARGEST: f64 = 150.0;

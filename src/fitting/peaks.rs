@@ -4,41 +4,12 @@
 //! The law has two unknowns: the scale S = (b − a)σ/√(KM) = 2 V_18, and K/K_c,qs = D_c √(K/M)/S. The scale is held, K/K_c,qs is fitted
 //! between its bounds, and the sum of squares is a function of S alone.
 
+use super::peak_rows::{LEAST_RANGE, LEAST_ROWS, PeakFailure, PeakGiven, PeakRow, UNKNOWNS, noise};
 use rayon::prelude::*;
 use slipmode_core::dynamics::{DEEP, PeakLaw};
 use slipmode_core::friction::EvolutionLaw;
-use thiserror::Error;
 
 use super::peak_profile::{Case, CaseFit};
-use super::residuals::{NORMAL_QUANTILE, student_quantile};
-
-/// A mean peak velocity at one velocity of the load point.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PeakRow {
-    /// V_l, m/s.
-    pub load_m_per_s: f64,
-    /// V_peak, m/s.
-    pub peak_m_per_s: f64,
-    /// Its standard error over V_peak; 1 in every row of a table without errors.
-    pub relative_error: f64,
-    /// The normal stress over that of the first row.
-    pub stress: f64,
-}
-
-/// What is known besides the table.
-#[derive(Debug, Clone, PartialEq)]
-pub struct PeakGiven {
-    /// The evolution laws.
-    pub laws: Vec<EvolutionLaw>,
-    /// The least and the greatest b/a.
-    pub effect_ratio: [f64; 2],
-    /// The least and the greatest D_c √(K/M), m/s.
-    pub slip_velocity_m_per_s: Option<[f64; 2]>,
-    /// The largest part of a peak that the machine's bandwidth hides.
-    pub hidden: f64,
-    /// Whether the rows have errors; else the scatter of the peaks gives their error.
-    pub has_errors: bool,
-}
 
 /// The fit of one law.
 #[derive(Debug, Clone)]
@@ -100,50 +71,11 @@ impl PeakComparison {
     }
 }
 
-/// Why there is no fit.
-#[derive(Debug, Clone, PartialEq, Error)]
-pub enum PeakFailure {
-    /// Too few rows.
-    #[error("{0} rows (wanted: at least {LEAST_ROWS})")]
-    TooFewRows(usize),
-    /// Too narrow a range.
-    #[error("the load velocities span a factor of {0:.3} (wanted: at least {LEAST_RANGE})")]
-    Narrow(f64),
-    /// A load velocity near the peak.
-    #[error(
-        "row {}, column loading_velocity_m_per_s: {load:e} m/s is {over:.2} V_18, V_18 = (b - a) sigma/(2 sqrt(K M)) = {eq18:.3e} m/s (wanted: at most {DEEP} V_18, deep stick-slip)", .row + 1
-    )]
-    Fast {
-        /// The row, counted from 0.
-        row: usize,
-        /// V_l, m/s.
-        load: f64,
-        /// V_l/V_18.
-        over: f64,
-        /// V_18, m/s.
-        eq18: f64,
-    },
-    /// The peaks do not follow the law.
-    #[error(
-        "the peaks are not those of deep stick-slip with the {} law: they require K/K_c,qs above {DEEP}, or fall too steeply", .0.as_str()
-    )]
-    NotDeep(EvolutionLaw),
-    /// The peaks do not fall.
-    #[error("the peaks do not fall as the load velocity rises: they set no bound of (b - a) sigma/sqrt(K M)")]
-    Flat,
-}
-
 /// b/a with which simulated peaks of deep stick-slip follow their law: next to 1 the stress drop is not large against aσ.
 pub const EFFECT_RATIOS: [f64; 2] = [1.2, 5.0];
-/// Fewest rows: with fewer, two unknowns leave no estimate of the noise.
-pub const LEAST_ROWS: usize = 5;
-/// The smallest ratio of the greatest and the least load velocity.
-const LEAST_RANGE: f64 = 3.0;
 /// b/a and parts of the spring's loss between their ends, at which the law is fitted.
 const COUNT: u32 = 5;
 const LOSSES: [f64; 3] = [0.5, 0.0, 1.0];
-/// S and K/K_c,qs.
-pub(super) const UNKNOWNS: f64 = 2.0;
 
 /// Checks a table and fits the laws to it.
 ///
@@ -178,13 +110,6 @@ pub fn fit_peaks(rows: &[PeakRow], given: &PeakGiven) -> Result<PeakFits, PeakFa
         Some(failure) => Err(failure),
         None => Ok(PeakFits { laws, comparison, without_fit, ends }),
     }
-}
-
-/// The variance of the peaks over that of their errors, and the quantile for it. Peaks that scatter more than their errors have larger ones.
-pub(super) fn noise(rows: &[PeakRow], given: &PeakGiven, cost: f64, unknowns: f64) -> [f64; 2] {
-    let degrees = rows.len() as f64 - unknowns;
-    let scatter = (cost / (rows.len() as f64 - UNKNOWNS)).max(f64::MIN_POSITIVE);
-    if given.has_errors { [scatter.max(1.0), NORMAL_QUANTILE] } else { [scatter, student_quantile(degrees)] }
 }
 
 /// The least of the lower ends and the greatest of the upper ones.
