@@ -1,6 +1,8 @@
 //! Mathematics in plain words: `K_c,qs`, `1e-5`, `V*theta` and `x^2` as they are set in print.
 
-use super::templates::escape_html;
+use std::io::Write;
+
+use slipmode_plot::table::printable;
 
 /// The words as HTML, everything in them escaped.
 ///
@@ -180,6 +182,22 @@ fn escaped(words: &str) -> String {
     // Writing to memory does not fail, and what is escaped stays text.
     escape_html(words, &mut escaped).ok();
     String::from_utf8_lossy(&escaped).into_owned()
+}
+
+/// Text for HTML content and quoted attributes; invisible and direction-changing characters become U+FFFD.
+pub(super) fn escape_html(text: &str, output: &mut dyn Write) -> std::io::Result<()> {
+    let mut buffer = [0; 4];
+    for c in text.chars() {
+        match c {
+            '&' => output.write_all(b"&amp;")?,
+            '<' => output.write_all(b"&lt;")?,
+            '>' => output.write_all(b"&gt;")?,
+            '"' => output.write_all(b"&quot;")?,
+            '\'' => output.write_all(b"&#39;")?,
+            c => output.write_all(printable(c).encode_utf8(&mut buffer).as_bytes())?,
+        }
+    }
+    Ok(())
 }
 
 #[cfg(test)]

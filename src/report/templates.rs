@@ -1,13 +1,11 @@
 //! The templates: embedded, parsed before use, every value in them escaped.
 
-use std::io::Write;
-
 use serde::Serialize;
 use tera::{Context, Kwargs, State, Tera, Value};
 
 use super::ReportError;
-use super::symbols::set_symbols;
-use slipmode_plot::table::{escape_markdown, printable};
+use super::symbols::{escape_html, set_symbols};
+use slipmode_plot::table::escape_markdown;
 
 /// Templates of the page, and of the results of a verification. Every one is escaped for HTML, whatever its name.
 const HTML: [(&str, &str); 23] = [
@@ -93,22 +91,6 @@ impl Templates {
 
 fn fault(template: &str, error: &tera::Error) -> ReportError {
     ReportError::Template { template: template.into(), reason: error.to_string() }
-}
-
-/// Text for HTML content and quoted attributes; invisible and direction-changing characters become U+FFFD.
-pub(super) fn escape_html(text: &str, output: &mut dyn Write) -> std::io::Result<()> {
-    let mut buffer = [0; 4];
-    for c in text.chars() {
-        match c {
-            '&' => output.write_all(b"&amp;")?,
-            '<' => output.write_all(b"&lt;")?,
-            '>' => output.write_all(b"&gt;")?,
-            '"' => output.write_all(b"&quot;")?,
-            '\'' => output.write_all(b"&#39;")?,
-            c => output.write_all(printable(c).encode_utf8(&mut buffer).as_bytes())?,
-        }
-    }
-    Ok(())
 }
 
 #[cfg(test)]
