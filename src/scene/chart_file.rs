@@ -9,14 +9,14 @@ use slipmode_core::theory::Equations;
 use slipmode_core::theory::root_location::{MOST_DEGREE, coefficients};
 use slipmode_plot::figure::{Axis, Caption, Scale};
 
-use crate::scene::claim_formula::{FormulaCondition, read_side, read_variable};
+use crate::scene::claim_formula::grammar::{read_side, read_variable};
 use crate::scene::claim_names::Names;
 use crate::scene::claim_scope::number;
 use crate::scene::document::read_document;
 use crate::scene::report_plan::distinct_name;
 use crate::scene::section::{Entry, Section};
 use crate::scene::sections::NAME_RULE;
-use crate::scene::{Faults, Limits, LogAxis, Problem};
+use crate::scene::{Faults, FormulaCondition, Limits, LogAxis, Problem};
 
 /// A chart of equations.
 #[derive(Debug, Clone)]

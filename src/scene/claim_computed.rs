@@ -6,8 +6,8 @@ use std::sync::Arc;
 use slipmode_core::theory::Equations;
 use slipmode_core::theory::stated_proofs::StatedProofs;
 
+use crate::scene::claim_formula::{Computed, Premise};
 use crate::scene::claim_library::library_proofs;
-use crate::scene::claim_list::StatedClaim;
 use crate::scene::section::{Entry, Section};
 use crate::scene::{Problem, of_word};
 
@@ -18,38 +18,6 @@ pub struct Procedures {
     pub checks: Vec<&'static str>,
     /// Those that compute evidence beside what decides.
     pub shows: Vec<&'static str>,
-}
-
-/// What decides a part that is no formula.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Computed {
-    /// The procedure.
-    pub check: Option<String>,
-    /// What the procedure is asked about, where it knows several things.
-    pub of: Vec<String>,
-    /// The equations that the procedure may use, by their numbers: it is given no others.
-    pub equations: Vec<String>,
-    /// The proofs that have to go through, by their names.
-    pub proofs: Vec<String>,
-    /// Where the proofs refute the part, what they show.
-    pub counter_example: Option<String>,
-    /// The claims that have to hold.
-    pub premises: Vec<Premise>,
-    /// How far it goes, in words.
-    pub extent: Option<String>,
-    /// The procedures that compute evidence beside it.
-    pub shows: Vec<String>,
-    /// The proofs as they are stated.
-    pub stated: Arc<StatedProofs>,
-}
-
-/// A claim that has to hold.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Premise {
-    /// Its id.
-    pub id: String,
-    /// What it says.
-    pub stated: Arc<StatedClaim>,
 }
 
 /// The keys of such a part; the first three decide.

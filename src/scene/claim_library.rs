@@ -2,11 +2,9 @@
 
 use std::sync::{Arc, LazyLock};
 
-use slipmode_core::theory::Equations;
 use slipmode_core::theory::stated_proofs::StatedProofs;
 
-use crate::scene::claim_computed::Procedures;
-use crate::scene::{ClaimEntry, Sentence, read_claims};
+use crate::scene::Sentence;
 
 const PAPER: &str = include_str!("../../reports/im-avouac/claims.toml");
 
@@ -25,8 +23,7 @@ pub(super) fn library_sentence(id: &str) -> Option<Sentence> {
     struct File {
         claim: [Sentence; 1],
     }
-    let (_, section) = all_sections().find(|(known, _)| *known == id)?;
-    let file: Option<File> = toml::from_str(&format!("[[claim]]\n{section}")).ok();
+    let file: Option<File> = toml::from_str(&library_file(id)?).ok();
     file.map(|File { claim: [sentence] }| sentence)
 }
 
@@ -47,25 +44,12 @@ pub fn library_proofs() -> &'static Arc<StatedProofs> {
     &PROOFS
 }
 
-/// One of these claims in the names of a report's equations.
-///
-/// # Errors
-/// Why it cannot be read in these names.
-pub fn library_claim(
-    id: &str,
-    equations: &Equations,
-    procedures: &Procedures,
-) -> Option<Result<ClaimEntry, String>> {
+/// The file of these claims with this one alone.
+pub(super) fn library_file(id: &str) -> Option<String> {
     let (_, section) = all_sections().find(|(known, _)| *known == id)?;
     // What stands before the first claim names the subjects.
     let head = PAPER.split("[[claim]]\n").next().unwrap_or_default();
-    let text = format!("{head}[[claim]]\n{section}");
-    let read = read_claims("claims.toml", text.as_bytes(), procedures, Some(equations));
-    let read = read.map(|mut claims| claims.pop());
-    let words = |fault: &crate::scene::Fault| {
-        format!("The claim's formulas cannot be read in the report's equations: {fault}.")
-    };
-    read.map_err(|faults| faults.first().map_or_else(String::new, words)).transpose()
+    Some(format!("{head}[[claim]]\n{section}"))
 }
 
 #[cfg(test)]

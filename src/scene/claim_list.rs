@@ -5,15 +5,15 @@ use std::sync::Arc;
 
 use slipmode_core::theory::{Equations, EquationsText};
 
-use crate::scene::claim_computed::{Known, Premise, Procedures};
-use crate::scene::claim_formula::ClaimFormula;
-use crate::scene::claim_library::{library_claim, library_ids, library_sentence};
+use crate::scene::claim_computed::{Known, Procedures};
+use crate::scene::claim_formula::{ClaimFormula, StatedClaim, StatedReading};
+use crate::scene::claim_library::{library_file, library_ids, library_sentence};
 use crate::scene::claim_scope::FormulaEntries;
 use crate::scene::claim_subject::{InAnswer, Sliders, Subject, read_subjects};
 use crate::scene::document::read_document;
 use crate::scene::equations_file::equations_of;
 use crate::scene::section::{Entry, Section};
-use crate::scene::{Faults, Limits, Problem, Sentence, Verdict, of_word, same_name};
+use crate::scene::{Fault, Faults, Limits, Problem, Sentence, Verdict, of_word, same_name};
 
 /// One claim of the paper, in our words.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -55,42 +55,6 @@ impl ClaimEntry {
     }
 }
 
-/// What a claim says as formulas, and what else decides it.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct StatedClaim {
-    /// What has to be found for it to hold, where that is more than formulas.
-    pub criterion: Option<String>,
-    /// What of the words the formulas leave out.
-    pub leaves_out: String,
-    /// The step from the formulas to the words, where it is argued: the words are about more than the formulas.
-    pub argued: Option<String>,
-    /// What a reader should know besides.
-    pub remarks: Vec<String>,
-    /// The ways to read the claim; the first is the claim as it is written, and decides.
-    pub readings: Vec<StatedReading>,
-}
-
-impl StatedClaim {
-    fn premises_mut(&mut self) -> impl Iterator<Item = &mut Premise> {
-        let parts = self.readings.iter_mut().flat_map(|reading| &mut reading.parts);
-        parts.flat_map(|(_, formula)| formula.premises_mut())
-    }
-
-    /// All parts of all readings, in order.
-    pub fn parts(&self) -> impl Iterator<Item = &(String, ClaimFormula)> {
-        self.readings.iter().flat_map(|reading| &reading.parts)
-    }
-}
-
-/// One way to read a claim: formulas, all of which have to be true.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct StatedReading {
-    /// What the claim says in this reading.
-    pub words: String,
-    /// The formulas with their words.
-    pub parts: Vec<(String, ClaimFormula)>,
-}
-
 /// Reads `claims.toml`. A claim may have any id, and its formulas and parts decide it; one that has none of them and no reason is one
 /// of the first paper's. Formulas are read in the names of the equations; where the equations are at fault themselves (none), formulas
 /// are not read.
@@ -130,6 +94,22 @@ pub fn read_equations_and_claims(
         Ok(_) => Err(faults),
         Err(others) => Err(faults.into_iter().chain(others).collect()),
     }
+}
+
+/// A claim of the library in the names of a report's equations.
+///
+/// # Errors
+/// Why it cannot be read in these names.
+pub fn library_claim(
+    id: &str,
+    equations: &Equations,
+    procedures: &Procedures,
+) -> Option<Result<ClaimEntry, String>> {
+    let read = read_claims("claims.toml", library_file(id)?.as_bytes(), procedures, Some(equations));
+    let read = read.map(|mut claims| claims.pop());
+    let words =
+        |fault: &Fault| format!("The claim's formulas cannot be read in the report's equations: {fault}.");
+    read.map_err(|faults| faults.first().map_or_else(String::new, words)).transpose()
 }
 
 /// The claims of a file, in the names of these equations.

@@ -6,7 +6,7 @@ use slipmode_core::theory::lyapunov_sign::LyapunovSign;
 use slipmode_core::theory::planar::MotionLemma;
 
 use crate::scene::Problem;
-use crate::scene::claim_formula::read_side;
+use crate::scene::claim_formula::grammar::read_side;
 use crate::scene::claim_names::Names;
 use crate::scene::nearest;
 use crate::scene::section::{Entry, Section};

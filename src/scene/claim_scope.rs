@@ -6,9 +6,8 @@ use slipmode_core::theory::Equations;
 
 use crate::scene::Problem;
 use crate::scene::claim_computed::{ComputedEntries, Known};
-use crate::scene::claim_formula::{
-    ClaimFormula, FormulaCondition, FormulaLimit, OverRows, Scope, read_side, read_variable,
-};
+use crate::scene::claim_formula::grammar::{read_side, read_variable};
+use crate::scene::claim_formula::{ClaimFormula, FormulaCondition, FormulaLimit, OverRows, Scope};
 use crate::scene::claim_motion::ClaimMotion;
 use crate::scene::claim_names::Names;
 use crate::scene::section::{Entry, Section};

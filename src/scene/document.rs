@@ -4,34 +4,12 @@ use std::cell::RefCell;
 
 use toml::de::{DeTable, Error};
 
-use crate::scene::file_text::{file_text, line_at};
-use crate::scene::section::Section;
-use crate::scene::{Fault, Faults, Limits, Problem};
+use crate::scene::file_text::file_text;
+use crate::scene::section::{Section, Source};
+use crate::scene::{Faults, Limits, Problem};
 
 /// The most syntax faults reported of one file: after the first few the rest follow from them.
 const MOST_SYNTAX_FAULTS: usize = 5;
-
-/// Where values come from: the file's name, text and limits, and the faults found so far.
-#[derive(Debug)]
-pub(crate) struct Source<'s> {
-    pub file: &'s str,
-    pub text: &'s str,
-    pub limits: Limits,
-    faults: RefCell<Faults>,
-}
-
-impl Source<'_> {
-    /// Notes a fault of this file at a byte offset.
-    pub fn fault(&self, offset: usize, key: String, value: Option<String>, problem: Problem) {
-        let line = Some(line_at(self.text.as_bytes(), offset));
-        self.faults.borrow_mut().push(Fault { file: self.file.to_string(), line, key, value, problem });
-    }
-
-    /// How many faults were found so far.
-    pub fn fault_count(&self) -> usize {
-        self.faults.borrow().len()
-    }
-}
 
 /// Parses a file and hands its top table to `read`; every key that it did not ask for is a fault.
 ///

@@ -4,7 +4,7 @@ use std::fmt;
 
 use thiserror::Error;
 
-use crate::scene::{CsvProblem, NameError, is_forbidden, shortened, with_short_quotations};
+use crate::scene::{CsvProblem, NameError, shortened, with_short_quotations};
 use slipmode_core::number::DecimalError;
 
 /// One fault of an input; printed as `file:line: key = value: problem`.
@@ -237,6 +237,18 @@ impl fmt::Display for Fault {
             formatter.write_str(": ")?;
         }
         formatter.write_str(&self.problem_text())
+    }
+}
+
+/// Characters that no input file may hold: they hide text or reorder what a reader sees.
+#[must_use]
+pub fn is_forbidden(character: char) -> bool {
+    match character {
+        '\t' | '\n' | '\r' => false,
+        '\u{ad}' | '\u{61c}' | '\u{180e}' | '\u{2028}' | '\u{2029}' | '\u{feff}' => true,
+        '\u{200b}'..='\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2060}'..='\u{206f}' => true,
+        '\u{fff9}'..='\u{fffb}' | '\u{e0000}'..='\u{e007f}' => true,
+        other => other.is_control(),
     }
 }
 

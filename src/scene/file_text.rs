@@ -1,6 +1,6 @@
 //! From the bytes of a file to a text that is safe to read and to show.
 
-use crate::scene::{Fault, Problem};
+use crate::scene::{Fault, Problem, is_forbidden};
 
 /// The largest scene, report or claims file, in bytes (1 MiB).
 pub const MAX_FILE_BYTES: u64 = 1 << 20;
@@ -53,18 +53,6 @@ pub(crate) fn line_at(bytes: &[u8], offset: usize) -> usize {
 pub(crate) fn forbidden_character(text: &str) -> Option<Problem> {
     let forbidden = text.chars().find(|character| is_forbidden(*character))?;
     Some(Problem::ForbiddenCharacter(u32::from(forbidden)))
-}
-
-/// Characters that no input file may hold: they hide text or reorder what a reader sees.
-#[must_use]
-pub fn is_forbidden(character: char) -> bool {
-    match character {
-        '\t' | '\n' | '\r' => false,
-        '\u{ad}' | '\u{61c}' | '\u{180e}' | '\u{2028}' | '\u{2029}' | '\u{feff}' => true,
-        '\u{200b}'..='\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2060}'..='\u{206f}' => true,
-        '\u{fff9}'..='\u{fffb}' | '\u{e0000}'..='\u{e007f}' => true,
-        other => other.is_control(),
-    }
 }
 
 #[cfg(test)]

@@ -40,24 +40,24 @@ mod verdict;
 pub use axis::{Limits, LogAxis, LogCoordinates};
 pub use chart_file::{ChartLine, ChartMap, EquationChart, Sampled, read_chart};
 pub use cited::cited;
-pub use claim_computed::{Computed, Premise, Procedures};
+pub use claim_computed::Procedures;
 pub use claim_formula::{
-    ClaimFormula, Crossing, Formula, FormulaCondition, MOST_CLAUSES, OverRows, Premises, Scope, Solved,
-    Statement,
+    ClaimFormula, Computed, Crossing, Formula, FormulaCondition, MOST_CLAUSES, OverRows, Premise, Premises,
+    Scope, Solved, StatedClaim, StatedReading, Statement,
 };
-pub use claim_library::{library_claim, library_ids, library_proofs};
-pub use claim_list::{ClaimEntry, StatedClaim, StatedReading, read_claims, read_equations_and_claims};
+pub use claim_library::{library_ids, library_proofs};
+pub use claim_list::{ClaimEntry, library_claim, read_claims, read_equations_and_claims};
 pub use claim_motion::{ClaimMotion, MotionSaid};
 pub use claim_names::Names;
 pub use claim_subject::{InAnswer, Sliders, Subject};
 pub use csv_problem::CsvProblem;
 pub use equations_file::{read_equations, read_equations_partly};
-pub use fault::{Fault, Faults, Problem, visible};
+pub use fault::{Fault, Faults, Problem, is_forbidden, visible};
 pub(crate) use file_text::forbidden_character;
 pub(crate) use file_text::is_utf16;
-pub use file_text::{MAX_FILE_BYTES, file_text, is_forbidden};
+pub use file_text::{MAX_FILE_BYTES, file_text};
 pub use measured::{Measured, MeasuredChart, with_rows};
-pub use name::{NameError, check_name, nearest, of_word, same_name};
+pub use name::{NameError, check_name, nearest, same_name};
 pub use paper::{Author, Paper, is_orcid};
 pub use part::Part;
 pub use proofs_file::{join_proofs, read_proofs};
@@ -66,6 +66,7 @@ pub use question::Question;
 pub use range::{AllowedRange, parse_whole};
 pub(crate) use range::{has_between_digits, not_a_number};
 pub use report_plan::{Chapter, ReportPlan};
+pub use section::of_word;
 pub use sections::{PlanePoint, Rectangle};
 pub use sentence::{Change, Kind, Sentence, Source, filled};
 pub use shortened::{LONGEST_MESSAGE, first_lines, shortened, with_short_quotations};

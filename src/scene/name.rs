@@ -2,7 +2,6 @@
 
 use thiserror::Error;
 
-use crate::scene::Problem;
 pub use slipmode_algebra::nearest;
 
 /// The longest name, in characters.
@@ -55,18 +54,6 @@ fn is_device(name: &str) -> bool {
 #[must_use]
 pub fn same_name(one: &str, other: &str) -> bool {
     one.eq_ignore_ascii_case(other)
-}
-
-/// The one of `all` that has a word.
-///
-/// # Errors
-/// When none has it; the nearest word is named.
-pub fn of_word<'w, T: Copy>(text: &str, all: &[T], word_of: impl Fn(T) -> &'w str) -> Result<T, Problem> {
-    all.iter().copied().find(|one| word_of(*one) == text).ok_or_else(|| {
-        let words: Vec<&str> = all.iter().map(|one| word_of(*one)).collect();
-        let nearest = nearest(text, words.iter().copied()).map(str::to_string);
-        Problem::UnknownWord { nearest, allowed: words.join(", ") }
-    })
 }
 
 #[cfg(test)]

@@ -1,16 +1,18 @@
 //! Reading one table: keys are requested by name, values by type, and any other key is a fault.
 
+use std::cell::RefCell;
 use std::ops::RangeInclusive;
 
 use serde::de::DeserializeOwned;
 use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue, Deserializer};
 
-use crate::scene::document::Source;
+use crate::scene::file_text::line_at;
 use crate::scene::range::whole_range_text;
 use crate::scene::units::unit_of_key;
 use crate::scene::{
-    AllowedRange, Limits, Problem, Uncertain, check_name, forbidden_character, nearest, of_word, parse_whole,
+    AllowedRange, Fault, Faults, Limits, Problem, Uncertain, check_name, forbidden_character, nearest,
+    parse_whole,
 };
 use slipmode_core::number::Rational;
 
@@ -19,6 +21,28 @@ const MOST_UNKNOWN_KEYS: usize = 20;
 
 /// The most faults of a list after which its further members are not looked at.
 const MOST_LIST_FAULTS: usize = 100;
+
+/// Where values come from: the file's name, text and limits, and the faults found so far.
+#[derive(Debug)]
+pub(crate) struct Source<'s> {
+    pub file: &'s str,
+    pub text: &'s str,
+    pub limits: Limits,
+    pub faults: RefCell<Faults>,
+}
+
+impl Source<'_> {
+    /// Notes a fault of this file at a byte offset.
+    pub fn fault(&self, offset: usize, key: String, value: Option<String>, problem: Problem) {
+        let line = Some(line_at(self.text.as_bytes(), offset));
+        self.faults.borrow_mut().push(Fault { file: self.file.to_string(), line, key, value, problem });
+    }
+
+    /// How many faults were found so far.
+    pub fn fault_count(&self) -> usize {
+        self.faults.borrow().len()
+    }
+}
 
 /// A table of the file.
 #[derive(Debug)]
@@ -328,4 +352,16 @@ impl<'t> Entry<'t> {
 pub trait ReadSection: Sized {
     /// Reads it; its faults are added to the others.
     fn read(entry: &Entry<'_>) -> Option<Self>;
+}
+
+/// The one of `all` that has a word.
+///
+/// # Errors
+/// When none has it; the nearest word is named.
+pub fn of_word<'w, T: Copy>(text: &str, all: &[T], word_of: impl Fn(T) -> &'w str) -> Result<T, Problem> {
+    all.iter().copied().find(|one| word_of(*one) == text).ok_or_else(|| {
+        let words: Vec<&str> = all.iter().map(|one| word_of(*one)).collect();
+        let nearest = nearest(text, words.iter().copied()).map(str::to_string);
+        Problem::UnknownWord { nearest, allowed: words.join(", ") }
+    })
 }

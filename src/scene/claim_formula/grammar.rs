@@ -69,12 +69,12 @@ pub(super) fn compared(text: &str, names: &Names) -> Result<(Expression, Compari
 }
 
 /// An expression in known names.
-pub(in crate::scene) fn side(text: &str, names: &Names) -> Result<Expression, String> {
+pub(in crate::scene) fn read_side(text: &str, names: &Names) -> Result<Expression, String> {
     Reader::new(text, names).side(text)
 }
 
 /// The name of a variable.
-pub(in crate::scene) fn variable(text: &str, names: &Names) -> Result<Symbol, String> {
+pub(in crate::scene) fn read_variable(text: &str, names: &Names) -> Result<Symbol, String> {
     Reader::new(text, names).variable(text)
 }
 

@@ -17,9 +17,10 @@
 //! A side is an expression of `equations.toml`. A name that stands alone on the left of exactly one equation, such as `K_c`, means
 //! the right side of that equation; `left_8`, `right_15` and `residual_8` mean the sides of an equation and their difference.
 
-mod grammar;
+pub(super) mod grammar;
 mod markdown;
 mod premises;
+mod stated;
 
 use std::collections::BTreeMap;
 
@@ -31,11 +32,10 @@ use slipmode_core::number::Rational;
 use slipmode_core::theory::Equations;
 use slipmode_core::theory::root_location::{MOST_DEGREE_OF_OTHERS, RootStatement, coefficients};
 
-use crate::scene::claim_computed::{Computed, Premise};
 use crate::scene::claim_motion::ClaimMotion;
 use crate::scene::claim_names::Names;
-pub(super) use grammar::{side as read_side, variable as read_variable};
 pub use premises::{Premises, Solved};
+pub use stated::{Computed, Premise, StatedClaim, StatedReading};
 
 /// What a side may come to when it is multiplied out: it bounds the work of a decision.
 const LARGEST: Extent = Extent { terms: 1000, degree: 64, bits: 4096 };
