@@ -12,9 +12,6 @@ use crate::cli::failure::Failure;
 use crate::cli::output::is_stream;
 use crate::cli::terminal;
 
-/// The version of the JSON objects.
-pub const SCHEMA: u32 = 1;
-
 /// Significant digits of a value in the text for people.
 pub const SHOWN_DIGITS: usize = 6;
 
@@ -35,7 +32,7 @@ pub struct Item {
 impl Answer {
     /// Starts an answer to a question with these inputs.
     pub fn to(inputs: impl Serialize) -> Self {
-        Self::default().with("schema", SCHEMA).with("inputs", inputs)
+        Self::default().with("schema", terminal::SCHEMA).with("inputs", inputs)
     }
 
     /// Starts a part with one line of text.
@@ -231,7 +228,7 @@ mod tests {
              slip mode                  creep\nbeta, b/a                  1.5\n"
         );
         let wanted = json!({
-            "schema": SCHEMA, "inputs": { "a": 1 }, "boundary_sign": 1, "frequency_hz": null,
+            "schema": terminal::SCHEMA, "inputs": { "a": 1 }, "boundary_sign": 1, "frequency_hz": null,
             "slip_modes": [{ "mode": "creep", "share": 0.5 }], "groups": { "effect_ratio": 1.5 },
         });
         assert_eq!(answer.json(), wanted);

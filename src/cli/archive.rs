@@ -10,7 +10,9 @@ use serde_json::json;
 use slipmode::archive::{
     CODECHECK_FILE, Caps, Facts, Files, Parts, ReleaseTime, contents, open_fields, pack, sha256_hex,
 };
-use slipmode::report::{Folder, Product, without_environment};
+use slipmode::claims::Ledger;
+use slipmode::report::{Folder, Product, produce, without_environment};
+use slipmode::theorems::{Published, archived};
 
 use crate::cli::answer::Answer;
 use crate::cli::claim::refuse_contradictions;
@@ -19,8 +21,7 @@ use crate::cli::failure::Failure;
 use crate::cli::folder::{Source, read_report_from};
 use crate::cli::output::{Output, machine_write};
 use crate::cli::progress::Progress;
-use crate::cli::replay::{recompute, theorems};
-use crate::cli::report::{LimitOption, verdicts};
+use crate::cli::report::{LimitOption, unrenderable, verdicts};
 
 /// Options of `archive`.
 #[derive(Debug, Args)]
@@ -79,6 +80,33 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
         .with("codecheck_open_fields", open)
         .with("output", &options.output)
         .print(options.json)
+}
+
+/// Computes a report without what depends on the machine.
+///
+/// # Errors
+/// When the report cannot be rendered.
+pub fn recompute(folder: &Folder, place: &Path, progress: &Progress) -> Result<Product, Failure> {
+    let stated_place = format!("reports/{}", folder.plan.name);
+    let mut product = progress
+        .items(|progress| produce(folder, &stated_place, Vec::new(), progress))
+        .map_err(|error| unrenderable(place, &error))?;
+    machine_free(&mut product);
+    Ok(product)
+}
+
+/// The theorems on the proofs of a ledger, as an archive holds them.
+///
+/// # Errors
+/// When the ledger cannot be read as it is published.
+pub fn theorems(folder: &Folder, ledger: &Ledger) -> Result<BTreeMap<String, String>, Failure> {
+    let published = Published {
+        name: folder.plan.name.clone(),
+        ledger: ledger.to_json().into_bytes(),
+        claims: folder.claims.clone(),
+        equations: folder.equations.clone(),
+    };
+    archived(&published).map_err(Failure::Refused)
 }
 
 /// What is known of this program.

@@ -8,7 +8,6 @@ use slipmode::scene::{ClaimEntry, first_lines, library_ids, nearest};
 
 use crate::cli::failure::Failure;
 use crate::cli::progress::Progress;
-use crate::cli::report::drift;
 use crate::cli::terminal;
 
 /// Decides one claim of a report, prints how, and holds the verdict against the recorded one.
@@ -26,6 +25,16 @@ pub fn verify_claim(folder: &Folder, id: &str, progress: &Progress) -> Result<()
 /// The errors of the program, and the claims whose verdict is not the recorded one.
 pub fn problems(ledger: &Ledger) -> Vec<String> {
     contradictions(ledger).into_iter().chain(drift(ledger)).collect()
+}
+
+/// The claims whose verdict is not the recorded one, with both, and those whose theorems are about something else.
+pub fn drift(ledger: &Ledger) -> Vec<String> {
+    let verdict = |entry: &Entry| {
+        let [recorded, now] = [entry.expected, entry.finding.verdict].map(Verdict::as_str);
+        format!("{}: recorded {recorded}, now {now}", entry.id)
+    };
+    let untied = ledger.claims.iter().filter_map(|entry| entry.untied.clone());
+    ledger.drift().map(verdict).chain(untied).collect()
 }
 
 /// The errors of the program that its last gate found: two of its evaluations of one claim contradict each other.

@@ -1,6 +1,5 @@
 //! `slipmode compare`: runs of other programs compared with the theory and with our simulation.
 
-mod cells;
 mod figures;
 mod inputs;
 mod page;

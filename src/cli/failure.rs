@@ -4,12 +4,7 @@ use std::fmt;
 use std::io;
 use std::path::Path;
 
-use serde_json::{Value, json};
-use slipmode::scene::{Fault, Faults, first_lines, visible};
-
-use crate::cli::answer::SCHEMA;
-use crate::cli::capture::has_output;
-use crate::cli::terminal;
+use slipmode::scene::{Fault, Faults, first_lines};
 
 /// Exit code: a check failed.
 pub const CHECK_FAILED: u8 = 1;
@@ -72,50 +67,6 @@ impl Failure {
             Self::Check(_) => CHECK_FAILED,
         }
     }
-
-    /// Tells the user, one line a fault, the first ones when there are many; and the program that requested JSON.
-    pub fn print(&self, as_json: bool) {
-        match self {
-            Self::Input(faults) => print_errors(faults.iter()),
-            Self::Refused(message) => print_errors(message.lines()),
-            Self::Check(message) => terminal::message(message),
-        }
-        if as_json {
-            print_json_errors(match self {
-                Self::Input(faults) => faults.iter().map(|fault| json!(fault)).collect(),
-                Self::Refused(message) | Self::Check(message) => message.lines().map(json_error).collect(),
-            });
-        }
-    }
-}
-
-/// An error without file, key and value.
-fn json_error(line: &str) -> Value {
-    json!({ "message": visible(line.trim_start_matches("error: ")) })
-}
-
-/// Prints wrong usage for the program that requested JSON.
-pub fn print_json_usage(text: &str) {
-    let is_said = |part: &&str| !part.starts_with("Usage:") && !part.starts_with("For more information");
-    let plain = |part: &str| part.split_whitespace().collect::<Vec<_>>().join(" ");
-    let parts: Vec<String> = text.trim().split("\n\n").take_while(is_said).map(plain).collect();
-    print_json_errors(vec![json_error(&parts.join("; "))]);
-}
-
-/// What a command with `--json` prints in the place of its answer. One that has answered already prints no second value.
-fn print_json_errors(errors: Vec<Value>) {
-    if !has_output() {
-        // Where standard output cannot be written, the messages and the exit code say enough.
-        let _ = terminal::print_json(&json!({ "schema": SCHEMA, "errors": errors }));
-    }
-}
-
-/// Prints the first errors, and how many more there are.
-fn print_errors<E: fmt::Display>(errors: impl Iterator<Item = E>) {
-    let lines = errors.map(|error| format!("error: {error}"));
-    // Readers stop at some number of faults, so that there may be more than were found.
-    let others = |more| format!("error: and at least {more} more like these");
-    terminal::message(&first_lines(lines, others).join("\n"));
 }
 
 impl From<Faults> for Failure {

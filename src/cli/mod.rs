@@ -6,7 +6,6 @@
 mod answer;
 mod archive;
 mod boundary;
-mod capture;
 mod certificates;
 mod check;
 mod claim;
@@ -34,6 +33,7 @@ mod roots;
 mod shell;
 mod simulate;
 mod solve;
+mod streams;
 mod sweep;
 mod table;
 mod terminal;
@@ -53,12 +53,12 @@ use options::Arguments;
 use progress::Progress;
 use slipmode::scene::{LONGEST_MESSAGE, Quantity, Uncertain, with_short_quotations};
 
-pub use capture::{Captured, capture};
 pub use classify::call::{capture_grid, capture_point};
 pub use classify::grid_files::GridPicture;
 pub use classify::view::ClassifiedPoint;
 pub use options::inertial_threshold;
 pub use roots::capture_roots;
+pub use streams::Captured;
 pub use table::{TableColumns, capture_columns, capture_rows};
 pub use unit_warnings::unit_warnings;
 
@@ -183,7 +183,7 @@ pub fn main_with(arguments: impl IntoIterator<Item = OsString>) -> u8 {
                 None => _ = error.print(),
             }
             if as_json && error.use_stderr() {
-                failure::print_json_usage(&own.unwrap_or_else(|| error.render().to_string()));
+                terminal::print_json_usage(&own.unwrap_or_else(|| error.render().to_string()));
             }
             return exit_code_of_usage(&error);
         }
@@ -195,6 +195,58 @@ pub fn main_with(arguments: impl IntoIterator<Item = OsString>) -> u8 {
             failure.exit_code()
         }
     }
+}
+
+/// Runs a command as a function: what it would write to the standard streams is returned.
+///
+/// The first argument is the name of the program. No signal is caught and no thread pool is started. The command must not read
+/// standard input.
+///
+/// ```
+/// let slider = "-a 0.004 -b 0.006 -d 10um -k 1e7 -m 1000 -s 1MPa -v 10um/s";
+/// let arguments = format!("slipmode classify {slider} --json");
+/// let found = slipmode::cli::capture(arguments.split(' ').map(Into::into));
+/// assert_eq!(found.exit_code, 0);
+/// assert!(String::from_utf8(found.output).unwrap().contains("\"slip_mode\": \"stick-slip\""));
+/// ```
+pub fn capture(arguments: impl IntoIterator<Item = OsString>) -> Captured {
+    let arguments: Vec<OsString> = arguments.into_iter().collect();
+    let cli = match Cli::try_parse_from(&arguments) {
+        Ok(cli) => cli,
+        Err(error) => {
+            let error = without_usage_of_conflict(error);
+            let text = shortened_usage(&error).unwrap_or_else(|| error.render().to_string());
+            let as_json = || {
+                let print = || {
+                    terminal::print_json_usage(&text);
+                    Ok(())
+                };
+                captured(false, print).1.output
+            };
+            let (output, messages) = match error.use_stderr() {
+                true => (if asks_for_json(&arguments) { as_json() } else { Vec::new() }, text.into_bytes()),
+                false => (text.into_bytes(), Vec::new()),
+            };
+            return Captured { exit_code: exit_code_of_usage(&error), output, messages };
+        }
+    };
+    captured(asks_for_json(&arguments), || dispatch(cli.command, Progress::new(true))).1
+}
+
+/// Does a part of a command as a function: returns its result unless it fails, and what it would write to the standard streams.
+fn capture_work<T>(work: impl FnOnce() -> Result<T, Failure>) -> (Option<T>, Captured) {
+    captured(false, work)
+}
+
+fn captured<T>(as_json: bool, work: impl FnOnce() -> Result<T, Failure>) -> (Option<T>, Captured) {
+    let ((done, exit_code), written) = streams::written_by(|| match work() {
+        Ok(done) => (Some(done), 0),
+        Err(failure) => {
+            failure.print(as_json);
+            (None, failure.exit_code())
+        }
+    });
+    (done, Captured { exit_code, ..written })
 }
 
 /// Whether a program reads what the command prints.

@@ -9,8 +9,8 @@ use std::io::{self, BufWriter, Seek, SeekFrom, Write};
 use std::os::fd::AsFd;
 use std::path::{Path, PathBuf};
 
-use crate::cli::capture::{StandardOutput, is_capturing};
 use crate::cli::failure::Failure;
+use crate::cli::streams::{StandardOutput, is_capturing};
 use partial::PartialFile;
 
 pub use folder::OutputFolder;

@@ -2,31 +2,29 @@
 
 mod watch;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
+use crate::cli::archive::{facts, parts, recompute, theorems};
 use clap::Args;
 use serde_json::json;
 use slipmode::archive::{
     Budget, CODECHECK_FILE, Caps, Facts, Files, INPUT_FOLDER, Maker, Parts, ReleaseTime, Reproduction,
     SOURCES_FILE, digest_faults, reproduction, requests, unpack,
 };
-use slipmode::claims::Ledger;
-use slipmode::report::{Folder, Product, produce};
+use slipmode::report::Product;
 use slipmode::scene::{AllowedRange, Limits, first_lines};
-use slipmode::theorems::{Published, archived};
 use slipmode_core::number::nearest_f64;
 
 use crate::cli::answer::Answer;
-use crate::cli::archive::{facts, machine_free, parts};
-use crate::cli::claim::contradictions;
+use crate::cli::claim::{contradictions, drift};
 use crate::cli::example;
 use crate::cli::failure::Failure;
 use crate::cli::folder::{Source, read_report_from};
 use crate::cli::input::read_file_up_to;
 use crate::cli::options::Arguments;
 use crate::cli::progress::Progress;
-use crate::cli::report::{LimitOption, drift, unrenderable, verdicts};
+use crate::cli::report::{LimitOption, verdicts};
 use watch::Watch;
 
 /// Options of `replay`.
@@ -202,33 +200,6 @@ impl Replay<'_> {
             }
         }
     }
-}
-
-/// Computes a report without what depends on the machine.
-///
-/// # Errors
-/// When the report cannot be rendered.
-pub fn recompute(folder: &Folder, place: &Path, progress: &Progress) -> Result<Product, Failure> {
-    let stated_place = format!("reports/{}", folder.plan.name);
-    let mut product = progress
-        .items(|progress| produce(folder, &stated_place, Vec::new(), progress))
-        .map_err(|error| unrenderable(place, &error))?;
-    machine_free(&mut product);
-    Ok(product)
-}
-
-/// The theorems on the proofs of a ledger, as an archive holds them.
-///
-/// # Errors
-/// When the ledger cannot be read as it is published.
-pub fn theorems(folder: &Folder, ledger: &Ledger) -> Result<BTreeMap<String, String>, Failure> {
-    let published = Published {
-        name: folder.plan.name.clone(),
-        ledger: ledger.to_json().into_bytes(),
-        claims: folder.claims.clone(),
-        equations: folder.equations.clone(),
-    };
-    archived(&published).map_err(Failure::Refused)
 }
 
 fn below(files: &Files, folder: &str) -> Files {

@@ -11,7 +11,7 @@ use slipmode::report::{
 use slipmode::scene::{Limits, Source, first_lines};
 
 use crate::cli::answer::Answer;
-use crate::cli::claim::{contradictions, print_warnings, refuse_contradictions, verify_claim};
+use crate::cli::claim::{contradictions, drift, print_warnings, refuse_contradictions, verify_claim};
 use crate::cli::environment::{ENVIRONMENT_FILE, Environment};
 use crate::cli::failure::Failure;
 use crate::cli::folder::{read_report, read_scene};
@@ -278,16 +278,6 @@ pub fn claim_line(entry: &Entry) -> String {
         because.map_or("", String::as_str)
     );
     format!("{}\n", line.trim_end())
-}
-
-/// The claims whose verdict is not the recorded one, with both, and those whose theorems are about something else.
-pub fn drift(ledger: &Ledger) -> Vec<String> {
-    let verdict = |entry: &Entry| {
-        let [recorded, now] = [entry.expected, entry.finding.verdict].map(Verdict::as_str);
-        format!("{}: recorded {recorded}, now {now}", entry.id)
-    };
-    let untied = ledger.claims.iter().filter_map(|entry| entry.untied.clone());
-    ledger.drift().map(verdict).chain(untied).collect()
 }
 
 /// Counts the claims of each verdict, under the verdict's word.

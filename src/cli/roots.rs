@@ -11,10 +11,10 @@ use slipmode_core::number::{Ball, Rational};
 use slipmode_core::roots::{CertifiedRoot, certified_roots};
 
 use crate::cli::answer::Answer;
-use crate::cli::capture::{Captured, capture_work};
 use crate::cli::failure::Failure;
 use crate::cli::options::{Arguments, SliderOptions};
 use crate::cli::terminal;
+use crate::cli::{Captured, capture_work};
 
 /// The most digits that can be requested.
 pub const MOST_DIGITS: u64 = 1_000_000;

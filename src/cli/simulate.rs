@@ -29,8 +29,8 @@ use certified::Certified;
 use history::{Extent, History};
 use kicks::Kicks;
 use over_box::{BoxOptions, BoxRuns, is_point};
-use rows::{SimulateRows, Simulated};
-use run::{Settings, simulate_point};
+use rows::SimulateRows;
+use run::{Settings, Simulated, simulate_point};
 
 /// The most samples of a trajectory: 500 MB of text.
 const MOST_SAMPLES: u64 = 10_000_000;

@@ -6,7 +6,6 @@ mod boundary_rows;
 mod load;
 mod plan;
 mod points;
-mod shape;
 mod slurm;
 pub mod summed;
 mod work;

@@ -7,10 +7,10 @@ use slipmode::scene::{Faults, Quantity, Uncertain};
 use slipmode_core::number::Rational;
 use slipmode_core::number::format::exact_text;
 
-use crate::cli::capture::{Captured, capture_work};
 use crate::cli::failure::Failure;
 use crate::cli::points::Started;
 use crate::cli::progress::Progress;
+use crate::cli::{Captured, capture_work};
 
 /// Where the seven quantities and their errors stand in a table.
 #[derive(Debug)]

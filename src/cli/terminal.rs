@@ -1,14 +1,20 @@
-//! Standard output, written whole or not at all, and standard error; no character of a message acts on the terminal.
+//! Standard output, written whole or not at all, and standard error, with the errors of a command; no character of a message acts on
+//! the terminal.
 
+use std::fmt;
 use std::io::Write;
 
 use anstream::{AutoStream, ColorChoice};
 use clap::builder::styling::Styles;
 
-use slipmode::scene::{LONGEST_MESSAGE, visible, with_short_quotations};
+use serde_json::{Value, json};
+use slipmode::scene::{LONGEST_MESSAGE, first_lines, visible, with_short_quotations};
 
-use crate::cli::capture::{StandardError, StandardOutput, is_capturing};
 use crate::cli::failure::Failure;
+use crate::cli::streams::{StandardError, StandardOutput, has_output, is_capturing};
+
+/// The version of the JSON objects.
+pub const SCHEMA: u32 = 1;
 
 /// Writes a finished text to standard output. A reader that has gone is no failure.
 ///
@@ -22,7 +28,7 @@ pub fn print(text: &str) -> Result<(), Failure> {
 ///
 /// # Errors
 /// As [`print`].
-pub fn print_json(value: &serde_json::Value) -> Result<(), Failure> {
+pub fn print_json(value: &Value) -> Result<(), Failure> {
     // JSON has escapes of its own for control characters.
     print_raw(&format!("{value:#}\n"))
 }
@@ -62,4 +68,50 @@ pub fn count_of(count: usize, thing: &str) -> String {
 /// The text with every character but the ends of lines made visible.
 fn visible_lines(text: &str) -> String {
     text.split('\n').map(visible).collect::<Vec<_>>().join("\n")
+}
+
+impl Failure {
+    /// Tells the user, one line a fault, the first ones when there are many; and the program that requested JSON.
+    pub fn print(&self, as_json: bool) {
+        match self {
+            Self::Input(faults) => print_errors(faults.iter()),
+            Self::Refused(message) => print_errors(message.lines()),
+            Self::Check(text) => message(text),
+        }
+        if as_json {
+            print_json_errors(match self {
+                Self::Input(faults) => faults.iter().map(|fault| json!(fault)).collect(),
+                Self::Refused(message) | Self::Check(message) => message.lines().map(json_error).collect(),
+            });
+        }
+    }
+}
+
+/// An error without file, key and value.
+fn json_error(line: &str) -> Value {
+    json!({ "message": visible(line.trim_start_matches("error: ")) })
+}
+
+/// Prints wrong usage for the program that requested JSON.
+pub fn print_json_usage(text: &str) {
+    let is_said = |part: &&str| !part.starts_with("Usage:") && !part.starts_with("For more information");
+    let plain = |part: &str| part.split_whitespace().collect::<Vec<_>>().join(" ");
+    let parts: Vec<String> = text.trim().split("\n\n").take_while(is_said).map(plain).collect();
+    print_json_errors(vec![json_error(&parts.join("; "))]);
+}
+
+/// What a command with `--json` prints in the place of its answer. One that has answered already prints no second value.
+fn print_json_errors(errors: Vec<Value>) {
+    if !has_output() {
+        // Where standard output cannot be written, the messages and the exit code say enough.
+        let _ = print_json(&json!({ "schema": SCHEMA, "errors": errors }));
+    }
+}
+
+/// Prints the first errors, and how many more there are.
+fn print_errors<E: fmt::Display>(errors: impl Iterator<Item = E>) {
+    let lines = errors.map(|error| format!("error: {error}"));
+    // Readers stop at some number of faults, so that there may be more than were found.
+    let others = |more| format!("error: and at least {more} more like these");
+    message(&first_lines(lines, others).join("\n"));
 }

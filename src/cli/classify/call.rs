@@ -2,11 +2,11 @@
 //!
 //! They read the same texts by the same routines as the command, so that faults and warnings have the same words.
 
-use crate::cli::capture::{Captured, capture_work};
 use crate::cli::classify::grid::GridOptions;
 use crate::cli::classify::grid_files::GridPicture;
 use crate::cli::classify::view::ClassifiedPoint;
 use crate::cli::options::{Arguments, SliderOptions, ThresholdOption};
+use crate::cli::{Captured, capture_work};
 
 /// Classifies the point of these values, in the order of the options, as `classify` does.
 ///

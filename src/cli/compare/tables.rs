@@ -5,8 +5,7 @@ use slipmode::comparison::recording::Measured;
 use slipmode_core::number::format::round_digits;
 use slipmode_plot::table::{Cell, Table};
 
-use crate::cli::compare::cells::reason;
-use crate::cli::compare::rows::ComparedRow;
+use crate::cli::compare::rows::{ComparedRow, reason};
 
 /// Significant digits of values, and of differences and errors.
 const VALUE_DIGITS: usize = 8;

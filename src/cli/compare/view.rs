@@ -4,13 +4,12 @@ use slipmode::comparison::recording::Measured;
 use slipmode::comparison::{Agreement, Finding, Value};
 use slipmode_core::number::format::round_digits;
 
-use crate::cli::answer::{Answer, SCHEMA};
-use crate::cli::compare::cells::reason;
-use crate::cli::compare::rows::{ComparedRow, counts, within_error_bars};
+use crate::cli::answer::Answer;
+use crate::cli::compare::rows::{ComparedRow, counts, reason, within_error_bars};
 use crate::cli::inputs::region_json;
 use crate::cli::simulate;
-use crate::cli::simulate::rows::Simulated;
-use crate::cli::terminal::count_of;
+use crate::cli::simulate::run::Simulated;
+use crate::cli::terminal::{SCHEMA, count_of};
 
 /// Up to so many rows, every finding is shown; beyond it those of rows that do not agree.
 const ROWS_IN_FULL: usize = 20;
@@ -123,7 +122,7 @@ fn row_part(row: &ComparedRow) -> Answer {
         .with("reason", reason(found))
         .with("warnings", &row.warnings)
         .with("findings", &found.findings)
-        .part("simulation", Answer::default().columns(&simulate::rows::COLUMNS, &simulated))
+        .part("simulation", Answer::default().columns(&simulate::run::COLUMNS, &simulated))
         .part(
             "theory",
             Answer::default()

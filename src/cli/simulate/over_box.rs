@@ -15,8 +15,7 @@ use crate::cli::classify::box_view;
 use crate::cli::classify::ranges::shown;
 use crate::cli::options::Arguments;
 use crate::cli::simulate::range;
-use crate::cli::simulate::rows;
-use crate::cli::simulate::run::{Settings, Shown, simulate_point};
+use crate::cli::simulate::run::{self, Settings, Shown, simulate_point};
 
 /// The runs between the corners unless their number is given.
 pub const DEFAULT_RUNS: u64 = 32;
@@ -198,20 +197,20 @@ impl BoxRuns {
 }
 
 /// The columns of `simulate` where values have error bars: what occurs, ranges, the largest errors, and the work of all runs.
-pub const COLUMNS: [Column<BoxRuns>; rows::COLUMNS.len()] = [
-    (rows::COLUMNS[0].0, |it| it.listed(|run| run.behaviour.as_str())),
-    (rows::COLUMNS[1].0, |it| it.listed(|run| run.slip_mode.as_str())),
-    (rows::COLUMNS[2].0, |it| Datum::Range(it.range(Observable::PeakVelocity))),
-    (rows::COLUMNS[3].0, |it| Datum::Range(it.minimum())),
-    (rows::COLUMNS[4].0, |it| Datum::Range(it.range(Observable::Period))),
-    (rows::COLUMNS[5].0, |it| Datum::Range(it.range(Observable::StressDrop))),
-    (rows::COLUMNS[6].0, |it| Datum::Range(it.range(Observable::Frequency))),
-    (rows::COLUMNS[7].0, |it| it.largest(|run| Some(run.peak_relative_error))),
-    (rows::COLUMNS[8].0, |it| it.largest(|run| run.period_relative_error)),
-    (rows::COLUMNS[9].0, |it| Datum::Count(it.ended().map(|run| run.steps).sum())),
-    (rows::COLUMNS[10].0, |it| Datum::Count(it.ended().map(|run| run.evaluations).sum())),
-    (rows::COLUMNS[11].0, |it| Datum::Flag(it.outside_tested_range)),
-    (rows::COLUMNS[12].0, |it| Datum::Text(it.status())),
+pub const COLUMNS: [Column<BoxRuns>; run::COLUMNS.len()] = [
+    (run::COLUMNS[0].0, |it| it.listed(|run| run.behaviour.as_str())),
+    (run::COLUMNS[1].0, |it| it.listed(|run| run.slip_mode.as_str())),
+    (run::COLUMNS[2].0, |it| Datum::Range(it.range(Observable::PeakVelocity))),
+    (run::COLUMNS[3].0, |it| Datum::Range(it.minimum())),
+    (run::COLUMNS[4].0, |it| Datum::Range(it.range(Observable::Period))),
+    (run::COLUMNS[5].0, |it| Datum::Range(it.range(Observable::StressDrop))),
+    (run::COLUMNS[6].0, |it| Datum::Range(it.range(Observable::Frequency))),
+    (run::COLUMNS[7].0, |it| it.largest(|run| Some(run.peak_relative_error))),
+    (run::COLUMNS[8].0, |it| it.largest(|run| run.period_relative_error)),
+    (run::COLUMNS[9].0, |it| Datum::Count(it.ended().map(|run| run.steps).sum())),
+    (run::COLUMNS[10].0, |it| Datum::Count(it.ended().map(|run| run.evaluations).sum())),
+    (run::COLUMNS[11].0, |it| Datum::Flag(it.outside_tested_range)),
+    (run::COLUMNS[12].0, |it| Datum::Text(it.status())),
 ];
 
 #[cfg(test)]

@@ -1,8 +1,7 @@
 //! `simulate --points`: every row simulated, its observables and errors appended; a failure stands in the row's status.
 
-use slipmode::csv::{Cells, Column, Datum, Remark, RowWork, is_named, joined, names, push_cells};
+use slipmode::csv::{Cells, Remark, RowWork, is_named, joined, names, push_cells};
 use slipmode::scene::{Faults, Problem};
-use slipmode_core::dynamics::Simulation;
 use slipmode_core::friction::{EvolutionLaw, Parameters};
 use slipmode_core::number::Rational;
 use slipmode_core::stability::ParameterBox;
@@ -10,7 +9,7 @@ use slipmode_core::stability::ParameterBox;
 use crate::cli::simulate::certified::{self, Certified};
 use crate::cli::simulate::over_box::{self, BoxRuns, is_point};
 use crate::cli::simulate::range;
-use crate::cli::simulate::run::{Settings, Shown, simulate_point};
+use crate::cli::simulate::run::{COLUMNS, Settings, Simulated, simulate_point};
 use crate::cli::words::{LAW_COLUMN, LAWS, law_of_word};
 
 /// Simulates rows, over their error bars; with `CERTIFY`, the middle of the error bars, and certifies all values within them.
@@ -22,48 +21,6 @@ pub struct SimulateRows<const CERTIFY: bool> {
     pub settings: Settings,
     /// Runs at points spread within the error bars of a row.
     pub box_runs: u64,
-}
-
-/// A point that was simulated.
-#[derive(Debug)]
-pub struct Simulated {
-    /// The simulation, or why there is none.
-    pub found: Shown,
-    /// Whether a group lies outside the ranges over which simulations were tested.
-    pub outside_tested_range: bool,
-}
-
-impl Simulated {
-    /// What is reported of a simulation with these parameters.
-    pub fn new(found: Shown, parameters: &Parameters<Rational>) -> Self {
-        Self { found, outside_tested_range: !range::outside_tested(parameters).is_empty() }
-    }
-}
-
-/// The appended columns, which are also the keys of the object of one point; without a result all but the last two are empty.
-pub const COLUMNS: [Column<Simulated>; 13] = [
-    ("mode", |it| found(it, |run| Datum::Text(run.behaviour.as_str().into()))),
-    ("slip_mode", |it| found(it, |run| Datum::Text(run.slip_mode.as_str().into()))),
-    ("peak_velocity_m_per_s", |it| found(it, |run| Datum::Number(Some(run.peak_velocity_m_per_s)))),
-    ("minimum_velocity_log10_ratio", |it| {
-        found(it, |run| Datum::Number(Some(run.minimum_velocity_log10_ratio)))
-    }),
-    ("period_s", |it| found(it, |run| Datum::Number(run.period_s))),
-    ("stress_drop_pa", |it| found(it, |run| Datum::Number(Some(run.stress_drop_pa)))),
-    ("frequency_hz", |it| found(it, |run| Datum::Number(run.frequency_hz))),
-    ("peak_relative_error", |it| found(it, |run| Datum::Number(Some(run.peak_relative_error)))),
-    ("period_relative_error", |it| found(it, |run| Datum::Number(run.period_relative_error))),
-    ("steps", |it| found(it, |run| Datum::Count(run.steps))),
-    ("evaluations", |it| found(it, |run| Datum::Count(run.evaluations))),
-    ("outside_tested_range", |answer| Datum::Flag(answer.outside_tested_range)),
-    ("status", |answer| Datum::Text(answer.found.as_ref().err().map_or(ANSWERED, String::as_str).into())),
-];
-
-/// The status of a simulation that has an answer.
-const ANSWERED: &str = "ok";
-
-fn found(simulated: &Simulated, datum: fn(&Simulation) -> Datum) -> Datum {
-    simulated.found.as_ref().map_or(Datum::Number(None), datum)
 }
 
 impl<const CERTIFY: bool> RowWork for SimulateRows<CERTIFY> {

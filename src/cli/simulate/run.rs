@@ -1,5 +1,7 @@
 //! One simulation, ended by observables that are numbers or by a reason in words.
 
+use crate::cli::simulate::range;
+use slipmode::csv::{Column, Datum};
 use slipmode_core::dynamics::{
     self, Control, Failure, Model, Radau, Sample, Simulation, Start, trajectory, trajectory_at,
 };
@@ -64,4 +66,46 @@ pub fn follow(
     let last = (count - 1) as f64;
     let times: Vec<f64> = (0..count).map(|index| until * (index as f64 / last)).collect();
     trajectory_at(&model, method, start, control, &times)
+}
+
+/// A point that was simulated.
+#[derive(Debug)]
+pub struct Simulated {
+    /// The simulation, or why there is none.
+    pub found: Shown,
+    /// Whether a group lies outside the ranges over which simulations were tested.
+    pub outside_tested_range: bool,
+}
+
+impl Simulated {
+    /// What is reported of a simulation with these parameters.
+    pub fn new(found: Shown, parameters: &Parameters<Rational>) -> Self {
+        Self { found, outside_tested_range: !range::outside_tested(parameters).is_empty() }
+    }
+}
+
+/// The appended columns, which are also the keys of the object of one point; without a result all but the last two are empty.
+pub const COLUMNS: [Column<Simulated>; 13] = [
+    ("mode", |it| found(it, |run| Datum::Text(run.behaviour.as_str().into()))),
+    ("slip_mode", |it| found(it, |run| Datum::Text(run.slip_mode.as_str().into()))),
+    ("peak_velocity_m_per_s", |it| found(it, |run| Datum::Number(Some(run.peak_velocity_m_per_s)))),
+    ("minimum_velocity_log10_ratio", |it| {
+        found(it, |run| Datum::Number(Some(run.minimum_velocity_log10_ratio)))
+    }),
+    ("period_s", |it| found(it, |run| Datum::Number(run.period_s))),
+    ("stress_drop_pa", |it| found(it, |run| Datum::Number(Some(run.stress_drop_pa)))),
+    ("frequency_hz", |it| found(it, |run| Datum::Number(run.frequency_hz))),
+    ("peak_relative_error", |it| found(it, |run| Datum::Number(Some(run.peak_relative_error)))),
+    ("period_relative_error", |it| found(it, |run| Datum::Number(run.period_relative_error))),
+    ("steps", |it| found(it, |run| Datum::Count(run.steps))),
+    ("evaluations", |it| found(it, |run| Datum::Count(run.evaluations))),
+    ("outside_tested_range", |answer| Datum::Flag(answer.outside_tested_range)),
+    ("status", |answer| Datum::Text(answer.found.as_ref().err().map_or(ANSWERED, String::as_str).into())),
+];
+
+/// The status of a simulation that has an answer.
+const ANSWERED: &str = "ok";
+
+fn found(simulated: &Simulated, datum: fn(&Simulation) -> Datum) -> Datum {
+    simulated.found.as_ref().map_or(Datum::Number(None), datum)
 }

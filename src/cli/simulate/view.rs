@@ -11,8 +11,7 @@ use slipmode_core::stability::ParameterBox;
 use crate::cli::answer::Answer;
 use crate::cli::inputs::region_json;
 use crate::cli::simulate::over_box::is_point;
-use crate::cli::simulate::rows::{COLUMNS, Simulated};
-use crate::cli::simulate::run::Settings;
+use crate::cli::simulate::run::{COLUMNS, Settings, Simulated};
 
 /// The most significant digits in the text for people: those of a 64-bit number.
 const MOST_DIGITS: usize = 17;

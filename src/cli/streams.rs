@@ -1,14 +1,7 @@
 //! The standard streams of a command: those of the process, or texts for a program that calls the command as a function.
 
 use std::cell::{Cell, RefCell};
-use std::ffi::OsString;
 use std::io::{self, Write};
-
-use clap::Parser;
-
-use crate::cli::failure::{Failure, print_json_usage};
-use crate::cli::progress::Progress;
-use crate::cli::{Cli, asks_for_json, dispatch, without_usage_of_conflict};
 
 /// What a command would have written, and its exit code.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -28,59 +21,12 @@ thread_local! {
     static HAS_OUTPUT: Cell<bool> = const { Cell::new(false) };
 }
 
-/// Runs a command as a function: what it would write to the standard streams is returned.
-///
-/// The first argument is the name of the program. No signal is caught and no thread pool is started. The command must not read
-/// standard input.
-///
-/// ```
-/// let slider = "-a 0.004 -b 0.006 -d 10um -k 1e7 -m 1000 -s 1MPa -v 10um/s";
-/// let arguments = format!("slipmode classify {slider} --json");
-/// let found = slipmode::cli::capture(arguments.split(' ').map(Into::into));
-/// assert_eq!(found.exit_code, 0);
-/// assert!(String::from_utf8(found.output).unwrap().contains("\"slip_mode\": \"stick-slip\""));
-/// ```
-pub fn capture(arguments: impl IntoIterator<Item = OsString>) -> Captured {
-    let arguments: Vec<OsString> = arguments.into_iter().collect();
-    let cli = match Cli::try_parse_from(&arguments) {
-        Ok(cli) => cli,
-        Err(error) => {
-            let error = without_usage_of_conflict(error);
-            let text = crate::cli::shortened_usage(&error).unwrap_or_else(|| error.render().to_string());
-            let as_json = || {
-                let print = || {
-                    print_json_usage(&text);
-                    Ok(())
-                };
-                captured(false, print).1.output
-            };
-            let (output, messages) = match error.use_stderr() {
-                true => (if asks_for_json(&arguments) { as_json() } else { Vec::new() }, text.into_bytes()),
-                false => (text.into_bytes(), Vec::new()),
-            };
-            return Captured { exit_code: crate::cli::exit_code_of_usage(&error), output, messages };
-        }
-    };
-    captured(asks_for_json(&arguments), || dispatch(cli.command, Progress::new(true))).1
-}
-
-/// Does a part of a command as a function: returns its result unless it fails, and what it would write to the standard streams.
-pub fn capture_work<T>(work: impl FnOnce() -> Result<T, Failure>) -> (Option<T>, Captured) {
-    captured(false, work)
-}
-
-fn captured<T>(as_json: bool, work: impl FnOnce() -> Result<T, Failure>) -> (Option<T>, Captured) {
+/// Does work, and returns what it writes to the standard streams with exit code 0.
+pub fn written_by<T>(work: impl FnOnce() -> T) -> (T, Captured) {
     STREAMS.with_borrow_mut(|streams| *streams = Some(Captured::default()));
     HAS_OUTPUT.set(false);
-    let (done, exit_code) = match work() {
-        Ok(done) => (Some(done), 0),
-        Err(failure) => {
-            failure.print(as_json);
-            (None, failure.exit_code())
-        }
-    };
-    let captured = STREAMS.with_borrow_mut(Option::take).unwrap_or_default();
-    (done, Captured { exit_code, ..captured })
+    let done = work();
+    (done, STREAMS.with_borrow_mut(Option::take).unwrap_or_default())
 }
 
 /// Whether this thread captures what a command writes.
@@ -124,7 +70,10 @@ impl Write for StandardError {
 
 #[cfg(test)]
 mod tests {
+    use std::ffi::OsString;
+
     use super::*;
+    use crate::cli::capture;
 
     fn captured(arguments: &str) -> Captured {
         capture(arguments.split(' ').map(OsString::from))
