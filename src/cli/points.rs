@@ -108,7 +108,7 @@ impl<W: RowWork> Started<W> {
         let bar = progress.bytes(reader.size());
         let file = reader.name().to_string();
         let first = reader.block(1)?;
-        let header = Header::read(&file, first.rows().next(), keep_going, &command)?;
+        let header = command.read_header(&file, first.rows().next(), keep_going)?;
         print_columns(&header);
         Ok(Self { work: Work { file, header, command, keep_going }, reader, bar })
     }

@@ -2,7 +2,7 @@
 
 use std::io::{Cursor, sink};
 
-use slipmode::csv::{Cells, Dialect, Header, Input, Remark, RowReader, RowWork};
+use slipmode::csv::{Cells, Dialect, Input, Remark, RowReader, RowWork};
 use slipmode::scene::{Faults, Quantity, Uncertain};
 use slipmode_core::number::Rational;
 use slipmode_core::number::format::exact_text;
@@ -37,7 +37,7 @@ pub fn capture_columns(header: Vec<u8>, unused: Vec<Quantity>) -> (Option<TableC
         let mut reader = reader(header);
         let first = reader.block(1)?;
         let work = ReadRows { unused };
-        let header = Header::read(TABLE, first.rows().next(), false, &work)?;
+        let header = work.read_header(TABLE, first.rows().next(), false)?;
         let known = |quantity: Quantity| !work.unused.contains(&quantity);
         Ok(TableColumns {
             positions: Quantity::ALL.map(|of| known(of).then_some(header.positions[of as usize])),

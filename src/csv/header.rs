@@ -7,10 +7,9 @@ use crate::scene::{
     AllowedRange, CsvProblem, Fault, Faults, Problem, Quantity, UNITS_DIFFER, forbidden_character, with_unit,
 };
 
-use crate::csv::name::Unit;
-use crate::csv::row_work::RowWork;
+use crate::csv::name::{Unit, Wanted, is_named};
 use crate::csv::rows::Row;
-use crate::csv::wanted::{Assigned, ColumnPlace, ErrorPlace, Wanted, assign};
+use crate::csv::wanted::{Assigned, ColumnPlace, ErrorPlace, assign};
 
 /// The column that `--keep-going` appends last.
 pub const ERROR_COLUMN: &str = "error";
@@ -53,28 +52,19 @@ pub struct Beyond<'c> {
 }
 
 impl Header {
-    /// Reads the header of the points file `file`; `None` stands for a file without any row.
+    /// Reads a header with the seven quantities, of which the unused ones may be missing.
     ///
     /// # Errors
-    /// Every column that is missing, doubled, in a unit of another dimension, named like one that is appended, or of errors that
-    /// are not understood or not used.
-    pub fn read<W: RowWork>(
+    /// As [`Header::of_columns`].
+    pub fn of_quantities(
         file: &str,
         row: Option<Row<'_>>,
-        keep_going: bool,
-        command: &W,
+        unused: &[Quantity],
+        beyond: &Beyond<'_>,
+        others: impl FnOnce(&[String]) -> Vec<(String, Problem)>,
     ) -> Result<Self, Faults> {
-        let appended: Vec<&str> =
-            W::APPENDED.iter().copied().chain(keep_going.then_some(ERROR_COLUMN)).collect();
-        let unused = command.unused();
         let wanted = Quantity::ALL.map(|quantity| Wanted::quantity(quantity, unused.contains(&quantity)));
-        let beyond = Beyond {
-            appended: &appended,
-            needs_for_errors: command.needs_for_errors(),
-            reads: &|name| command.reads(name),
-        };
-        let others = |names: &[String]| command.header_faults(names);
-        let mut header = Header::of_columns(file, row, wanted, &beyond, others)?;
+        let mut header = Header::of_columns(file, row, wanted, beyond, others)?;
         let errors = unused.iter().filter_map(|quantity| header.errors[*quantity as usize].take());
         header.unread.extend(errors.map(|(position, _)| position));
         let read = Quantity::ALL.into_iter().filter(|quantity| !unused.contains(quantity));
@@ -193,16 +183,13 @@ impl<P> Header<P> {
     }
 }
 
-/// Whether a column has a name; blanks around it and its case do not matter.
-pub fn is_named(column: &str, name: &str) -> bool {
-    column.trim().eq_ignore_ascii_case(name)
-}
-
 impl<const N: usize> Header<[Option<usize>; N]> {
-    /// Reads a header with these columns among others; `others` finds further faults, each with its column.
+    /// Reads a header with these columns among others; `others` finds further faults, each with its column. `None` stands for a file
+    /// without any row.
     ///
     /// # Errors
-    /// As [`Header::read`].
+    /// Every column that is missing, doubled, in a unit of another dimension, named like one that is appended, or of errors that
+    /// are not understood or not used.
     pub fn of_columns(
         file: &str,
         row: Option<Row<'_>>,

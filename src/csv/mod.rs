@@ -17,7 +17,8 @@ mod work;
 
 pub use cells::{Column, Datum, joined, names, push_cell, push_cells};
 pub use dialect::Dialect;
-pub use header::{Header, is_named};
+pub use header::Header;
+pub use name::is_named;
 pub use peak_table::{PeakTable, read_peak_table};
 pub use recording::read_recording;
 pub use row_work::{Cells, Remark, RowWork};

@@ -4,7 +4,6 @@
 
 use slipmode_core::number::Rational;
 
-use crate::csv::wanted::Wanted;
 use crate::scene::{read_unit, stem_of_key, unit_for, unit_in_any_case, unit_of_key};
 
 /// Words that say "error" beside any name.
@@ -24,6 +23,17 @@ const BEHIND: &str = "err error std stdev unc uncertainty";
 pub const MOST_WORDS: usize = 16;
 /// The words of the longest name of a quantity, `critical_slip_distance`.
 const MOST_WORDS_OF_A_QUANTITY: usize = 3;
+
+/// A column that a header has to have.
+#[derive(Debug, Clone, Copy)]
+pub struct Wanted {
+    /// Its name in SI.
+    pub key: &'static str,
+    /// Short names, in SI unless a unit stands behind them.
+    pub symbols: &'static [&'static str],
+    /// Whether it may be missing.
+    pub is_optional: bool,
+}
 
 /// The unit that a name states.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -211,4 +221,9 @@ pub fn of_what(words: &[String]) -> Option<Vec<String>> {
     let others = words.iter().enumerate().filter(|word| !says_error(*word));
     let others: Vec<String> = others.map(|(_, word)| word.to_lowercase()).collect();
     (others.len() < words.len()).then_some(others)
+}
+
+/// Whether a column has a name; blanks around it and its case do not matter.
+pub fn is_named(column: &str, name: &str) -> bool {
+    column.trim().eq_ignore_ascii_case(name)
 }

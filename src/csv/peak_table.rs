@@ -1,9 +1,9 @@
 //! A table of peak velocities over the velocity of the load point, perhaps with their errors and normal stresses.
 
 use crate::csv::name::Unit;
+use crate::csv::name::Wanted;
 use crate::csv::rows::RowReader;
 use crate::csv::samples::{SampleCells, Samples, fault, number};
-use crate::csv::wanted::Wanted;
 use crate::fitting::{PeakFailure, PeakRow};
 use crate::scene::{CsvProblem, Faults, Problem, Quantity};
 

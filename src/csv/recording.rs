@@ -5,9 +5,9 @@ mod backward;
 use crate::comparison::recording::{LEAST_SAMPLES, Recording};
 use crate::scene::{CsvProblem, Fault, Faults};
 
+use crate::csv::name::Wanted;
 use crate::csv::rows::RowReader;
 use crate::csv::samples::{Samples, fault};
-use crate::csv::wanted::Wanted;
 use backward::Backward;
 
 /// The columns; the last one may be missing.
@@ -16,6 +16,7 @@ const COLUMNS: [Wanted; 3] = [
     Wanted { key: "velocity_m_per_s", symbols: &[], is_optional: false },
     Wanted { key: "shear_stress_pa", symbols: &[], is_optional: true },
 ];
+
 /// What a column of errors would need.
 const NEEDS_FOR_ERRORS: &str =
     "no errors: remove it; the column tolerance of the runs states the error of a run";

@@ -4,7 +4,7 @@ use crate::scene::{CsvProblem, Fault, Faults, Problem, Quantity, Uncertain};
 use slipmode_core::friction::{ParameterBox, Parameters};
 use slipmode_core::number::{Dd, Rational, parse_decimal_to_dd};
 
-use crate::csv::header::Header;
+use crate::csv::header::{Beyond, ERROR_COLUMN, Header};
 use crate::csv::rows::Row;
 
 /// A command's part in the rows.
@@ -39,6 +39,21 @@ pub trait RowWork: Sync {
     /// The quantities whose columns are not used and may be missing.
     fn unused(&self) -> Vec<Quantity> {
         Vec::new()
+    }
+
+    /// Reads the header of the points file `file`; `None` stands for a file without any row.
+    ///
+    /// # Errors
+    /// As [`Header::of_columns`].
+    fn read_header(&self, file: &str, row: Option<Row<'_>>, keep_going: bool) -> Result<Header, Faults> {
+        let appended: Vec<&str> =
+            Self::APPENDED.iter().copied().chain(keep_going.then_some(ERROR_COLUMN)).collect();
+        let beyond = Beyond {
+            appended: &appended,
+            needs_for_errors: self.needs_for_errors(),
+            reads: &|name| self.reads(name),
+        };
+        Header::of_quantities(file, row, &self.unused(), &beyond, |names| self.header_faults(names))
     }
 
     /// Reads a row.

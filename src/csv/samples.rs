@@ -1,9 +1,9 @@
 //! Samples over time, streamed: a time and other numbers on each row, with every fault named by line and column.
 
 use crate::csv::header::{Beyond, Header};
+use crate::csv::name::Wanted;
 use crate::csv::row_work::Cells;
 use crate::csv::rows::RowReader;
-use crate::csv::wanted::Wanted;
 use crate::csv::work::cell_problem;
 use crate::scene::{AllowedRange, CsvProblem, Fault, Faults, Problem, not_a_number};
 use slipmode_core::number::{Dd, Rational, nearest_f64, parse_decimal, parse_decimal_to_dd};

@@ -2,9 +2,9 @@
 
 use slipmode_core::number::nearest_f64;
 
+use crate::csv::name::Wanted;
 use crate::csv::rows::RowReader;
 use crate::csv::samples::{SampleCells, Samples, fault};
-use crate::csv::wanted::Wanted;
 use crate::fitting::{Column, Load, Measured, RecordFault, Response, StepRecord};
 use crate::scene::{CsvProblem, Faults};
 

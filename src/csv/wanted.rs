@@ -2,20 +2,8 @@
 
 use slipmode_core::number::Rational;
 
-use crate::csv::header::is_named;
-use crate::csv::name::{MOST_WORDS, Reading, Unit, of_what, readings, words};
+use crate::csv::name::{MOST_WORDS, Reading, Unit, Wanted, is_named, of_what, readings, words};
 use crate::scene::{CsvProblem, Quantity, nearest, stem_of_key, unit_of_key};
-
-/// A column that a header has to have.
-#[derive(Debug, Clone, Copy)]
-pub struct Wanted {
-    /// Its name in SI.
-    pub key: &'static str,
-    /// Short names, in SI unless a unit stands behind them.
-    pub symbols: &'static [&'static str],
-    /// Whether it may be missing.
-    pub is_optional: bool,
-}
 
 /// Where a column of values stands, and the size of its unit in SI, unless it is that of SI.
 pub type ColumnPlace = (usize, Option<Rational>);

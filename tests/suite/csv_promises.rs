@@ -3,9 +3,7 @@
 use std::io::Cursor;
 
 use slipmode::comparison::recording::{LEAST_SAMPLES, Recording};
-use slipmode::csv::{
-    Cells, Dialect, Header, Input, Remark, RowReader, RowWork, Work, push_cell, read_recording,
-};
+use slipmode::csv::{Cells, Dialect, Input, Remark, RowReader, RowWork, Work, push_cell, read_recording};
 use slipmode::scene::{Faults, Problem};
 use slipmode_core::friction::Parameters;
 use slipmode_core::number::Rational;
@@ -46,7 +44,7 @@ pub fn points(bytes: &[u8]) {
 fn written(bytes: &[u8]) -> Result<Vec<u8>, Faults> {
     let mut reader = reader(bytes);
     let first = reader.block(1).map_err(|fault| vec![fault])?;
-    let header = Header::read("f", first.rows().next(), false, &OnlyRead)?;
+    let header = OnlyRead.read_header("f", first.rows().next(), false)?;
     let work = Work { file: "f".into(), header, command: OnlyRead, keep_going: false };
     let mut text = Vec::new();
     for (index, name) in work.header.names.iter().enumerate() {

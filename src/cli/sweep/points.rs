@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use sha2::{Digest, Sha256};
 use slipmode::archive::finished_hex;
-use slipmode::csv::{Block, Dialect, Header, RowReader, Work};
+use slipmode::csv::{Block, Dialect, RowReader, Work};
 use slipmode::sweep::{Blocks, Shard};
 
 use crate::cli::failure::Failure;
@@ -52,7 +52,7 @@ impl Listed {
         let first = reader.block(1)?;
         // A faulty row gets a cell that says so: one of them must not cost the others their results.
         let keep_going = true;
-        let header = Header::read(&file, first.rows().next(), keep_going, &command)?;
+        let header = command.read_header(&file, first.rows().next(), keep_going)?;
         print_columns(&header);
         let (mut rows, mut digests) = (0, vec![rows_digest(&first)]);
         loop {
