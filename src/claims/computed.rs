@@ -1,6 +1,6 @@
 //! Parts of claims that proofs, other claims or a procedure of this program decide.
 
-use super::{Check, Finding, Show, Verdict, checks, formula, shows};
+use super::{Check, Finding, Show, Verdict, checks, shows};
 use crate::experiments::{Context, Need};
 use crate::scene::{ClaimEntry, Computed, Fault, Faults, Problem, Procedures, StatedClaim};
 use slipmode_core::theory::Equations;
@@ -23,13 +23,13 @@ impl Asked<'_> {
 /// What the program does not compute of a proof that a report states.
 const OF_STATED_PROOFS: &str = "the certified steps of a stated proof imply what it says.";
 
-/// The finding on a part.
-pub(super) fn decide(computed: &Computed, context: &Context) -> Finding {
+/// The finding on a part, with those on its premises.
+pub(super) fn decide(computed: &Computed, premises: Vec<Finding>, context: &Context) -> Finding {
     let missing = missing(computed, context.equations);
     if !missing.is_empty() {
         return Finding::not_checked(format!("Not decided: {}.", missing.join("; ")));
     }
-    let proved = proved(computed, context);
+    let proved = proved(computed, premises, context);
     let found = match check_of(computed) {
         Some(check) => {
             let equations = given(computed, context.equations).in_symbols();
@@ -84,7 +84,7 @@ pub fn equation_faults(file: &str, claims: &[ClaimEntry], equations: &Equations)
 }
 
 /// What the proofs and the premises find together; none without any.
-fn proved(computed: &Computed, context: &Context) -> Option<Finding> {
+fn proved(computed: &Computed, premises: Vec<Finding>, context: &Context) -> Option<Finding> {
     let proofs = computed.proofs.iter().map(|id| {
         let key = format!("proof {id} {}", computed.has_reviewed_proofs());
         context.once(key, || computed.stated.prove(id, context.equations))
@@ -102,11 +102,9 @@ fn proved(computed: &Computed, context: &Context) -> Option<Finding> {
         }
         (found, _) => found,
     };
-    let mut premises = computed.premises.iter().map(|premise| {
-        match formula::decide(&premise.id, &premise.stated, context) {
-            undecided if undecided.verdict == Verdict::NotChecked => undecided,
-            decided => Finding { readings: Vec::new(), remarks: Vec::new(), ..decided },
-        }
+    let mut premises = premises.into_iter().map(|premise| match premise.verdict {
+        Verdict::NotChecked => premise,
+        _ => Finding { readings: Vec::new(), remarks: Vec::new(), ..premise },
     });
     match found {
         Some(found) => Some(premises.fold(found, Finding::with_premise)),

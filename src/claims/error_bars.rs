@@ -1,12 +1,9 @@
 //! What a ledger's verdicts hold for where values have error bars: all values within them, or those in the middle.
 
-use std::collections::BTreeSet;
-
 use serde::Serialize;
 use slipmode_core::number::nearest_f64;
 use slipmode_core::stability::over_box;
 
-use crate::claims::{Entry, Finding, Strength};
 use crate::experiments::Outcome;
 use crate::experiments::operating_point::error_bars;
 
@@ -55,31 +52,4 @@ pub(super) fn points_within(outcome: &Outcome) -> Vec<PointWithin> {
         })
     };
     outcome.scenes.iter().filter_map(point).collect()
-}
-
-/// Says of every verdict for which values it was decided.
-pub(super) fn state_values(claims: &mut [Entry]) {
-    let is_proved = |entry: &&Entry| {
-        let Finding { strength, evidence, .. } = &entry.finding;
-        *strength <= Strength::Argued && evidence.iter().any(|one| one.proof().is_some())
-    };
-    let ids = |entries: Vec<&Entry>| -> BTreeSet<String> {
-        entries.into_iter().map(|entry| entry.id.clone()).collect()
-    };
-    let mut proved = ids(claims.iter().filter(is_proved).collect());
-    // What rests on a claim that is not proved is not proved either.
-    loop {
-        let rests = |entry: &&Entry| {
-            proved.contains(&entry.id) && entry.rests_on.iter().all(|id| proved.contains(id))
-        };
-        let kept = ids(claims.iter().filter(rests).collect());
-        if kept.len() == proved.len() {
-            break;
-        }
-        proved = kept;
-    }
-    for entry in claims {
-        let is_proved = proved.contains(&entry.id);
-        entry.error_bars = Some(if is_proved { DecidedFor::AllValues } else { DecidedFor::MiddleValues });
-    }
 }

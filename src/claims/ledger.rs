@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use rayon::prelude::*;
 use serde::Serialize;
 
-use crate::claims::error_bars::{points_within, state_values};
+use crate::claims::error_bars::points_within;
 use crate::claims::{Conclusion, DecidedFor, PointWithin, Resolved};
 use crate::claims::{Evidence, Finding, Strength, Tie, Tied, Verdict, by_hand, computed, formula, over_rows};
 use crate::experiments::operating_point::error_bars;
@@ -261,6 +261,33 @@ fn decide_one(text: &ClaimEntry, context: &Context) -> Entry {
     match tie {
         Some(tie) => Entry { finding: entry.finding.with_whole_theorem(&tie.theorems), ..entry },
         None => entry,
+    }
+}
+
+/// Says of every verdict for which values it was decided.
+fn state_values(claims: &mut [Entry]) {
+    let is_proved = |entry: &&Entry| {
+        let Finding { strength, evidence, .. } = &entry.finding;
+        *strength <= Strength::Argued && evidence.iter().any(|one| one.proof().is_some())
+    };
+    let ids = |entries: Vec<&Entry>| -> BTreeSet<String> {
+        entries.into_iter().map(|entry| entry.id.clone()).collect()
+    };
+    let mut proved = ids(claims.iter().filter(is_proved).collect());
+    // What rests on a claim that is not proved is not proved either.
+    loop {
+        let rests = |entry: &&Entry| {
+            proved.contains(&entry.id) && entry.rests_on.iter().all(|id| proved.contains(id))
+        };
+        let kept = ids(claims.iter().filter(rests).collect());
+        if kept.len() == proved.len() {
+            break;
+        }
+        proved = kept;
+    }
+    for entry in claims {
+        let is_proved = proved.contains(&entry.id);
+        entry.error_bars = Some(if is_proved { DecidedFor::AllValues } else { DecidedFor::MiddleValues });
     }
 }
 

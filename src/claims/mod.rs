@@ -21,6 +21,7 @@ mod gate;
 mod ledger;
 mod linearisation;
 mod over_rows;
+mod part;
 mod planted_fault_tables;
 mod planted_faults;
 mod reading;
@@ -37,8 +38,9 @@ pub use finding::Finding;
 pub use formula::{WholeStatement, WholeTheorem, statement_digest, whole_statements, whole_theorems};
 pub use ledger::{Entry, Ledger, needs};
 pub use over_rows::row_faults;
+pub use part::{Part, Reading};
 pub use planted_faults::{PlantedFaults, Survivor, plant_faults};
-pub use reading::{Part, Reading, verdict_of_parts};
+pub use reading::verdict_of_parts;
 pub use resolved::{Resolved, sha256_hex};
 
 use crate::experiments::{Context, Need, TableMaker};

@@ -163,7 +163,8 @@ fn decide_formula(id: &str, words: &str, formula: &ClaimFormula, context: &Conte
         return over_rows::decide(rows, &formula.text, context);
     }
     if let Some(part) = formula.computed() {
-        return computed::decide(part, context);
+        let premises = part.premises.iter().map(|premise| decide(&premise.id, &premise.stated, context));
+        return computed::decide(part, premises.collect(), context);
     }
     // A claim is a premise of others, too.
     let digest = Resolved::of_formula(formula, context.equations).digest();

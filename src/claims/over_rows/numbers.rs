@@ -1,37 +1,11 @@
 //! Numbers of a table for sentences: the least or largest value, and counts.
 
-use slipmode_algebra::Expression;
-use slipmode_core::number::format::{Side, round_digits, rounded};
+use slipmode_core::number::format::{round_digits, rounded};
 
+use super::statement::{Number, What};
 use super::truth::Rows;
-use crate::scene::Formula;
-
-/// A number and how it is written.
-#[derive(Debug, Clone)]
-pub(super) struct Number {
-    pub what: What,
-    /// The rows that it is about.
-    pub selected: Formula,
-}
-
-/// What is computed.
-#[derive(Debug, Clone)]
-pub(super) enum What {
-    /// How many rows there are.
-    Count,
-    /// The least (or largest) value, with this many digits, rounded to this side or else to nearest.
-    Extreme { least: bool, of: Expression, digits: usize, side: Option<Side> },
-}
 
 impl Number {
-    /// The expressions whose value is needed.
-    pub fn side(&self) -> Option<&Expression> {
-        match &self.what {
-            What::Count => None,
-            What::Extreme { of, .. } => Some(of),
-        }
-    }
-
     /// The number; none where it is open which rows it is about, or where a value is missing.
     pub fn text(&self, rows: &Rows) -> Option<String> {
         let mut chosen = Vec::new();

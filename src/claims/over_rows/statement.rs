@@ -23,7 +23,6 @@ use slipmode_algebra::{Comparison, Expression, Function, Source, Symbol};
 use slipmode_core::number::format::Side;
 use slipmode_core::number::{Rational, parse_decimal};
 
-use super::numbers::{Number, What};
 use crate::scene::{Formula, Names, nearest};
 use slipmode_plot::table::{Column, Kind};
 
@@ -39,6 +38,33 @@ pub(super) struct RowStatement {
     pub words: Vec<String>,
     /// The numbers that its sentences name.
     pub numbers: Vec<(String, Number)>,
+}
+
+/// A number and how it is written.
+#[derive(Debug, Clone)]
+pub(super) struct Number {
+    pub what: What,
+    /// The rows that it is about.
+    pub selected: Formula,
+}
+
+/// What is computed.
+#[derive(Debug, Clone)]
+pub(super) enum What {
+    /// How many rows there are.
+    Count,
+    /// The least (or largest) value, with this many digits, rounded to this side or else to nearest.
+    Extreme { least: bool, of: Expression, digits: usize, side: Option<Side> },
+}
+
+impl Number {
+    /// The expressions whose value is needed.
+    pub fn side(&self) -> Option<&Expression> {
+        match &self.what {
+            What::Count => None,
+            What::Extreme { of, .. } => Some(of),
+        }
+    }
 }
 
 /// What is said of the rows.
