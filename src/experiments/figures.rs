@@ -158,7 +158,7 @@ pub(super) fn list_in<T: DeserializeOwned>(text: &str) -> Vec<T> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::experiments::registry::drawers;
+    use crate::experiments::drawers;
     use crate::experiments::{figure_makers, table_makers};
 
     #[test]

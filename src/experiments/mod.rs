@@ -1,7 +1,10 @@
 //! What a scene's sections say, compute and show: one folder an experiment. Pure, and the same bytes on any number of threads.
+//!
+//! Scenes, plans and outcomes are made from the list of all experiments at the end.
 
 pub mod boundary;
 pub mod certificates;
+mod context;
 pub mod effect_ratio_sweep;
 mod experiment;
 mod figures;
@@ -15,7 +18,6 @@ pub mod operating_point;
 mod outcome;
 pub mod own_weight;
 pub mod pictures;
-mod registry;
 mod run;
 mod scene;
 pub mod shared;
@@ -30,110 +32,176 @@ pub mod trajectories;
 pub mod work;
 pub mod zones;
 
+pub use context::Context;
 pub use experiment::{Experiment, Requirement, Setting};
 pub use figures::{Drawer, Figure, FigureMaker, Words};
 pub use outcome::{Outcome, References};
-pub use registry::{Need, Scene, SceneOutcome, figure_makers, table_makers};
 pub use run::{Needs, Progress, all_needs, run};
 pub use scene::check_distinct_scene_names;
 pub use tables::TableMaker;
 pub use work::Work;
 
-use std::any::Any;
-use std::collections::BTreeMap;
-use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::sync::LazyLock;
 
-use crate::scene::{ClaimEntry, Kind};
-use slipmode_algebra::Refutation;
-use slipmode_core::friction::EvolutionLaw;
-use slipmode_core::theory::Equations;
-use slipmode_core::theory::hopf::{self, HopfCoefficient, coefficient};
+use crate::scene::ParametersSection;
+use crate::scene::section::Section;
+use crate::sweep::SweepSection;
+use scene::{Head, read_experiment};
+use slipmode_core::number::Rational;
 
-/// What a table or a check may look at.
-#[derive(Debug)]
-pub struct Context<'c> {
-    /// The paper's equations as the report states them: the thing under test.
-    pub equations: &'c Equations,
-    /// What was computed for the report's scenes.
-    pub outcome: &'c Outcome,
-    /// The claims of the report.
-    pub claims: &'c [ClaimEntry],
-    /// The kind of the sentence that is decided.
-    pub kind: Kind,
-    /// Whether each verdict on a formula has to pass the last gate. It does but where equations are altered on purpose: there a
-    /// verdict is only compared with another one.
-    pub is_gated: bool,
-    known: Arc<Mutex<BTreeMap<String, Arc<dyn Any + Send + Sync>>>>,
-    hopf: Arc<[OnceLock<Result<HopfCoefficient, Refutation>>; 2]>,
+/// Makes everything that lists experiments from one line for each: what it is about, the word for the computation, the
+/// key of the scene's section, and the section's type.
+macro_rules! experiments {
+    ($(#[doc = $about:literal] $(#[cfg($condition:meta)])? $word:ident, $key:ident: $section:ty;)*) => {
+        /// One kind of computation that a claim, a table or a figure can require.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        pub enum Need {
+            $(#[doc = $about] $(#[cfg($condition)])? $word,)*
+        }
+
+        impl Need {
+            /// Every computation, in the order in which a scene's computations run.
+            pub const ALL: &'static [Self] = &[$($(#[cfg($condition)])? Self::$word,)*];
+
+            /// The key of the section that states it.
+            #[must_use]
+            pub fn key(self) -> &'static str {
+                match self {
+                    $($(#[cfg($condition)])? Self::$word => stringify!($key),)*
+                }
+            }
+
+            /// Whether a scene states it.
+            #[must_use]
+            pub fn is_stated_by(self, scene: &Scene) -> bool {
+                match self {
+                    $($(#[cfg($condition)])? Self::$word => scene.$key.is_some(),)*
+                }
+            }
+
+            /// Computes it for the scene of an outcome, which keeps the result.
+            fn compute(self, outcome: &mut SceneOutcome, references: &References) {
+                match self {
+                    $($(#[cfg($condition)])? Self::$word => {
+                        let setting = Setting { earlier: outcome, references };
+                        outcome.$key = setting.scene().$key.as_ref().and_then(|section| section.run(&setting));
+                    })*
+                }
+            }
+        }
+
+        /// What a user requests: valid and exact.
+        #[derive(Debug, Clone, PartialEq, Eq)]
+        pub struct Scene {
+            /// The name, safe as a file name.
+            pub name: String,
+            /// The title, for people.
+            pub title: String,
+            /// The slider; absent in scenes that need none.
+            pub parameters: Option<ParametersSection>,
+            /// ω/ω_n above which an oscillation is called inertial; absent for the default √(1/2), exactly.
+            pub inertial_threshold: Option<Rational>,
+            /// Points for many machines, and what is computed at each.
+            pub sweep: Option<SweepSection>,
+            $(#[doc = $about] $(#[cfg($condition)])? pub $key: Option<$section>,)*
+        }
+
+        impl Scene {
+            /// What the sections ask of the machine, each with its key.
+            #[must_use]
+            pub fn work(&self) -> Vec<(&'static str, Work)> {
+                [$($(#[cfg($condition)])? (stringify!($key), self.$key.as_ref().map(Experiment::work)),)*]
+                    .into_iter()
+                    .filter_map(|(key, work)| Some((key, work?)))
+                    .collect()
+            }
+
+            /// Reads the experiments' sections after the head of a scene.
+            fn read(head: Head, top: &mut Section<'_>) -> Option<Self> {
+                $($(#[cfg($condition)])?
+                let $key = read_experiment::<$section>(&head, stringify!($key), top);)*
+                Some(Self {
+                    name: head.name?,
+                    title: head.title?,
+                    parameters: head.parameters?,
+                    inertial_threshold: head.inertial_threshold?,
+                    sweep: head.sweep?,
+                    $($(#[cfg($condition)])? $key: $key?,)*
+                })
+            }
+        }
+
+        /// Everything computed for one scene; what nothing required is absent.
+        #[derive(Debug, Clone)]
+        pub struct SceneOutcome {
+            /// The scene.
+            pub scene: Scene,
+            $(#[doc = $about] $(#[cfg($condition)])? pub $key: Option<<$section as Experiment>::Outcome>,)*
+        }
+
+        impl SceneOutcome {
+            /// A scene of which nothing has been computed yet.
+            #[must_use]
+            pub fn new(scene: Scene) -> Self {
+                Self { scene, $($(#[cfg($condition)])? $key: None,)* }
+            }
+        }
+
+        /// All tables of the experiments.
+        pub fn table_makers() -> impl Iterator<Item = &'static TableMaker> {
+            [$($(#[cfg($condition)])? <$section as Experiment>::TABLES,)*].into_iter().flatten().copied().flatten()
+        }
+
+        /// What draws the figures of the experiments.
+        fn drawers() -> impl Iterator<Item = &'static Drawer> {
+            [$($(#[cfg($condition)])? <$section as Experiment>::FIGURES,)*].into_iter().flatten().copied().flatten()
+        }
+    };
 }
 
-impl<'c> Context<'c> {
-    /// Nothing is derived from the equations yet.
-    #[must_use]
-    pub fn new(equations: &'c Equations, outcome: &'c Outcome) -> Self {
-        let (kind, known, hopf) = (Kind::default(), Arc::default(), Arc::default());
-        Self { equations, outcome, claims: &[], kind, is_gated: true, known, hopf }
-    }
+/// All figures of the experiments.
+pub fn figure_makers() -> impl Iterator<Item = &'static FigureMaker> {
+    static MAKERS: LazyLock<Vec<FigureMaker>> =
+        LazyLock::new(|| drawers().filter_map(FigureMaker::new).collect());
+    MAKERS.iter()
+}
 
-    /// With the claims of the report, for the tables about them.
-    #[must_use]
-    pub fn with_claims(self, claims: &'c [ClaimEntry]) -> Self {
-        Self { claims, ..self }
-    }
-
-    /// For a sentence of this kind.
-    #[must_use]
-    pub fn with_kind(&self, kind: Kind) -> Context<'_> {
-        Context { kind, known: self.known.clone(), hopf: self.hopf.clone(), ..*self }
-    }
-
-    /// Without the last gate.
-    #[must_use]
-    pub fn ungated(self) -> Self {
-        Self { is_gated: false, ..self }
-    }
-
-    /// The same with some of its equations only.
-    #[must_use]
-    pub fn with_equations<'e>(&'e self, equations: &'e Equations) -> Context<'e> {
-        // What was derived once stands for all who may derive it.
-        let may_derive = equations.missing(&hopf::EQUATIONS).is_empty();
-        let hopf = if may_derive { self.hopf.clone() } else { Arc::default() };
-        let known = self.known.clone();
-        Context {
-            equations,
-            outcome: self.outcome,
-            claims: self.claims,
-            kind: self.kind,
-            is_gated: self.is_gated,
-            known,
-            hopf,
-        }
-    }
-
-    /// What the work gives, done once for a key. The key names everything that the result depends on.
-    ///
-    /// Nobody waits for another's work, since that could wait for this one: two threads that come at once both do it.
-    pub fn once<T: Clone + Send + Sync + 'static>(&self, key: String, work: impl FnOnce() -> T) -> T {
-        let known = || self.known.lock().unwrap_or_else(PoisonError::into_inner);
-        let found = known().get(&key).and_then(|found| found.downcast_ref::<T>().cloned());
-        found.unwrap_or_else(|| {
-            let made = work();
-            known().insert(key, Arc::new(made.clone()));
-            made
-        })
-    }
-
-    /// The first Lyapunov coefficient. A claim and a table show it; it takes seconds, so it is derived once.
-    ///
-    /// # Errors
-    /// When the equations do not give the stated coefficient.
-    pub fn hopf_coefficient(&self, law: EvolutionLaw) -> Result<&HopfCoefficient, Refutation> {
-        let [slip, aging] = &*self.hopf;
-        let derived = match law {
-            EvolutionLaw::Slip => slip,
-            EvolutionLaw::Aging => aging,
-        };
-        derived.get_or_init(|| coefficient(&self.equations.in_symbols(), law)).as_ref().map_err(Clone::clone)
-    }
+experiments! {
+    /// max Im(s) and the spectral class on a (V, σ) grid.
+    Map, map: map::MapSection;
+    /// The exact boundary with its asymptotes, and the agreement of its three routes.
+    Boundary, boundary: boundary::BoundarySection;
+    /// max Im(s) along lines of constant normal stress.
+    Frequency, frequency: frequency::FrequencySection;
+    /// The worst errors of the asymptotes against b/a.
+    EffectRatioSweep, effect_ratio_sweep: effect_ratio_sweep::EffectRatioSweepSection;
+    /// Where each asymptote is good to a given relative error.
+    Tolerance, tolerance: tolerance::ToleranceSection;
+    /// Slip modes on a (V, σ) grid against the simplified map of the asymptotes.
+    Zones, zones: zones::ZonesSection;
+    /// The slip mode of the operating point, what leaves it, and which error bar decides it.
+    OperatingPoint, operating_point: operating_point::OperatingPointSection;
+    /// Slip modes of a slider under its own weight, over velocity and K/M.
+    OwnWeight, own_weight: own_weight::OwnWeightSection;
+    /// The nonlinear slider on a (V, σ) grid.
+    Simulations, simulations: simulations::SimulationsSection;
+    /// The nonlinear slider over time at named points.
+    Trajectories, trajectories: trajectories::TrajectoriesSection;
+    /// Small disturbances along the eigenvectors, and steady sliding itself.
+    LinearRegime, linear_regime: linear_regime::LinearRegimeSection;
+    /// Every completion of the start V_l/10.
+    StartSensitivity, start_sensitivity: start_sensitivity::StartSensitivitySection;
+    /// Where oscillation begins along lines of constant normal stress.
+    Onset, onset: onset::OnsetSection;
+    /// The nonlinear slider close to K = K_c.
+    NearTransition, near_transition: near_transition::NearTransitionSection;
+    /// Certificates of runs.
+    Certificates, certificates: certificates::CertificatesSection;
+    /// Friction parameters of a record of velocity steps.
+    Fit, fit: fit::FitSection;
+    /// Sweeps that ran elsewhere.
+    Swept, swept: swept::SweptSection;
+    /// The critical stiffness at given normal stresses.
+    #[cfg(test)]
+    TestExperiment, test_experiment: test_experiment::TestExperimentSection;
 }

@@ -2,7 +2,7 @@
 
 use crate::experiments::boundary::BoundaryOutcome;
 use crate::experiments::map::MapPoint;
-use crate::experiments::operating_point::operating_point_mark;
+use crate::experiments::operating_point::mark::operating_point_mark;
 use crate::experiments::shared::Grid;
 use crate::experiments::shared::axes::{asymptote_lines, axes, boundary_lines, cusp_mark, transition_line};
 use crate::experiments::shared::bands::{FINE, band_lines};

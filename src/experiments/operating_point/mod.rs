@@ -2,6 +2,7 @@
 
 pub(crate) mod error_bars;
 pub(crate) mod figures;
+pub(crate) mod mark;
 pub(crate) mod reach;
 pub(crate) mod run;
 pub(crate) mod section;
@@ -13,7 +14,6 @@ pub use run::{Change, OperatingPointOutcome};
 pub use section::OperatingPointSection;
 pub use words::{operating_point_words, range_words, what_decides_words, what_leaves_words};
 
-pub(crate) use figures::operating_point_mark;
 pub(crate) use words::error_bars;
 
 use crate::experiments::{Drawer, Experiment, Requirement, Setting, TableMaker, Work};

@@ -4,9 +4,9 @@
 use std::borrow::Borrow;
 
 use crate::experiments::boundary::BoundaryOutcome;
-use crate::experiments::map::MapPoint;
+use crate::experiments::map::run::MapPoint;
 use crate::experiments::shared::Grid;
-use crate::experiments::simulations::SimulatedPoint;
+use crate::experiments::simulations::run::SimulatedPoint;
 use slipmode_core::dynamics::Behaviour;
 use slipmode_core::stability::SlipMode;
 use slipmode_core::stability::boundary::BoundaryPoint;

@@ -22,6 +22,9 @@ use crate::experiments::work::rectangle_points;
 use crate::experiments::{Drawer, Experiment, Setting, TableMaker, Work};
 use slipmode_core::number::nearest_f64;
 
+/// Local tolerance of the pass along a cycle.
+const CYCLE_TOLERANCE: f64 = 1e-9;
+
 impl Experiment for SimulationsSection {
     type Outcome = SimulationsOutcome;
     const TABLES: &'static [&'static [TableMaker]] =

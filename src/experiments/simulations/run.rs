@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use crate::experiments::map::run::exactly;
 use crate::experiments::shared::Grid;
 use crate::experiments::simulations::{
-    LeastPeak, SimulationsSection, StrongVibration, least_peaks, strong_vibrations,
+    CYCLE_TOLERANCE, LeastPeak, SimulationsSection, StrongVibration, least_peaks, strong_vibrations,
 };
 use slipmode_core::dynamics::{
     Behaviour, Estimate, Failure, LongTerm, Model, Options, Outcome, Profile, Simulation, simulate_model,
@@ -38,9 +38,8 @@ pub struct RunCourse {
     pub on_cycle: Option<Profile>,
 }
 
-/// Local tolerances of the passes from the start and along the cycle.
+/// Local tolerance of the pass from the start.
 const START_TOLERANCE: f64 = 1e-7;
-pub(crate) const CYCLE_TOLERANCE: f64 = 1e-9;
 
 impl RunCourse {
     fn of(model: &Model<f64>, long_term: &LongTerm<f64>, options: &Options) -> Result<Self, Failure> {

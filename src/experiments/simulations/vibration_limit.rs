@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use crate::experiments::simulations::run::CYCLE_TOLERANCE;
+use crate::experiments::simulations::CYCLE_TOLERANCE;
 use slipmode_core::dynamics::{LongTerm, Model, Options, Profile, simulate_model};
 use slipmode_core::friction::{EvolutionLaw, Groups};
 

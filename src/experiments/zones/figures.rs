@@ -2,7 +2,7 @@
 
 use crate::experiments::map::MapPoint;
 use crate::experiments::map::figures::theory_lines;
-use crate::experiments::operating_point::operating_point_mark;
+use crate::experiments::operating_point::mark::operating_point_mark;
 use crate::experiments::shared::Grid;
 use crate::experiments::shared::axes::{asymptote_lines, axes, cusp_mark, pair_line, transition_line};
 use crate::experiments::{Drawer, SceneOutcome, Words};
