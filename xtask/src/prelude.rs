@@ -8,5 +8,5 @@ pub use std::process::Command;
 pub use std::time::Instant;
 
 pub use crate::failure::{Failure, Result, ensure};
-pub use crate::process::{Run, cargo, program};
-pub use crate::repository::{at, below, git, read, root, rows, write};
+pub use crate::process::{Run, cargo, program, root};
+pub use crate::repository::{at, below, git, read, rows, write};

@@ -4,7 +4,17 @@ use std::ffi::{OsStr, OsString};
 use std::io::{BufRead, BufReader};
 use std::process::{ExitStatus, Stdio};
 
-use crate::prelude::*;
+use std::env;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use crate::failure::{Failure, Result, ensure};
+
+/// The repository's root: the folder above this package.
+pub fn root() -> PathBuf {
+    let package = Path::new(env!("CARGO_MANIFEST_DIR"));
+    package.parent().unwrap_or(package).to_path_buf()
+}
 
 /// A program in the repository's root, with the arguments that stand in `words`, separated by spaces.
 pub fn program(program: impl AsRef<OsStr>, words: &str) -> Command {

@@ -3,13 +3,12 @@
 use std::io::{Error, Write};
 use std::process::Stdio;
 
-use crate::prelude::*;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
 
-/// The repository's root: the folder above this package.
-pub fn root() -> PathBuf {
-    let package = Path::new(env!("CARGO_MANIFEST_DIR"));
-    package.parent().unwrap_or(package).to_path_buf()
-}
+use crate::failure::{Failure, Result, ensure};
+use crate::process::{Run, program, root};
 
 /// The failure to read or write a file.
 pub fn at(path: &Path) -> impl Fn(Error) -> Failure {

@@ -75,7 +75,7 @@ mod tests {
 
     #[test]
     fn the_rounding_theorems_have_the_constants_of_the_filter() {
-        let text = |path: &str| std::fs::read_to_string(crate::repository::root().join(path)).unwrap();
+        let text = |path: &str| std::fs::read_to_string(crate::process::root().join(path)).unwrap();
         let theorems = text("proofs/Rounding.v");
         let power = |name: &str| -> u32 {
             let (_, rest) = theorems.split_once(&format!("Definition {name} : R := / 2 ^ ")).unwrap();
