@@ -2,6 +2,7 @@
 //!
 //! Each rule is a function from texts to complaints, tested with good and bad samples.
 
+mod circles;
 mod floors;
 mod references;
 mod rust_rules;
@@ -57,11 +58,13 @@ pub fn run() -> Result {
         references::check_links(file, &paths, &mut found);
         wording::check_text(file, &mut found);
     }
-    for source in rust_sources(&files) {
-        rust_rules::check(&source, &mut found);
-        floors::check(&source, &mut found);
-        wording::check_command_line(&source, &mut found);
+    let sources = rust_sources(&files);
+    for source in &sources {
+        rust_rules::check(source, &mut found);
+        floors::check(source, &mut found);
+        wording::check_command_line(source, &mut found);
     }
+    circles::check(&sources, &mut found);
     references::check_data_is_read(&files, &paths, &mut found);
     let shown = |Complaint { path, line, message }: &Complaint| match line {
         0 => format!("\n{path}: {message}"),
