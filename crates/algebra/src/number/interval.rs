@@ -124,9 +124,6 @@ impl Interval {
 
     #[inline]
     fn times(self, other: &Self) -> Self {
-        if self == Self::ZERO && other.is_finite() || *other == Self::ZERO && self.is_finite() {
-            return Self::ZERO;
-        }
         let (Self { low: a, high: b }, Self { low: c, high: d }) = (self, other);
         // Which ends give the extremes, by where zero lies.
         let (low, high) = if a >= 0.0 {
@@ -144,7 +141,8 @@ impl Interval {
             }
             (products[0].min(products[1]), products[2].max(products[3]))
         };
-        Self::outward(low, high)
+        let is_zero = low == 0.0 && high == 0.0 && (self == Self::ZERO || *other == Self::ZERO);
+        if is_zero { Self::ZERO } else { Self::outward(low, high) }
     }
 
     /// The whole line where the divisor may be zero.

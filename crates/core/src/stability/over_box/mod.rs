@@ -16,11 +16,10 @@
 mod classes;
 mod coefficient;
 mod corners;
+mod extreme_point;
 #[cfg(test)]
 mod fixtures;
-mod growth;
 mod lower_area;
-mod pair;
 mod pair_conditions;
 mod pair_point;
 mod pair_search;
@@ -150,10 +149,14 @@ pub(super) fn transition_sought(region: &ParameterBox) -> Sought {
     }
 }
 
+/// The least and the greatest sign of the distance from the boundary, exactly.
+fn boundary_signs(region: &ParameterBox) -> [i8; 2] {
+    Classes::of(&Filtered::new(region, &InertialThreshold::default())).boundary
+}
+
 /// Whether a point of the box has a double root.
 pub(super) fn boundary_sought(region: &ParameterBox) -> Sought {
-    let threshold = InertialThreshold::default();
-    match Classes::of(&Filtered::new(region, &threshold)).boundary {
+    match boundary_signs(region) {
         [-1, -1] | [1, 1] => Sought::Nowhere,
         _ => Sought::Somewhere,
     }

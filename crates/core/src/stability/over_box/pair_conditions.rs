@@ -1,6 +1,6 @@
 //! What is zero where two numbers are roots of eq 8, with its derivatives.
 
-use crate::number::Interval;
+use crate::number::Field;
 
 /// How two roots are known.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -13,7 +13,7 @@ pub(super) enum TwoRoots {
 
 impl TwoRoots {
     /// 2X and N of such two values and r.
-    pub(super) fn sum_and_product(self, [first, second, _]: &[Interval; 3]) -> [Interval; 2] {
+    pub(super) fn sum_and_product<T: Field + Copy>(self, [first, second, _]: &[T; 3]) -> [T; 2] {
         match self {
             Self::Pair => [*first + *first, first.square() + *second],
             Self::Real => [*first + *second, *first * *second],
@@ -21,7 +21,7 @@ impl TwoRoots {
     }
 
     /// Q = N + r² + 2rX: the product of the distances of both roots from −r.
-    pub(super) fn pole_product(self, [first, second, rate]: &[Interval; 3]) -> Interval {
+    pub(super) fn pole_product<T: Field + Copy>(self, [first, second, rate]: &[T; 3]) -> T {
         let from_pole = *rate + *first;
         match self {
             Self::Pair => from_pole.square() + *second,
@@ -37,18 +37,18 @@ pub(super) const VARIABLES: usize = 9;
 pub(super) const CONDITIONS: usize = 5;
 
 /// What the conditions have in common.
-pub(super) struct Terms<'v> {
-    variables: &'v [Interval; VARIABLES],
+pub(super) struct Terms<'v, T> {
+    variables: &'v [T; VARIABLES],
     /// r² and 2rX.
-    rate_square: Interval,
-    twice: Interval,
+    rate_square: T,
+    twice: T,
     /// N and Q.
-    product: Interval,
-    from_pole: Interval,
+    product: T,
+    from_pole: T,
 }
 
-impl<'v> Terms<'v> {
-    pub(super) fn of(kind: TwoRoots, variables: &'v [Interval; VARIABLES]) -> Self {
+impl<'v, T: Field + Copy> Terms<'v, T> {
+    pub(super) fn of(kind: TwoRoots, variables: &'v [T; VARIABLES]) -> Self {
         let [first, second, rate, ..] = *variables;
         let [sum, product] = kind.sum_and_product(&[first, second, rate]);
         let from_pole = kind.pole_product(&[first, second, rate]);
@@ -56,7 +56,7 @@ impl<'v> Terms<'v> {
     }
 
     /// The equation for a; that for b; both without k, without m, and without δ.
-    pub(super) fn condition(&self, which: usize) -> Interval {
+    pub(super) fn condition(&self, which: usize) -> T {
         let [_, _, _, delta, a, b, k, m, share] = *self.variables;
         let Self { rate_square, twice, product, from_pole, .. } = *self;
         let steep = rate_square + twice;
@@ -70,22 +70,23 @@ impl<'v> Terms<'v> {
     }
 }
 
-/// The derivatives of the conditions by each variable, enclosed.
-pub(super) struct Slopes<'v> {
-    terms: Terms<'v>,
+/// The derivatives of the conditions by each variable.
+pub(super) struct Slopes<'v, T> {
+    terms: Terms<'v, T>,
     /// Of r², 2rX, N and Q by the two roots and r.
-    of_terms: [[Interval; 3]; 4],
+    of_terms: [[T; 3]; 4],
 }
 
-impl<'v> Slopes<'v> {
-    pub(super) fn of(kind: TwoRoots, variables: &'v [Interval; VARIABLES]) -> Self {
+impl<'v, T: Field + Copy> Slopes<'v, T> {
+    pub(super) fn of(kind: TwoRoots, variables: &'v [T; VARIABLES]) -> Self {
         let [first, second, rate, ..] = *variables;
-        let [zero, one] = [0.0, 1.0].map(Interval::point);
+        let [zero, one] = [0, 1].map(T::from);
+        let twice_rate = rate + rate;
         let [twice, n, q] = match kind {
             TwoRoots::Pair => {
-                let from_pole = (rate + first) * 2.0;
-                let twice = [rate * 2.0, zero, first * 2.0];
-                [twice, [first * 2.0, one, zero], [from_pole, one, from_pole]]
+                let (twice_first, from_pole) = (first + first, rate + first);
+                let from_pole = from_pole + from_pole;
+                [[twice_rate, zero, twice_first], [twice_first, one, zero], [from_pole, one, from_pole]]
             }
             TwoRoots::Real => {
                 let (of_first, of_second) = (rate + first, rate + second);
@@ -93,50 +94,65 @@ impl<'v> Slopes<'v> {
                 [[rate, rate, first + second], [second, first, zero], q]
             }
         };
-        Self { terms: Terms::of(kind, variables), of_terms: [[zero, zero, rate * 2.0], twice, n, q] }
+        Self { terms: Terms::of(kind, variables), of_terms: [[zero, zero, twice_rate], twice, n, q] }
     }
 
-    /// The derivatives of a condition, with n = N, q = Q and t = 2rX.
-    pub(super) fn condition(&self, which: usize) -> [Interval; VARIABLES] {
-        let zero = Interval::point(0.0);
+    /// The derivatives of a condition by r², t = 2rX, n = N and q = Q.
+    fn by_terms(&self, which: usize) -> [T; 4] {
+        let zero = T::from(0);
         let Terms { variables, rate_square: r2, twice: t, product: n, from_pole: q } = self.terms;
         let [_, _, _, delta, a, b, k, m, share] = *variables;
         let (steep, slack, mass) = (r2 + t, k - m * n, delta * m);
-        // By r², t, n and q, and by the other variables.
-        let (by_terms, by_others) = match which {
-            0 => (
-                [delta * slack, -(mass * n), -(mass * steep + a), zero],
-                [r2 * k - m * steep * n, -n, zero, delta * r2, -(delta * steep * n), zero],
-            ),
-            1 => (
-                [zero, zero, -(mass * q + b), delta * slack],
-                [q * slack, zero, -n, delta * q, -(delta * q * n), zero],
-            ),
-            2 => (
-                [b, -(q * mass), zero, -(a + mass * t)],
-                [-(q * m * t), -q, r2, zero, -(q * delta * t), zero],
-            ),
+        match which {
+            0 => [delta * slack, -(mass * n), -(mass * steep + a), zero],
+            1 => [zero, zero, -(mass * q + b), delta * slack],
+            2 => [b, -(q * mass), zero, -(a + mass * t)],
             3 => {
-                let (spring, tq) = (delta * k, t * q);
-                (
-                    [n * b, n * b - spring * q, steep * b - a * q, -(n * a + spring * t)],
-                    [-(k * tq), -(n * q), n * steep, -(delta * tq), zero, zero],
-                )
+                let spring = delta * k;
+                [n * b, n * b - spring * q, steep * b - a * q, -(n * a + spring * t)]
             }
             _ => {
-                let rest = Interval::point(1.0) - share;
-                (
-                    [b * rest, -(b * share), zero, -(a * rest)],
-                    [zero, -(q * rest), r2 - share * steep, zero, zero, a * q - b * steep],
-                )
+                let rest = T::from(1) - share;
+                [b * rest, -(b * share), zero, -(a * rest)]
             }
-        };
-        let of_root = |i: usize| {
-            let each = by_terms.iter().zip(&self.of_terms).map(|(by_term, of_term)| *by_term * of_term[i]);
-            each.fold(zero, |sum, part| sum + part)
-        };
-        let [delta, a, b, k, m, share] = by_others;
-        [of_root(0), of_root(1), of_root(2), delta, a, b, k, m, share]
+        }
+    }
+
+    /// The derivatives of a condition by δ, a, b, k, m and m N/k.
+    fn by_others(&self, which: usize) -> [T; 6] {
+        let zero = T::from(0);
+        let Terms { variables, rate_square: r2, twice: t, product: n, from_pole: q } = self.terms;
+        let [_, _, _, delta, a, b, k, m, share] = *variables;
+        let (steep, slack) = (r2 + t, k - m * n);
+        match which {
+            0 => [r2 * k - m * steep * n, -n, zero, delta * r2, -(delta * steep * n), zero],
+            1 => [q * slack, zero, -n, delta * q, -(delta * q * n), zero],
+            2 => [-(q * m * t), -q, r2, zero, -(q * delta * t), zero],
+            3 => {
+                let tq = t * q;
+                [-(k * tq), -(n * q), n * steep, -(delta * tq), zero, zero]
+            }
+            _ => [zero, -(q - share * q), r2 - share * steep, zero, zero, a * q - b * steep],
+        }
+    }
+
+    /// The derivative of a condition by one of the two roots or r, of those by the terms.
+    fn by_root(&self, by_terms: &[T; 4], root: usize) -> T {
+        let each = by_terms.iter().zip(&self.of_terms).map(|(by_term, of_term)| *by_term * of_term[root]);
+        each.fold(T::from(0), |sum, part| sum + part)
+    }
+
+    /// The derivatives of a condition.
+    pub(super) fn condition(&self, which: usize) -> [T; VARIABLES] {
+        let by_terms = self.by_terms(which);
+        let [first, second, rate] = [0, 1, 2].map(|root| self.by_root(&by_terms, root));
+        let [delta, a, b, k, m, share] = self.by_others(which);
+        [first, second, rate, delta, a, b, k, m, share]
+    }
+
+    /// The conditions themselves.
+    pub(super) const fn terms(&self) -> &Terms<'v, T> {
+        &self.terms
     }
 }
 
@@ -144,6 +160,7 @@ impl<'v> Slopes<'v> {
 mod tests {
     use super::super::root_discs::cubic;
     use super::*;
+    use crate::number::Interval;
     use crate::number::split_mix::SplitMix64;
     use crate::roots::bounded_roots;
 

@@ -5,11 +5,16 @@
 //! polygon, and those of all k and m a parallelogram. They meet unless a side of one of them divides them, so that five conditions decide
 //! whether these are roots for some point with this r. A search over two roots and r has three dimensions in the place of seven.
 //!
+//! Only points with an extreme value count, and such a point has most parameters at their ends ([`super::extreme_point`]): over a place they are
+//! set there. Where all are, one point remains, whose roots are found.
+//!
 //! A pair X ± i√w is known by X and w. Of three real roots the upper two are known by themselves: where they lie decades apart, half of their
 //! sum says nothing of the larger one.
 
 use std::collections::BinaryHeap;
 
+use super::corners::{A, B};
+use super::extreme_point::Known;
 use super::pair_conditions::{CONDITIONS, Slopes, Terms, TwoRoots, VARIABLES};
 use super::pair_point::point_with;
 use super::ranked::Ranked;
@@ -17,9 +22,14 @@ use super::root_discs::{Quantity, RootDiscs, Values, cubic};
 use crate::number::Interval;
 
 /// How often the end of a place is cut.
-const CUTS: u32 = 3;
+const CUTS: u32 = 2;
+/// How much of what the other variables can change counts against a cut that is tried.
+const EFFECT: f64 = 0.5;
 /// A cut below this part of a place does not pay.
-const LEAST_CUT: f64 = 0.1;
+const LEAST_CUT: f64 = 0.2;
+
+/// After so many places a search is content with less.
+pub(super) const FEW: usize = 64;
 
 /// What is known of a value that is looked for in a box.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -32,18 +42,19 @@ pub(in crate::stability) enum Sought {
     Unknown,
 }
 
-/// A search for the greatest or the least value of a quantity.
+/// A search for the greatest or the least value of a quantity; for the least frequency only where all points oscillate.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct PairSearch<'v> {
-    /// The box.
-    pub values: &'v Values,
+    /// The lower and the upper ends of the box.
+    pub lower: &'v Values,
+    pub upper: &'v Values,
     /// Which quantity.
     pub quantity: Quantity,
     /// Whether its greatest value is sought.
     pub is_greatest: bool,
     /// Points with a largest real part above it are left out.
     pub ceiling: f64,
-    /// The most places that are halved, twice as many as in a search for a point.
+    /// The most places that are halved.
     pub most: usize,
 }
 
@@ -52,6 +63,10 @@ pub(super) struct PairSearch<'v> {
 struct RootPlace {
     kind: TwoRoots,
     values: [Interval; 3],
+    /// The parameters that a point with an extreme value can have there.
+    parameters: Values,
+    /// The value, where only one point remains.
+    value: Option<Interval>,
 }
 
 /// X, or the largest root.
@@ -61,46 +76,73 @@ const SECOND: usize = 1;
 const RATE: usize = 2;
 
 impl PairSearch<'_> {
-    /// A value that no point of the box passes, or `attained` where that is farther out. The search ends where the two are as near as `gap`.
-    pub(super) fn bound(&self, attained: f64, gap: f64) -> f64 {
+    /// A value that no point of the box passes, and one that is attained. The search ends where the two are as near as `near`, or, after a few
+    /// places, as `far`.
+    pub(super) fn bound(&self, attained: f64, [near, far]: [f64; 2]) -> [f64; 2] {
         let outward = |value: f64| if self.is_greatest { value } else { -value };
-        let attained = outward(attained);
+        let (mut attained, mut bound) = (outward(attained), f64::NEG_INFINITY);
         let ranked = |place: RootPlace| Ranked { rank: outward(self.bound_over(&place)), of: place };
-        let mut open: BinaryHeap<_> = self.whole().map(ranked).collect();
-        for _ in 0..self.most {
+        let mut open: BinaryHeap<_> = self.whole().into_iter().flatten().map(ranked).collect();
+        for halved in 0..self.most {
+            let gap = if halved < FEW { near } else { far };
             if open.peek().is_none_or(|first| first.rank <= attained + gap) {
                 break;
             }
-            let Some(first) = open.pop() else { break };
-            let halves = first.of.halves().into_iter();
-            let left = halves.filter_map(|half| self.cut(self.narrowed(half)?)).map(ranked);
+            let Some(Ranked { rank, of: place }) = open.pop() else { break };
+            if let Some(value) = place.value {
+                attained = attained.max(if self.is_greatest { value.low } else { -value.high });
+                bound = bound.max(rank);
+                continue;
+            }
+            let left = place.halves().into_iter().filter_map(|half| self.reduced(half)).map(ranked);
             open.extend(left.filter(|half| half.rank > attained));
         }
-        outward(open.peek().map_or(attained, |first| first.rank.max(attained)))
+        bound = open.peek().map_or(bound, |first| first.rank.max(bound)).max(attained);
+        [bound, attained].map(outward)
     }
 
     /// Whether a point of the box is below the ceiling.
     pub(super) fn has_points(&self) -> Sought {
         let ranked = |place: RootPlace| Ranked { rank: -self.bound_over(&place), of: place };
-        let mut open: BinaryHeap<_> = self.whole().map(ranked).collect();
-        for _ in 0..self.most / 2 {
-            let Some(Ranked { of: place, .. }) = open.pop() else { return Sought::Nowhere };
-            for half in place.halves().into_iter().filter_map(|half| self.cut(self.narrowed(half)?)) {
-                let middle = half.values.map(Interval::middle);
-                let point = point_with(self.values, half.kind, &middle, self.ceiling);
-                if point.is_some_and(|point| self.is_below_ceiling(&point)) {
+        let (mut open, mut places) = (BinaryHeap::new(), self.whole());
+        for _ in 0..=self.most {
+            for place in places.into_iter().flatten() {
+                if self.has_point_in(&place) {
                     return Sought::Somewhere;
                 }
-                open.push(ranked(half));
+                if place.value.is_none_or(|value| value.low <= self.ceiling) {
+                    open.push(ranked(place));
+                }
             }
+            let Some(Ranked { of: place, .. }) = open.pop() else { return Sought::Nowhere };
+            if place.value.is_some() {
+                // Its value and the ceiling are the same to rounding.
+                return Sought::Unknown;
+            }
+            places = place.halves().map(|half| self.reduced(half));
         }
         Sought::Unknown
     }
 
-    /// Whether a point's largest real part is below the ceiling, for certain.
-    fn is_below_ceiling(&self, point: &[f64; 7]) -> bool {
-        let discs = RootDiscs::of(&point.map(Interval::point));
-        discs.is_some_and(|discs| discs.largest(Quantity::Real, &[None; 3]).high <= self.ceiling)
+    /// Whether the point that remains of a place, or one with its middle values, is below the ceiling, for certain.
+    fn has_point_in(&self, place: &RootPlace) -> bool {
+        let value = place.value.or_else(|| {
+            let middle = place.values.map(Interval::middle);
+            let point = point_with(&place.parameters, place.kind, &middle, self.ceiling)?;
+            Some(RootDiscs::of(&point.map(Interval::point))?.largest(Quantity::Real))
+        });
+        value.is_some_and(|value| value.high <= self.ceiling)
+    }
+
+    /// The part of a place where a point with an extreme value may have its roots.
+    fn reduced(&self, place: RootPlace) -> Option<RootPlace> {
+        let narrowed = self.narrowed(place)?;
+        let settled = self.settled(narrowed)?;
+        if settled.value.is_some() {
+            return Some(settled);
+        }
+        let is_changed = settled.parameters != narrowed.parameters;
+        self.cut(if is_changed { self.narrowed(settled)? } else { settled })
     }
 
     /// k, m and m N/k over a place. The third root, −r k/(m N), is below the ceiling, and below the other two where these are real; and both
@@ -111,7 +153,7 @@ impl PairSearch<'_> {
         [sum, product]: [Interval; 2],
         delta: Interval,
     ) -> Option<[Interval; 3]> {
-        let [a, b, _, k, m, _, _] = *self.values;
+        let [a, b, _, k, m, _, _] = place.parameters;
         let rate = place.values[RATE];
         let mut share = m / k * product;
         let ceiling = match place.kind {
@@ -143,13 +185,16 @@ impl PairSearch<'_> {
 
     /// A value that the quantity does not pass over a place.
     fn bound_over(&self, place: &RootPlace) -> f64 {
+        if let Some(value) = place.value {
+            return if self.is_greatest { value.high } else { value.low };
+        }
         let [first, second, rate] = place.values;
         let value = match (self.quantity, place.kind) {
             (Quantity::Imaginary, _) => second.square_root(),
             (Quantity::Real, TwoRoots::Real) => first,
             (Quantity::Real, TwoRoots::Pair) => {
                 let sum_and_product = place.kind.sum_and_product(&place.values);
-                let machine = self.delta(rate).and_then(|delta| self.machine(place, sum_and_product, delta));
+                let machine = place.delta().and_then(|delta| self.machine(place, sum_and_product, delta));
                 let third = machine.map_or(Interval::LINE, |[.., share]| -(rate / share));
                 Interval { low: first.low.max(third.low), high: first.high.max(third.high.min(0.0)) }
             }
@@ -158,32 +203,88 @@ impl PairSearch<'_> {
     }
 
     /// All places: a pair is slower than the slider on its spring alone, the third root is negative, and no root is beyond twice the
-    /// greatest of c2/c3, √(|c1|/c3) and ∛(c0/c3). Real roots have no imaginary part.
-    fn whole(&self) -> impl Iterator<Item = RootPlace> {
-        let [.., d, k, m, _, v] = *self.values;
-        let [c0, c1, c2, c3] = cubic(self.values);
+    /// greatest of c2/c3, √(|c1|/c3) and ∛(c0/c3). Real roots have no imaginary part. Where discs part one root from the others, these are
+    /// known better.
+    fn whole(&self) -> [Option<RootPlace>; 2] {
+        let parameters: Values = std::array::from_fn(|i| self.lower[i].hull(self.upper[i]));
+        let [.., d, k, m, _, v] = parameters;
+        let [c0, c1, c2, c3] = cubic(&parameters);
         let size = |coefficient: Interval| (coefficient / c3).high.max(-(coefficient / c3).low).next_up();
         let reach = 2.0 * size(c2).max(size(c1).sqrt()).max(libm::cbrt(size(c0))).next_up();
         let within = Interval { low: -reach, high: reach };
-        let pair =
-            [Interval { low: -0.5 * size(c2), high: reach }, Interval { low: 0.0, high: (k / m).high }];
-        let of_kind =
-            |kind, [first, second]: [Interval; 2]| RootPlace { kind, values: [first, second, v / d] };
-        let real = (self.quantity == Quantity::Real).then(|| of_kind(TwoRoots::Real, [within; 2]));
-        [of_kind(TwoRoots::Pair, pair)].into_iter().chain(real).filter_map(|place| self.narrowed(place))
+        let of_kind = move |kind, [first, second]: [Interval; 2]| {
+            let values = [first, second, v / d];
+            RootPlace { kind, values, parameters, value: None }
+        };
+        let parted = RootDiscs::of(&parameters).and_then(|discs| discs.others());
+        let [half_sum, square] = parted.unwrap_or([Interval::LINE; 2]);
+        let slowest = common(Interval { low: -0.5 * size(c2), high: reach }, half_sum);
+        let pair = slowest.zip(common(Interval { low: 0.0, high: (k / m).high }, -square));
+        let pair = pair.map(|(x, w)| of_kind(TwoRoots::Pair, [x, w]));
+        let has_real = self.quantity == Quantity::Real && square.high >= 0.0;
+        let real = has_real.then(|| of_kind(TwoRoots::Real, [within; 2]));
+        [pair, real].map(|place| self.reduced(place?))
     }
 
-    /// D_c/σ where V0/D_c has the values of a rate.
-    fn delta(&self, rate: Interval) -> Option<Interval> {
-        let [_, _, d, _, _, s, v] = *self.values;
-        Some(common(d, v / rate)? / s)
+    /// The place with the parameters at their ends that a point with an extreme value has there; none where it has no such point.
+    fn settled(&self, mut place: RootPlace) -> Option<RootPlace> {
+        let [first, second, rate] = place.values;
+        let [sum, product] = place.kind.sum_and_product(&place.values);
+        let delta = place.delta()?;
+        let [stiffness, mass, share] = self.machine(&place, [sum, positive(product)?], delta)?;
+        let of_place = place.parameters;
+        let friction = [of_place[A], of_place[B]];
+        let known = Known { roots: [first, second], rate, delta, friction, stiffness, mass, share };
+        let effects = self.effects(place.kind, &known);
+        for (i, value) in place.parameters.iter_mut().enumerate() {
+            let [mut rises, mut falls] = [effects.iter().any(Option::is_some); 2];
+            for effects in effects.iter().flatten() {
+                rises &= effects[i].low > 0.0;
+                falls &= effects[i].high < 0.0;
+            }
+            if self.lower[i] != self.upper[i] && (rises || falls) {
+                *value =
+                    common(*value, if rises == self.is_greatest { self.upper[i] } else { self.lower[i] })?;
+            }
+        }
+        if place.parameters != of_place {
+            let discs = RootDiscs::of(&place.parameters)?;
+            if let (TwoRoots::Pair, Some([half_sum, square])) = (place.kind, discs.others()) {
+                place.values[FIRST] = common(place.values[FIRST], half_sum)?;
+                place.values[SECOND] = common(place.values[SECOND], -square)?;
+            }
+            let is_one_point = (0..7).all(|i| [self.lower[i], self.upper[i]].contains(&place.parameters[i]));
+            place.value = is_one_point.then(|| discs.largest(self.quantity));
+        }
+        Some(place)
+    }
+
+    /// What a parameter has to change, all in the same sense, so that no extreme value is where it can still be moved.
+    ///
+    /// Where the least growth is that of a double root, the pair may become two real roots there, too. A greatest value at a double root is that
+    /// of two real roots.
+    fn effects(&self, kind: TwoRoots, known: &Known) -> [Option<Values>; 3] {
+        let ([first, second], third) = (known.roots, known.third());
+        let may_be_double = !self.is_greatest && second.low <= 0.0;
+        match (self.quantity, kind) {
+            (Quantity::Imaginary, _) => [Some(known.effects_on_imaginary_part()), None, None],
+            (Quantity::Real, TwoRoots::Real) => [Some(known.effects_on_real_root(first)), None, None],
+            (Quantity::Real, TwoRoots::Pair) => {
+                let (may_be_pair, may_be_third) = (third.low <= first.high, third.high >= first.low);
+                [
+                    may_be_pair.then(|| known.effects_on_real_part()),
+                    (may_be_pair && may_be_double).then(|| known.effects_on_real_root(first)),
+                    may_be_third.then(|| known.effects_on_real_root(third)),
+                ]
+            }
+        }
     }
 
     /// The part of a place that the ceiling and each equation alone leave; none where no numbers of it are roots.
     fn narrowed(&self, mut place: RootPlace) -> Option<RootPlace> {
-        let [a, b, ..] = *self.values;
+        let [a, b, ..] = place.parameters;
         let rate = place.values[RATE];
-        let delta = self.delta(rate)?;
+        let delta = place.delta()?;
         place.values[FIRST] = common(place.values[FIRST], at_most(self.ceiling))?;
         place = place.in_order()?;
         let [sum, product] = place.kind.sum_and_product(&place.values);
@@ -202,34 +303,25 @@ impl PairSearch<'_> {
     ///
     /// A condition that has one sign at this end keeps it as far inside as its derivative allows.
     fn cut(&self, mut place: RootPlace) -> Option<RootPlace> {
-        let [a, b, ..] = *self.values;
+        let [a, b, ..] = place.parameters;
         let leading = self.leading();
         let [first, second, rate] = place.values;
         let [sum, product] = place.kind.sum_and_product(&place.values);
-        let delta = self.delta(rate)?;
+        let delta = place.delta()?;
         let [k, m, share] = self.machine(&place, [sum, positive(product)?], delta)?;
         let mut variables = [first, second, rate, delta, a, b, k, m, share];
         let of_place = variables;
         let slopes = Slopes::of(place.kind, &of_place);
-        let slopes: [_; CONDITIONS] = std::array::from_fn(|which| slopes.condition(which));
         for _ in 0..CUTS {
             let end = self.end(&place);
             variables[leading] = Interval::point(end);
             let width = place.values[leading].width();
-            let middle = variables.map(|variable| Interval::point(variable.middle()));
-            let at_middle = Terms::of(place.kind, &middle);
             let mut cut = 0.0;
-            for (which, slopes) in slopes.iter().enumerate() {
-                let steepest = Interval::point(slopes[leading].low.abs().max(slopes[leading].high.abs()));
-                let value = at_middle.condition(which);
-                // No cut is deeper than this one, which is without the other variables' effect.
-                let deepest = (Interval::point(value.high.max(-value.low)) / steepest).high;
-                if deepest > f64::max(cut, LEAST_CUT * width) {
-                    let is_positive = value.low > 0.0;
-                    let nearest = extreme(place.kind, &variables, slopes, which, !is_positive);
-                    let distance = if is_positive { nearest.low } else { -nearest.high };
-                    cut = cut.max((Interval::point(distance) / steepest).low);
+            for (which, likely) in likely_cuts(place.kind, &variables, leading) {
+                if likely <= f64::max(cut, LEAST_CUT * width) {
+                    break;
                 }
+                cut = cut.max(certain_cut(&slopes, place.kind, &variables, leading, which));
             }
             if cut > width {
                 return None;
@@ -246,6 +338,42 @@ impl PairSearch<'_> {
         }
         Some(place)
     }
+}
+
+/// How far inside each condition is likely to keep its sign, the farthest first: by its value and derivatives in the middle.
+fn likely_cuts(
+    kind: TwoRoots,
+    variables: &[Interval; VARIABLES],
+    leading: usize,
+) -> [(usize, f64); CONDITIONS] {
+    let middle = variables.map(Interval::middle);
+    let slopes = Slopes::of(kind, &middle);
+    let mut likely = std::array::from_fn(|which| {
+        let by_each = slopes.condition(which);
+        let others = (0..VARIABLES).filter(|i| *i != leading);
+        let effect: f64 = others.map(|i| by_each[i].abs() * 0.5 * variables[i].width()).sum();
+        let margin = slopes.terms().condition(which).abs() - EFFECT * effect;
+        (which, margin / by_each[leading].abs())
+    });
+    likely.sort_by(|(_, one), (_, other)| other.total_cmp(one));
+    likely
+}
+
+/// How far inside a condition keeps the sign that it has at an end, for certain: not farther than its derivative allows.
+fn certain_cut(
+    slopes: &Slopes<'_, Interval>,
+    kind: TwoRoots,
+    at_end: &[Interval; VARIABLES],
+    leading: usize,
+    which: usize,
+) -> f64 {
+    let slopes = slopes.condition(which);
+    let steepest = Interval::point(slopes[leading].low.abs().max(slopes[leading].high.abs()));
+    let middle = at_end.map(|variable| Interval::point(variable.middle()));
+    let is_positive = Terms::of(kind, &middle).condition(which).low > 0.0;
+    let nearest = extreme(kind, at_end, &slopes, which, !is_positive);
+    let distance = if is_positive { nearest.low } else { -nearest.high };
+    (Interval::point(distance) / steepest).low
 }
 
 /// The least or the greatest value of a condition, enclosed.
@@ -299,6 +427,12 @@ fn positive(interval: Interval) -> Option<Interval> {
 }
 
 impl RootPlace {
+    /// D_c/σ where V0/D_c has the values of the rate.
+    fn delta(&self) -> Option<Interval> {
+        let [_, _, d, _, _, s, v] = self.parameters;
+        Some(common(d, v / self.values[RATE])? / s)
+    }
+
     /// The part where the first of two real roots is the larger one.
     fn in_order(mut self) -> Option<Self> {
         if self.kind == TwoRoots::Real {

@@ -1,4 +1,4 @@
-//! Enclosures of the roots of eq 8 for all points of a part of a box, and how they change with each parameter.
+//! Enclosures of the roots of eq 8 for all points of a part of a box.
 //!
 //! In the variable z = s D₀/V₀, with D_c, V0, σ, K and M in units of D₀, V₀, σ₀, σ₀/D₀ and σ₀D₀/V₀², eq 8 is
 //! f = (z + v/d)(m z² + k) + s z (a z/v + (a − b)/d).
@@ -8,7 +8,6 @@
 
 use num_complex::Complex64;
 
-use super::corners::{B, D, K, M, S, V};
 use crate::number::{Field, Interval, Rectangle};
 use crate::roots::bounded_roots;
 
@@ -17,9 +16,6 @@ pub(in crate::stability) type Values = [Interval; 7];
 
 /// Steps of the iteration that improves approximate roots.
 const POLISHING_STEPS: u32 = 2;
-
-/// How often a root's enclosure is narrowed.
-const CONTRACTIONS: u32 = 3;
 
 /// Which part of the roots.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -93,33 +89,14 @@ impl RootDiscs {
         }
     }
 
-    /// Enclosures of the roots in discs that hold one root each, narrowed by their derivatives.
-    ///
-    /// `middle` is a point of the part: by the mean value theorem a root is that of the point, and changes as the derivatives say.
-    pub(super) fn tracked(&self, values: &Values, middle: &Self, point: &Values) -> [Option<Tracked>; 3] {
-        let of_disc = |i: usize| {
-            let rectangle = self.rectangle(i);
-            let meets = |j: &usize| rectangle.meets(middle.rectangle(*j));
-            let mut same = (0..3).filter(meets);
-            let j =
-                same.next().filter(|j| same.next().is_none() && self.is_alone(i) && middle.is_alone(*j))?;
-            Tracked::new(rectangle, values)?.narrowed(middle.rectangle(j), values, point)
-        };
-        let [first, second] = [0, 1].map(of_disc);
-        let is_pair = self.centres[1].im != 0.0;
-        [first, second, if is_pair { second.map(Tracked::conjugate) } else { of_disc(2) }]
-    }
-
-    /// The values of the root or roots of each disc.
-    fn values(&self, quantity: Quantity, tracked: &[Option<Tracked>; 3]) -> [Interval; 3] {
-        std::array::from_fn(|i| {
-            tracked[i].map_or_else(|| self.rectangle(i).part(quantity), |root| root.value(quantity))
-        })
+    /// Half the sum of the roots beside a real one, and a quarter of the square of their difference, where that one's disc is apart.
+    pub(super) const fn others(&self) -> Option<[Interval; 2]> {
+        self.others
     }
 
     /// The largest value of the three roots.
-    pub(super) fn largest(&self, quantity: Quantity, tracked: &[Option<Tracked>; 3]) -> Interval {
-        let all = self.values(quantity, tracked);
+    pub(super) fn largest(&self, quantity: Quantity) -> Interval {
+        let all: [Interval; 3] = std::array::from_fn(|i| self.rectangle(i).part(quantity));
         let high = all.iter().fold(f64::NEG_INFINITY, |high, values| high.max(values.high));
         // A union of discs holds a root, which is not below all of its discs.
         let chained = self.touch.iter().filter(|touch| **touch).count() > 1;
@@ -141,24 +118,6 @@ impl RootDiscs {
             }
         }
     }
-
-    /// As [`other_two`], with the real root that was narrowed; none where the first disc is not apart.
-    pub(super) fn others(&self, values: &Values, tracked: &[Option<Tracked>; 3]) -> Option<[Interval; 2]> {
-        let narrowed = |others| tracked[0].map_or(others, |real| other_two(&cubic(values), real.root.re));
-        self.others.map(narrowed)
-    }
-
-    /// The root whose value is the largest at all points. None where another root may have it.
-    pub(super) fn top(&self, quantity: Quantity, tracked: &[Option<Tracked>; 3]) -> Option<Tracked> {
-        let all = self.values(quantity, tracked);
-        let is_pair = self.centres[1].im != 0.0;
-        let is_top = |i: usize| {
-            let is_conjugate = |j: usize| is_pair && i + j == 3;
-            (quantity == Quantity::Real || all[i].low > 0.0)
-                && (0..3).all(|j| j == i || is_conjugate(j) || all[i].low > all[j].high)
-        };
-        (0..3).find(|i| is_top(*i)).and_then(|i| tracked[i])
-    }
 }
 
 /// Half the sum of the roots beside a real one, and a quarter of the square of their difference: negative for a pair.
@@ -172,105 +131,10 @@ fn other_two([c0, c1, c2, c3]: &[Interval; 4], real: Interval) -> [Interval; 2] 
     [half_sum, half_sum.square() - product]
 }
 
-/// A root over a part.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Tracked {
-    root: Rectangle,
-    /// The derivatives of its real and of its imaginary part by each parameter.
-    slopes: [[Interval; 7]; 2],
-}
-
-impl Tracked {
-    fn new(root: Rectangle, values: &Values) -> Option<Self> {
-        // Each form has narrow enclosures where the other's terms cancel: the first at small V0, the second at large V0.
-        let [of_cubic, of_sum] =
-            [derivatives_of_cubic(root, values), derivatives_of_sum(root, values)].map(root_slopes);
-        let slopes: [[Interval; 7]; 2] = std::array::from_fn(|part| {
-            std::array::from_fn(|i| of_cubic[part][i].intersection(of_sum[part][i]))
-        });
-        let is_known = slopes.as_flattened().iter().all(|slope| slope.is_finite());
-        is_known.then_some(Self { root, slopes })
-    }
-
-    /// The conjugate root.
-    fn conjugate(self) -> Self {
-        let [re, im] = self.slopes;
-        Self { root: self.root.conjugate(), slopes: [re, im.map(|slope| -slope)] }
-    }
-
-    /// The root by what it is at a point and by its derivatives, as often as it pays.
-    fn narrowed(mut self, at_point: Rectangle, values: &Values, point: &Values) -> Option<Self> {
-        for _ in 0..CONTRACTIONS {
-            let change = |slopes: &[Interval; 7]| {
-                let changes = (0..7).map(|i| slopes[i] * (values[i] - point[i]));
-                changes.reduce(|sum, change| sum + change)
-            };
-            let [re, im] = self.slopes.each_ref().map(change);
-            let moved = at_point + Rectangle { re: re?, im: im? };
-            let (re, im) = (self.root.re.intersection(moved.re), self.root.im.intersection(moved.im));
-            self = Self::new(Rectangle { re, im }, values)?;
-        }
-        Some(self)
-    }
-
-    /// The root's value.
-    fn value(&self, quantity: Quantity) -> Interval {
-        self.root.part(quantity)
-    }
-
-    /// Its derivatives.
-    pub(super) fn slopes(&self, quantity: Quantity) -> [Interval; 7] {
-        self.slopes[usize::from(quantity == Quantity::Imaginary)]
-    }
-}
-
 impl Rectangle {
     fn part(self, quantity: Quantity) -> Interval {
         if quantity == Quantity::Real { self.re } else { self.im }
     }
-}
-
-/// The derivatives of a function by z and by each parameter, in their order.
-type Derivatives = (Rectangle, [Rectangle; 7]);
-
-/// How the real and the imaginary part of a root of the function change with each parameter.
-fn root_slopes((slope, partial): Derivatives) -> [[Interval; 7]; 2] {
-    let scale = slope.squared_magnitude();
-    let changes = partial.map(|partial| partial * slope.conjugate());
-    [changes.map(|change| -change.re / scale), changes.map(|change| -change.im / scale)]
-}
-
-/// The derivatives of f.
-fn derivatives_of_cubic(z: Rectangle, values: &Values) -> Derivatives {
-    let [a, b, d, k, m, s, v] = *values;
-    let [_, c1, c2, c3] = cubic(values);
-    let one = Interval::point(1.0);
-    let (square, from_pole) = (z.square(), z + Rectangle::real(v / d));
-    let machine = square * m + Rectangle::real(k);
-    let mut partial = [z * from_pole * (s / v); 7];
-    partial[B] = z * -(s / d);
-    partial[D] = (machine * v + z * (s * (a - b))) * -(one / d.square());
-    partial[K] = from_pole;
-    partial[M] = square * from_pole;
-    partial[S] = z * (z * (a / v) + Rectangle::real((a - b) / d));
-    partial[V] = machine * (one / d) - square * (s * a / v.square());
-    (Rectangle::real(c1) + z * (c2 * 2.0) + square * (c3 * 3.0), partial)
-}
-
-/// The derivatives of h = m z + k/z + s a/v − s b/(d z + v); f is h times z (z + v/d).
-fn derivatives_of_sum(z: Rectangle, values: &Values) -> Derivatives {
-    let [a, b, d, k, m, s, v] = *values;
-    let inverse = z.reciprocal();
-    let from_pole = (z * d + Rectangle::real(v)).reciprocal();
-    let square = from_pole.square();
-    let mut partial = [Rectangle::real(s / v); 7];
-    partial[B] = from_pole * -s;
-    partial[D] = z * square * (s * b);
-    partial[K] = inverse;
-    partial[M] = z;
-    partial[S] = Rectangle::real(a / v) - from_pole * b;
-    partial[V] = (square * b - Rectangle::real(a / v.square())) * s;
-    (Rectangle::real(m) - inverse.square() * k + square * (s * b * d), partial)
 }
 
 /// Bounds of 3|W_i|.

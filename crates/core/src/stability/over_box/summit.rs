@@ -148,8 +148,7 @@ mod tests {
                         value <= best + 1e-9 * best.abs(),
                         "{round} {quantity:?} {is_greatest} {point:?}"
                     );
-                    let roots =
-                        RootDiscs::of(&point.map(Interval::point)).unwrap().largest(quantity, &[None; 3]);
+                    let roots = RootDiscs::of(&point.map(Interval::point)).unwrap().largest(quantity);
                     let value = if is_greatest { value } else { -value };
                     let value = if quantity == Quantity::Real { value } else { value.max(0.0).sqrt() };
                     assert!(
