@@ -58,8 +58,8 @@ fn at(slider: &Slider<Rational>, digits: u32) -> Option<Vec<BoundaryCount>> {
     for crossing in &curve.crossings(&section) {
         rows.push(row("section", "not counted", None, &crossing.position.loading_velocity_m_per_s));
     }
-    for crossing in &by_discriminant(slider, &section, digits) {
-        rows.push(row("discriminant", "not counted", None, &crossing.position.loading_velocity_m_per_s));
+    for solution in &by_discriminant(slider, &section, digits).ok()? {
+        rows.push(row("discriminant", "not counted", None, &solution.value));
     }
     if digits <= MOST_HALVED_DIGITS
         && let Some((found, signs)) = halve(slider, velocity, digits)

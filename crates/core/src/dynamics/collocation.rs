@@ -11,6 +11,9 @@ use rug::{Assign, Complex, Float};
 
 use super::dense_matrix::{Matrix, inverse};
 use super::scalar::Scalar;
+use crate::number::Ball;
+use crate::roots::AlgebraicRoot;
+use slipmode_algebra::UnivariatePolynomial;
 
 /// Bits of all computations here: enough for the constants of every number type in use.
 const PRECISION_BITS: u32 = 640;
@@ -75,7 +78,8 @@ fn real(value: impl Into<f64>) -> Float {
 impl Table {
     fn derive(stages: usize) -> Self {
         let polynomial = node_polynomial(stages);
-        let nodes = zeros_in_unit_interval(&polynomial, stages);
+        let nodes = nodes(&polynomial);
+        let polynomial = rounded(&polynomial);
         let basis: Vec<Vec<Float>> = (0..stages).map(|j| lagrange(&polynomial, &nodes[j])).collect();
         let runge_kutta: Matrix = nodes
             .iter()
@@ -99,21 +103,14 @@ impl Table {
     }
 }
 
-/// Coefficients of M by ascending power, scaled to leading coefficient 1.
-fn node_polynomial(stages: usize) -> Vec<Float> {
-    // t^{s−1} (t−1)^s has the coefficients (−1)^{s−k} C(s, k) at t^{s−1+k}; each derivative multiplies by the exponent.
-    let mut coefficients = Vec::with_capacity(stages + 1);
-    let mut binomial = real(1);
-    for k in 0..=stages {
-        let mut c = binomial.clone();
-        for exponent in (k + 1)..(k + stages) {
-            c *= exponent as u32;
-        }
-        coefficients.push(if (stages - k) % 2 == 1 { -c } else { c });
-        binomial = binomial * (stages - k) as u32 / (k + 1) as u32;
-    }
-    let leading = coefficients[stages].clone();
-    coefficients.into_iter().map(|c| c / &leading).collect()
+/// M, scaled to leading coefficient 1.
+fn node_polynomial(stages: usize) -> UnivariatePolynomial {
+    let mut power = vec![0; stages];
+    power[stages - 1] = 1;
+    let zeros_at_one = (0..stages).map(|_| UnivariatePolynomial::from_integers(&[-1, 1]));
+    let product = zeros_at_one
+        .fold(UnivariatePolynomial::from_integers(&power), |product, factor| product.times(&factor));
+    (1..stages).fold(product, |derived, _| derived.derivative()).monic()
 }
 
 fn evaluate(polynomial: &[Float], at: &Float) -> Float {
@@ -135,23 +132,17 @@ fn antiderivative(polynomial: &[Float]) -> Vec<Float> {
     std::iter::once(real(0)).chain(terms).collect()
 }
 
-/// The zeros of M: bracketed on a grid finer than their least distance, then Newton; the last one is 1 exactly.
-fn zeros_in_unit_interval(polynomial: &[Float], stages: usize) -> Vec<Float> {
-    let slope = derivative(polynomial);
-    let cells = (8 * stages * stages) as u32;
-    let value = |cell: u32| evaluate(polynomial, &(real(cell) / cells));
-    let mut zeros: Vec<Float> = (0..cells - 1)
-        .filter(|&cell| value(cell).is_sign_negative() != value(cell + 1).is_sign_negative())
-        .map(|cell| (real(cell) + 0.5f64) / cells)
-        .collect();
-    for zero in &mut zeros {
-        // From 1 correct digit at least to 640 bits: ten doublings, and two to spare.
-        for _ in 0..14 {
-            *zero -= evaluate(polynomial, zero) / evaluate(&slope, zero);
-        }
-    }
-    zeros.push(real(1));
-    zeros
+/// The coefficients by ascending power.
+fn rounded(polynomial: &UnivariatePolynomial) -> Vec<Float> {
+    polynomial.coefficients().iter().map(|value| Float::with_val(PRECISION_BITS, value)).collect()
+}
+
+/// The zeros of M, ascending; the last one is 1.
+fn nodes(polynomial: &UnivariatePolynomial) -> Vec<Float> {
+    let (others, _) = polynomial.divided_by(&UnivariatePolynomial::from_integers(&[-1, 1]));
+    let enclosed = AlgebraicRoot::positive(&others).into_iter().map(|root| root.enclosed(PRECISION_BITS));
+    let centre = |ball: Ball| Float::with_val(PRECISION_BITS, ball.centre());
+    enclosed.map(centre).chain([real(1)]).collect()
 }
 
 /// The Lagrange polynomial of one node: M divided by (t − node), scaled to 1 at the node.
@@ -293,7 +284,7 @@ mod tests {
     fn the_quadrature_has_order_2s_minus_1_and_no_more() {
         for stages in [3, 5, 7] {
             let polynomial = node_polynomial(stages);
-            let nodes = zeros_in_unit_interval(&polynomial, stages);
+            let (nodes, polynomial) = (nodes(&polynomial), rounded(&polynomial));
             let weights: Vec<Float> = nodes
                 .iter()
                 .map(|c| evaluate(&antiderivative(&lagrange(&polynomial, c)), &real(1)))

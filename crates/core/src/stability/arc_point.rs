@@ -70,13 +70,6 @@ impl<R: Field> ArcFrame<R> {
         (terms.scaled_slope() / &cubic, terms.linear / cubic)
     }
 
-    /// η/κ of the same point: all that a place of known κ needs besides.
-    #[must_use]
-    pub fn velocity_squared(&self, arc: Arc, parameter: &R) -> R {
-        let terms = self.terms(arc, parameter);
-        terms.linear.clone() / (self.double_root(arc, &terms).square() * terms.cubic)
-    }
-
     fn double_root(&self, arc: Arc, terms: &Terms<R>) -> R {
         match arc {
             Arc::Upper => terms.slope.clone() * &self.difference,

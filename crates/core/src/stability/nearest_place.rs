@@ -1,6 +1,6 @@
 //! The place of the boundary that is nearest to a point in ln σ at the same V0, and how far the nearer asymptote is off there.
 //!
-//! At given V0 the ratio g = η/κ is given, and λ solves left = right of `parameter_equation`. In ln λ the quotient
+//! At given V0 the ratio g = η/κ is given, and λ solves the equation of `parameter_equation` for it. In ln λ the quotient
 //! left/right is monotone along the upper arc and turns once, at the cusp, along the lower one, so that Newton's
 //! method in logarithms cannot miss. All terms of either side are positive: 64-bit numbers hold each side to some units in the
 //! last place, and the sign of their difference at λ(1 ± δ) certifies the root. What 64-bit cannot certify goes to the

@@ -25,7 +25,7 @@ use rug::Rational;
 use crate::friction::{Groups, Slider};
 use crate::number::{Ball, Field, Real, bits_for_digits};
 use crate::stability::boundary::{Section, log2, power_of_two, stretch};
-use crate::stability::inverse::{Solution, Target, Undecided, Unknown, at_damping_ratio, solve};
+use crate::stability::inverse::{Solution, Target, Undecided, at_damping_ratio, solve};
 use crate::stability::logarithm::log10_one_plus;
 use crate::stability::{Asymptote, InertialThreshold};
 use damping::Curve;
@@ -138,12 +138,7 @@ impl PairLine {
     /// # Errors
     /// When no precision within the bound separates the solutions.
     pub fn on_section(&self, section: &Section) -> Result<Vec<PairLinePoint>, Undecided> {
-        let one = || Rational::from(1);
-        let (unknown, [stress, velocity]) = match section {
-            Section::AtVelocity(velocity) => (Unknown::NormalStress, [one(), velocity.clone()]),
-            Section::AtNormalStress(stress) => (Unknown::LoadingVelocity, [stress.clone(), one()]),
-        };
-        let parameters = self.slider.at(stress, velocity);
+        let (unknown, parameters) = section.unknown(&self.slider);
         let digits = self.digits.saturating_add(GUARD_BITS);
         let found = match &self.ratio {
             PairRatio::Frequency(threshold) => {

@@ -10,12 +10,8 @@ use crate::stability::{Arc, ArcFrame};
 /// What is given.
 #[derive(Debug, Clone)]
 pub(super) enum GivenValue {
-    /// g = η/κ.
-    VelocitySquared(Rational),
     /// The V0 of the corner of the arc's asymptotes: g d² = A²/4 on the upper arc, g A² = 1/(4A²) on the lower one.
     CornerVelocity,
-    /// κ.
-    StiffnessGroup(Rational),
     /// The magnitude of the relative error of the arc's quasi-static asymptote (eq 15 or 16).
     QuasiStaticError(Rational),
     /// The magnitude of the relative error of the arc's inertial asymptote (eq 18 or 20).
@@ -27,13 +23,8 @@ impl GivenValue {
     pub(super) fn coefficients(&self, arc: Arc, frame: &ArcFrame<Ball>, precision_bits: u32) -> Vec<Ball> {
         let (q, sum) = (&frame.root_ratio, &frame.sum);
         let rational = |value: &Rational| Ball::from_rational(value, precision_bits);
-        let end = match arc {
-            Arc::Upper => frame.difference.square(),
-            Arc::Lower => sum.square(),
-        };
         let quarter = rational(&Rational::from((1, 4)));
         match self {
-            Self::VelocitySquared(g) => velocity_coefficients(arc, q, sum, &(rational(g) * end)),
             Self::CornerVelocity => {
                 let scaled = match arc {
                     Arc::Upper => sum.square() * quarter,
@@ -41,7 +32,6 @@ impl GivenValue {
                 };
                 velocity_coefficients(arc, q, sum, &scaled)
             }
-            Self::StiffnessGroup(kappa) => stiffness_coefficients(arc, frame, &rational(kappa)),
             Self::QuasiStaticError(tolerance) => {
                 quasi_static_error_coefficients(arc, q, sum, &rational(tolerance))
             }
@@ -78,26 +68,6 @@ fn velocity_coefficients(arc: Arc, q: &Ball, sum: &Ball, scaled: &Ball) -> Vec<B
             s2.clone(),
         ],
     }
-}
-
-/// The equation for λ at given κ: d²λP − 2κ(1+λ)(1+qλ)² on the upper arc and A²(1+λ)P − 2κλ(A+qλ)² on the lower one.
-fn stiffness_coefficients(arc: Arc, frame: &ArcFrame<Ball>, stiffness_group: &Ball) -> Vec<Ball> {
-    let int = |value: i32| Ball::from(value);
-    let (q, sum) = (&frame.root_ratio, &frame.sum);
-    let end = if arc == Arc::Upper { frame.difference.square() } else { sum.square() };
-    let cubic = [sum.clone(), int(2) * q * sum, int(2) * q.square()];
-    let [p0, p1, p2] = cubic.map(|coefficient| coefficient * &end);
-    let twice_square = int(2) * q.square();
-    let (free, weight) = match arc {
-        Arc::Upper => {
-            ([int(0), p0, p1, p2], [int(2), int(2) + int(4) * q, int(4) * q + &twice_square, twice_square])
-        }
-        Arc::Lower => (
-            [p0.clone(), p0 + &p1, p1 + &p2, p2],
-            [int(0), int(2) * sum.square(), int(4) * q * sum, twice_square],
-        ),
-    };
-    free.into_iter().zip(weight).map(|(free, weight)| free - stiffness_group.clone() * weight).collect()
 }
 
 /// εD − N of σ_exact/σ_15,16 − 1 = N/D (`arc_point`); `tolerance` is ε.

@@ -13,9 +13,10 @@ use super::boundary::solve_for_groups;
 use super::notation::{coefficients, formula, rational};
 use super::{Equations, Role};
 use crate::number::{Ball, Field};
+use crate::roots::{AlgebraicRoot, in_one_variable, nonzero_real_roots};
 use slipmode_algebra::{
-    Expression, IsolatingInterval, Polynomial, Proof, RationalFunction, Refutation, Symbol,
-    UnivariatePolynomial, discriminant, resultant,
+    Expression, Polynomial, Proof, RationalFunction, Refutation, Symbol, UnivariatePolynomial, discriminant,
+    resultant,
 };
 
 /// Bits of the enclosures: far more than the separation of the roots of polynomials of this degree takes.
@@ -101,15 +102,11 @@ impl Turns {
         let no_frequency = in_place(&self.proof, "(1 + x)^2")?.numerator().clone();
         let limits = [no_frequency, Polynomial::constant(self.beta.clone())];
         let changes = limits.iter().fold(meet, |changes, limit| &changes * &self.turns_at(limit));
-        let changes = univariate(&changes, &kappa).filter(|changes| !changes.is_zero());
+        let changes = in_one_variable(&changes, &kappa).filter(|changes| !changes.is_zero());
         let changes = changes.ok_or_else(|| undecided(&self.proof, "roots that meet at every κ"))?;
-        let isolated = changes.isolate_positive_roots();
-        let ends = isolated.iter().map(|interval| changes.refine(interval, BITS)).collect();
-        let bounds = |interval: &IsolatingInterval| match interval {
-            IsolatingInterval::Exact(root) => [root.clone(), root.clone()],
-            IsolatingInterval::Between(lower, upper) => [lower.clone(), upper.clone()],
-        };
-        let edges: Vec<Rational> = isolated.iter().flat_map(bounds).collect();
+        let isolated = AlgebraicRoot::positive(&changes);
+        let ends = isolated.iter().map(|root| root.enclosed(BITS)).collect();
+        let edges: Vec<Rational> = isolated.iter().flat_map(AlgebraicRoot::ends).collect();
         let mut samples = Vec::with_capacity(isolated.len() + 1);
         samples.push(edges.first().map_or_else(|| Rational::from(1), |first| first.clone() / 2));
         samples.extend(edges[1.min(edges.len())..].chunks(2).map(|gap| match gap {
@@ -132,31 +129,15 @@ impl Turns {
         let (x, u) = (Symbol::from("x"), Symbol::from("u"));
         let at_kappa =
             |part: &Polynomial| part.substitute(&Symbol::from("kappa"), &Polynomial::constant(kappa.clone()));
-        let roots_of = univariate(&at_kappa(&self.eliminated), &x);
+        let roots_of = in_one_variable(&at_kappa(&self.eliminated), &x);
         let roots_of = roots_of.ok_or_else(|| undecided(&self.proof, "not a polynomial in x"))?;
-        let mirrored = UnivariatePolynomial::new(
-            roots_of
-                .coefficients()
-                .iter()
-                .enumerate()
-                .map(|(power, value)| if power % 2 == 1 { Rational::from(-value) } else { value.clone() })
-                .collect(),
-        );
-        let enclosed = |polynomial: &UnivariatePolynomial| -> Vec<Ball> {
-            polynomial
-                .isolate_positive_roots()
-                .iter()
-                .map(|interval| polynomial.refine(interval, BITS))
-                .collect()
-        };
-        let roots = enclosed(&roots_of).into_iter().chain(enclosed(&mirrored).into_iter().map(|root| -root));
         let in_u = |part: &Polynomial| -> Option<Vec<UnivariatePolynomial>> {
-            at_kappa(part).coefficients(&u).iter().map(|part| univariate(part, &x)).collect()
+            at_kappa(part).coefficients(&u).iter().map(|part| in_one_variable(part, &x)).collect()
         };
         let parts = in_u(&self.jacobian).zip(in_u(&self.level));
         let (jacobian, level) = parts.ok_or_else(|| undecided(&self.proof, "not polynomials in x and u"))?;
         let mut count = 0;
-        for root in roots {
+        for root in nonzero_real_roots(&roots_of, BITS) {
             let at =
                 |part: &UnivariatePolynomial| part.evaluate_with(&root, |c| Ball::from_rational(c, BITS));
             let common = common_root(jacobian.iter().map(at).collect(), level.iter().map(at).collect());
@@ -213,12 +194,6 @@ fn without_content(polynomial: &Polynomial, variable: &Symbol) -> Polynomial {
     let parts = polynomial.coefficients(variable);
     let content = parts.iter().fold(Polynomial::zero(), |common, part| common.gcd(part));
     polynomial.divide_exact(&content).unwrap_or_else(|| polynomial.clone())
-}
-
-fn univariate(polynomial: &Polynomial, variable: &Symbol) -> Option<UnivariatePolynomial> {
-    let parts = polynomial.coefficients(variable).into_iter();
-    let constant = |part: Polynomial| if part.is_zero() { Some(Rational::new()) } else { part.as_constant() };
-    parts.map(constant).collect::<Option<Vec<_>>>().map(UnivariatePolynomial::new)
 }
 
 /// The one common root of two polynomials, as the root of the last remainder of degree 1 in Euclid's algorithm.

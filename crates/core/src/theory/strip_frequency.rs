@@ -6,10 +6,11 @@
 use super::notation::{coefficients, formula, in_groups, rational};
 use super::{Equations, Role};
 use crate::number::{Ball, Rational};
+use crate::roots::{AlgebraicRoot, in_one_variable, nonzero_real_roots};
 use rug::Float;
 use slipmode_algebra::{
-    Coefficients, Domain, Expression, IsolatingInterval, Polynomial, Proof, Symbol, UnivariatePolynomial,
-    discriminant, horner, resultant,
+    Coefficients, Domain, Expression, Polynomial, Proof, Symbol, UnivariatePolynomial, discriminant, horner,
+    resultant,
 };
 
 /// The least λ = (V0/(ω_n D_c))² at which a point between eqs 16 and 15 has the given ω²/ω_n², and the κ of that point.
@@ -32,24 +33,19 @@ pub fn first_reach(
     bits: u32,
 ) -> Option<FirstReach> {
     let level = Level::of(equations, effect_ratio, square_ratio)?;
-    let changes = level.changes()?;
-    let places = changes.isolate_positive_roots();
-    let ends = |place: &IsolatingInterval| match place {
-        IsolatingInterval::Exact(root) => [root.clone(), root.clone()],
-        IsolatingInterval::Between(low, high) => [low.clone(), high.clone()],
-    };
-    let [first, _] = ends(places.first()?);
+    let places = AlgebraicRoot::positive(&level.changes()?);
+    let [first, _] = places.first()?.ends();
     if !level.solutions(&(first / 2_u32), bits).is_empty() {
         return None;
     }
     let after = |index: usize| {
-        let [_, high] = ends(&places[index]);
+        let [_, high] = places[index].ends();
         let next =
-            places.get(index + 1).map_or_else(|| Rational::from(&high * 2), |next| ends(next)[0].clone());
+            places.get(index + 1).map_or_else(|| Rational::from(&high * 2), |next| next.ends()[0].clone());
         Rational::from(&high + &next) / 2_u32
     };
     let born = (0..places.len()).find(|index| !level.solutions(&after(*index), bits).is_empty())?;
-    let velocity_squared = changes.refine(&places[born], bits);
+    let velocity_squared = places[born].enclosed(bits);
     // Two solutions just above this λ enclose the one at which they meet.
     let above = velocity_squared.upper().to_rational()? * (Rational::from(1) + (Rational::from(1) >> bits));
     if above > after(born) {
@@ -112,7 +108,7 @@ impl Level {
         let leading = self.level.coefficients(&x).pop()?;
         let all = [discriminant(&self.level, &x), resultant(&self.level, &self.strip, &x), leading];
         let product = all.iter().try_fold(UnivariatePolynomial::from_integers(&[1]), |product, change| {
-            Some(product.times(&univariate(change, "lambda")?.squarefree()))
+            Some(product.times(&in_one_variable(change, &"lambda".into())?.squarefree()))
         })?;
         Some(product.squarefree())
     }
@@ -121,30 +117,15 @@ impl Level {
     fn solutions(&self, lambda: &Rational, bits: u32) -> Vec<Ball> {
         let value = Polynomial::constant(lambda.clone());
         let at = |polynomial: &Polynomial| {
-            univariate(&polynomial.substitute(&Symbol::from("lambda"), &value), "x")
+            in_one_variable(&polynomial.substitute(&Symbol::from("lambda"), &value), &"x".into())
         };
         let all = [&self.level, &self.strip, &self.rest, &self.slope].map(at);
         let [Some(level), Some(strip), Some(rest), Some(slope)] = all else { return Vec::new() };
-        let signs = level.coefficients().iter().enumerate();
-        let mirrored =
-            signs.map(|(power, value)| if power % 2 == 0 { value.clone() } else { Rational::from(-value) });
-        let mirrored = UnivariatePolynomial::new(mirrored.collect());
-        let refined = |polynomial: &UnivariatePolynomial| -> Vec<Ball> {
-            polynomial.isolate_positive_roots().iter().map(|root| polynomial.refine(root, bits)).collect()
-        };
-        let negative = refined(&mirrored).into_iter().map(|root| -root);
         let ball = |polynomial: &UnivariatePolynomial, x: &Ball| horner(polynomial.at_precision(2 * bits), x);
         let within = |x: &Ball| ball(&strip, x).sign() == Some(std::cmp::Ordering::Less);
-        let all = refined(&level).into_iter().chain(negative).filter(within);
+        let all = nonzero_real_roots(&level, bits).into_iter().filter(within);
         all.map(|x| -(ball(&rest, &x) / ball(&slope, &x))).collect()
     }
-}
-
-/// The polynomial in one variable; none where it has another one.
-fn univariate(polynomial: &Polynomial, name: &'static str) -> Option<UnivariatePolynomial> {
-    let coefficients = polynomial.coefficients(&Symbol::from(name));
-    let values: Option<Vec<Rational>> = coefficients.iter().map(Polynomial::as_constant).collect();
-    values.map(UnivariatePolynomial::new)
 }
 
 #[cfg(test)]

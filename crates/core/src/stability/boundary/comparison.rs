@@ -4,7 +4,8 @@ use rug::{Float, Rational};
 
 use crate::friction::Slider;
 use crate::number::Ball;
-use crate::stability::boundary::{BoundaryCurve, Crossing, Section, by_bisection, by_discriminant};
+use crate::stability::boundary::{BoundaryCurve, Section, by_bisection, by_discriminant};
+use crate::stability::inverse::SolutionKind;
 
 /// What came of the comparison.
 #[derive(Debug, Clone)]
@@ -44,14 +45,16 @@ pub fn compare_routes(slider: &Slider<Rational>, count: usize, digits: u32) -> R
 
 impl RouteComparison {
     fn add(&mut self, slider: &Slider<Rational>, curve: &BoundaryCurve, section: Section, digits: u32) {
-        let along_curve = in_order(curve.crossings(&section), &section);
-        let of_discriminant = in_order(by_discriminant(slider, &section, digits), &section);
+        let along_curve = in_order(curve, &section);
+        // Undecided is no agreement either.
+        let of_discriminant = by_discriminant(slider, &section, digits).unwrap_or_default();
         let separators = separators(&along_curve);
         let mut agree = along_curve.len() == of_discriminant.len();
         for (index, (first, second)) in along_curve.iter().zip(&of_discriminant).enumerate() {
             let bracket = (&separators[index], &separators[index + 1]);
             let third = by_bisection(slider, &section, bracket, digits);
-            agree &= first.1 == second.1 && self.agree([Some(&first.0), Some(&second.0), third.as_ref()]);
+            agree &=
+                first.1 == second.kind && self.agree([Some(&first.0), Some(&second.value), third.as_ref()]);
         }
         if !agree {
             self.disagreements.push(section);
@@ -74,13 +77,14 @@ impl RouteComparison {
     }
 }
 
-type Located = (Ball, crate::stability::Arc);
+type Located = (Ball, SolutionKind);
 
-/// The coordinates sought, ascending, with their arcs.
-fn in_order(crossings: impl IntoIterator<Item = Crossing>, section: &Section) -> Vec<Located> {
-    let sought = |crossing: Crossing| (section.sought(crossing.position), crossing.arc);
-    let mut located: Vec<Located> = crossings.into_iter().map(sought).collect();
-    located.sort_by(|x, y| x.0.centre().partial_cmp(y.0.centre()).unwrap_or(std::cmp::Ordering::Equal));
+/// The coordinates of the curve's crossings, ascending, with their arcs.
+fn in_order(curve: &BoundaryCurve, section: &Section) -> Vec<Located> {
+    let crossings = curve.crossings(section).into_iter();
+    let mut located: Vec<Located> =
+        crossings.map(|crossing| (section.sought(crossing.position), crossing.arc.into())).collect();
+    located.sort_by(|x, y| x.0.centre().total_cmp(y.0.centre()));
     located
 }
 
@@ -175,12 +179,14 @@ mod tests {
             for (kappa, digits) in all.iter().flat_map(|kappa| [15, 50].map(|digits| (kappa, digits))) {
                 let stress = crossing_stress(&slider, kappa);
                 let section = Section::AtNormalStress(stress);
-                let crossings = BoundaryCurve::new(&slider, digits).crossings(&section);
-                let curve = in_order(crossings, &section);
-                let isolated = in_order(by_discriminant(&slider, &section, digits), &section);
+                let curve = in_order(&BoundaryCurve::new(&slider, digits), &section);
+                let isolated = by_discriminant(&slider, &section, digits).unwrap();
                 assert_eq!(curve.len(), isolated.len(), "{distance} {digits} {kappa}");
                 for (one, other) in curve.iter().zip(&isolated) {
-                    assert!(one.0.overlaps(&other.0) && one.1 == other.1, "{distance} {digits} {kappa}");
+                    assert!(
+                        one.0.overlaps(&other.value) && one.1 == other.kind,
+                        "{distance} {digits} {kappa}"
+                    );
                     assert!(one.0.relative_radius_log2() < -3.3 * f64::from(digits), "{distance} {digits}");
                 }
             }

@@ -2,9 +2,10 @@
 
 use rug::Rational;
 
-use crate::friction::{Groups, OperatingPoint, Slider};
-use crate::number::{Ball, Real};
+use crate::friction::{OperatingPoint, Parameters, Slider};
+use crate::number::Ball;
 use crate::stability::Arc;
+use crate::stability::inverse::Unknown;
 
 /// A line across the plane: one coordinate given, the other sought.
 ///
@@ -44,40 +45,12 @@ impl Section {
         }
     }
 
-    /// η/κ = (V0/D_c)²·M/K on a section at given V0, which is the same at every σ.
-    pub(super) fn velocity_squared(slider: &Slider<Rational>, velocity_m_per_s: &Rational) -> Rational {
-        let rate = Rational::from(velocity_m_per_s / &slider.critical_slip_distance_m);
-        rate.square() / slider.natural_angular_frequency_squared_per_s2()
-    }
-
-    /// κ on a section at given σ, which is the same at every V0.
-    pub(super) fn stiffness_group(slider: &Slider<Rational>, normal_stress_pa: &Rational) -> Rational {
-        slider.stress_scale_pa() / normal_stress_pa
-    }
-
-    /// σ and V0 of the point of the section with these η and κ.
-    pub(super) fn coordinates(
-        &self,
-        slider: &Slider<Rational>,
-        groups: &Groups<Ball>,
-        bits: u32,
-    ) -> OperatingPoint<Ball> {
+    /// What is sought, and the parameters with another number in its place.
+    pub(in crate::stability) fn unknown(&self, slider: &Slider<Rational>) -> (Unknown, Parameters<Rational>) {
+        let any = Rational::from(1);
         match self {
-            Self::AtVelocity(velocity) => {
-                let scale = Ball::from_rational(&slider.stress_scale_pa(), bits);
-                OperatingPoint {
-                    normal_stress_pa: scale / &groups.stiffness_group,
-                    loading_velocity_m_per_s: Ball::from_rational(velocity, bits),
-                }
-            }
-            Self::AtNormalStress(stress) => {
-                let scale = slider.velocity_scale_squared() / Self::stiffness_group(slider, stress);
-                let square = Ball::from_rational(&scale, bits) * &groups.inertial_parameter;
-                OperatingPoint {
-                    normal_stress_pa: Ball::from_rational(stress, bits),
-                    loading_velocity_m_per_s: square.sqrt(),
-                }
-            }
+            Self::AtVelocity(velocity) => (Unknown::NormalStress, slider.at(any, velocity.clone())),
+            Self::AtNormalStress(stress) => (Unknown::LoadingVelocity, slider.at(stress.clone(), any)),
         }
     }
 }

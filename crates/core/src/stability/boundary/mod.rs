@@ -2,7 +2,7 @@
 //!
 //! * [`BoundaryCurve`]: the rational curve in its positive parameter (`arc_point`), any number of points at the cost of
 //!   a dozen multiplications each, and single points at given V0 or σ from their double root (`double_root`);
-//! * `by_discriminant`: isolated real roots of the discriminant over ℚ, refined;
+//! * `by_discriminant`: isolated real roots of the discriminant over ℚ, refined, as `slipmode solve` finds them;
 //! * `by_bisection`: halving between two points of different exact class.
 //!
 //! [`compare_routes`] puts the three side by side.

@@ -7,8 +7,7 @@ use crate::number::{Ball, Field, Real};
 use crate::stability::Arc;
 use crate::stability::boundary::by_curve::GUARD_BITS;
 use crate::stability::boundary::{BoundaryCurve, BoundaryPoint, Crossing, Section};
-use crate::stability::double_root::{DoubleRoot, GivenGroup, Work};
-use crate::stability::parameter_equation::ParameterEquation;
+use crate::stability::double_root::{DoubleRoot, GivenGroup, Work, exactly};
 
 /// Bits that a coordinate of a section has beyond the digits requested.
 const COORDINATE_BITS: u32 = 4;
@@ -40,11 +39,11 @@ impl<'c> SectionLine<'c> {
         Self { curve, section, given, value, coordinate }
     }
 
-    /// Every crossing: from its double root, or from its λ for an arc on which the former gives no answer.
+    /// Every crossing: from its double root, or from the unknown group and λ for an arc on which 64-bit numbers give no answer.
     pub(super) fn each<T>(
         &self,
         quickly: impl Fn(DoubleRoot) -> Option<T>,
-        generally: impl Fn(Arc, Ball) -> T,
+        generally: impl Fn(Arc, &Ball, &Ball) -> T,
     ) -> Vec<T> {
         let curve = self.curve;
         let bits = curve.bits - GUARD_BITS + COORDINATE_BITS;
@@ -52,27 +51,20 @@ impl<'c> SectionLine<'c> {
         for &arc in curve.arcs() {
             let found = curve.constants.found(arc, self.given, &self.value, bits);
             let quick: Option<Vec<T>> = found.and_then(|found| found.into_iter().map(&quickly).collect());
-            let general =
-                || self.parameters(arc).into_iter().map(|parameter| generally(arc, parameter)).collect();
-            all.extend(quick.unwrap_or_else(general));
+            let general = |[unknown, parameter]: &[Ball; 2]| generally(arc, unknown, parameter);
+            all.extend(quick.unwrap_or_else(|| self.exactly(arc).iter().map(general).collect()));
         }
         all
     }
 
-    /// λ by the equation with √β, whose number of solutions is decided exactly.
-    fn parameters(&self, arc: Arc) -> Vec<Ball> {
-        let curve = self.curve;
-        let equation = match self.section {
-            Section::AtVelocity(velocity) => {
-                let velocity_squared = Section::velocity_squared(&curve.slider, velocity);
-                ParameterEquation::at_velocity(&curve.effect_ratio, arc, velocity_squared)
-            }
-            Section::AtNormalStress(stress) => {
-                let stiffness_group = Section::stiffness_group(&curve.slider, stress);
-                ParameterEquation::at_stiffness(&curve.effect_ratio, arc, stiffness_group)
-            }
+    /// The unknown group and λ at each point of an arc, whose number is decided exactly.
+    fn exactly(&self, arc: Arc) -> Vec<[Ball; 2]> {
+        let BoundaryCurve { slider, effect_ratio, bits, .. } = self.curve;
+        let value = match self.section {
+            Section::AtVelocity(velocity) => velocity.square() / slider.velocity_scale_squared(),
+            Section::AtNormalStress(stress) => slider.stress_scale_pa() / stress,
         };
-        equation.roots(curve.bits)
+        exactly((arc, self.given), &value, effect_ratio, *bits)
     }
 
     /// σ and V0 where the unknown group is known: 1/κ at given V0, g at given σ.
@@ -87,15 +79,6 @@ impl<'c> SectionLine<'c> {
                 normal_stress_pa: unknown.clone() * &curve.section_stress_scale_pa,
                 loading_velocity_m_per_s: given,
             },
-        }
-    }
-
-    /// The unknown group at a parameter λ.
-    pub(super) fn unknown(&self, arc: Arc, parameter: &Ball) -> Ball {
-        let frame = &self.curve.frame;
-        match self.given {
-            GivenGroup::StiffnessGroup => frame.velocity_squared(arc, parameter),
-            GivenGroup::VelocitySquared => frame.place(arc, parameter).0,
         }
     }
 }
@@ -122,7 +105,7 @@ impl BoundaryCurve {
                 let parameter = self.constants.parameter(found, line.given, &line.value)?;
                 Some(row(arc, &parameter.with_precision(self.bits), &unknown))
             },
-            |arc, parameter| row(arc, &parameter, &line.unknown(arc, &parameter)),
+            |arc, unknown, parameter| row(arc, &parameter.with_precision(self.bits), unknown),
         )
     }
 
@@ -131,10 +114,7 @@ impl BoundaryCurve {
     pub fn crossings(&self, section: &Section) -> Vec<Crossing> {
         let line = SectionLine::new(self, section);
         let crossing = |arc: Arc, unknown: &Ball| Crossing { arc, position: line.position(unknown) };
-        line.each(
-            |found| Some(crossing(found.arc, &found.unknown)),
-            |arc, parameter| crossing(arc, &line.unknown(arc, &parameter)),
-        )
+        line.each(|found| Some(crossing(found.arc, &found.unknown)), |arc, unknown, _| crossing(arc, unknown))
     }
 
     /// The sought coordinate of each of the crossings, σ at given V0 and V0 at given σ, to this curve's precision.
@@ -152,7 +132,7 @@ impl BoundaryCurve {
             let work = found.work();
             self.constants.parameter(found, line.given, &line.value).map(|_| Some(work))
         };
-        line.each(quickly, |_, _| None)
+        line.each(quickly, |_, _, _| None)
     }
 
     /// The points of the boundary at a given V0 in m/s.

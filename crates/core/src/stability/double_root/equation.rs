@@ -1,6 +1,6 @@
 //! The polynomial equations for the double root, in every number type.
 
-use crate::number::Field;
+use crate::number::{Ball, Field};
 use crate::stability::Arc;
 
 /// Which group is given; the value is passed separately, in the number type of the moment.
@@ -10,6 +10,16 @@ pub(in crate::stability) enum GivenGroup {
     StiffnessGroup,
     /// g = η/κ = (V0/D_c)²·M/K: the line has one V0.
     VelocitySquared,
+}
+
+impl GivenGroup {
+    /// η from the value given and the unknown, g at given κ or 1/κ at given g.
+    pub(super) fn inertial_parameter(self, value: &Ball, unknown: &Ball) -> Ball {
+        match self {
+            Self::StiffnessGroup => value.clone() * unknown,
+            Self::VelocitySquared => value.clone() / unknown,
+        }
+    }
 }
 
 /// The coefficients of F by ascending power of x, with e = β − 1:

@@ -7,7 +7,7 @@
 //! * lower arc: F has at most two positive roots. It falls at the one before the cusp and rises at the one beyond.
 //!
 //! Where the quantity that decides whether a branch has a root is too close to zero, or 64-bit numbers cannot follow,
-//! there is no answer, and the caller takes the general way of `parameter_equation`.
+//! there is no answer, and the caller takes the general way of `exactly`.
 
 use std::cmp::Ordering;
 
@@ -124,7 +124,7 @@ impl Constants {
         branches.into_iter().map(|branch| line.found(arc, &branch, bits)).collect()
     }
 
-    /// λ of a point, from (d − r)(1 + r + √β) = 2rηu² on the upper arc and (x − √β)(x + √β) = 2ηx²(1 + x) on the lower one.
+    /// λ of a point.
     pub(in crate::stability) fn parameter(
         &self,
         found: DoubleRoot,
@@ -137,22 +137,24 @@ impl Constants {
         let coefficients = line.coefficients(arc);
         let root = enclosure.refined(Loss::of(&start), &coefficients, precision - LAST_BITS)?;
         let root = root.with_precision(precision);
-        let inertial = match given {
-            GivenGroup::StiffnessGroup => value.clone() * unknown,
-            GivenGroup::VelocitySquared => value.clone() / unknown,
-        };
-        let twice = inertial.clone() + inertial;
-        let (one, q) = (Ball::from(1), &self.root_ratio);
-        Some(match arc {
-            Arc::Upper => {
-                let next = root + one;
-                (next.clone() + q) / (twice * next.square())
-            }
-            Arc::Lower => {
-                let farther = root.clone() + &one;
-                (q.clone() + one) * (root.clone() + q) / (twice * root.square() * farther)
-            }
-        })
+        let inertial = given.inertial_parameter(value, &unknown);
+        Some(parameter_at(arc, root, inertial, &self.root_ratio))
+    }
+}
+
+/// λ of a point, from (d − r)(1 + r + √β) = 2rηu² on the upper arc and (x − √β)(x + √β) = 2ηx²(1 + x) on the lower one.
+pub(super) fn parameter_at(arc: Arc, root: Ball, inertial_parameter: Ball, root_ratio: &Ball) -> Ball {
+    let twice = inertial_parameter.clone() + inertial_parameter;
+    let (one, q) = (Ball::from(1), root_ratio);
+    match arc {
+        Arc::Upper => {
+            let next = root + one;
+            (next.clone() + q) / (twice * next.square())
+        }
+        Arc::Lower => {
+            let farther = root.clone() + &one;
+            (q.clone() + one) * (root.clone() + q) / (twice * root.square() * farther)
+        }
     }
 }
 

@@ -13,14 +13,18 @@
 //! 2. [`enclosure`] doubles its bits up to half the digits by Newton steps. The last one is an interval Newton step: it proves that there is one root.
 //! 3. [`unknown`] evaluates κ or g once, and adds the bound of the square.
 //! 4. [`line`] decides which roots belong to the boundary.
+//!
+//! Where 64-bit numbers cannot follow, and at the cusp, [`mod@exactly`] isolates the roots of the same equation over ℚ.
 
 mod enclosure;
 mod equation;
+mod exactly;
 mod line;
 mod start;
 mod unknown;
 mod work;
 
 pub(super) use equation::GivenGroup;
+pub(super) use exactly::exactly;
 pub(super) use line::{Constants, DoubleRoot};
 pub use work::Work;

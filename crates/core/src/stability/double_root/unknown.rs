@@ -14,7 +14,7 @@ use crate::number::{Ball, Field};
 use crate::stability::Arc;
 
 /// The factors of h at the centre of a ball around the double root; those that may be negative are so in pairs.
-struct Factors {
+pub(super) struct Factors {
     /// r.
     root: Ball,
     /// 1 + r.
@@ -25,11 +25,24 @@ struct Factors {
 
 impl Factors {
     /// On the lower arc, x = −1 − r, with the signs of all three turned: h keeps its sign, −r, −(1 + r) and β + x are positive.
-    fn of(arc: Arc, x: Ball, effect_ratio: &Ball, excess: &Ball) -> Self {
+    pub(super) fn of(arc: Arc, x: Ball, effect_ratio: &Ball, excess: &Ball) -> Self {
         let one = Ball::from(1);
         match arc {
             Arc::Upper => Self { next: x.clone() + one, rest: excess.clone() - &x, root: x },
             Arc::Lower => Self { root: x.clone() + one, rest: effect_ratio.clone() + &x, next: x },
+        }
+    }
+
+    /// g at given κ; 1/κ at given g: eq 8 at this r.
+    pub(super) fn unknown(self, given: GivenGroup, value: &Ball) -> Ball {
+        let square = self.root.square();
+        match given {
+            GivenGroup::StiffnessGroup => {
+                (self.root * &self.rest / (self.next * value) - Ball::from(1)) / square
+            }
+            GivenGroup::VelocitySquared => {
+                (value.clone() * square + Ball::from(1)) * &self.next / (self.root * &self.rest)
+            }
         }
     }
 
@@ -52,20 +65,16 @@ pub(super) fn unknown(
     let distance_log2 = found.root.radius_exponent();
     let [root, next, rest] = factors.exponents_within(distance_log2)?;
     let error_log2 = 2 * distance_log2 + found.slope.exponent_above();
+    let group = factors.unknown(given, value);
     match given {
         GivenGroup::StiffnessGroup => {
-            let square = factors.root.square();
-            let load = factors.root * &factors.rest / (factors.next * value);
-            let group = (load - Ball::from(1)) / square;
             Some(group.widened(error_log2 - value.exponent_below()? - 3 * root - 2 * next))
         }
         GivenGroup::VelocitySquared => {
-            let load = value.clone() * factors.root.square() + Ball::from(1);
-            let inverse = load * &factors.next / (factors.root * &factors.rest);
             // 1 + gr² is at least 1. A relative change of κ below 1/2 is doubled at most by exp and the inverse.
             let relative_log2 = error_log2 - root - next - rest + 2;
-            let error_log2 = relative_log2 + inverse.exponent_above();
-            (relative_log2 < -1).then(|| inverse.widened(error_log2))
+            let error_log2 = relative_log2 + group.exponent_above();
+            (relative_log2 < -1).then(|| group.widened(error_log2))
         }
     }
 }

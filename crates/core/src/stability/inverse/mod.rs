@@ -21,7 +21,7 @@ use thiserror::Error;
 
 use crate::friction::Parameters;
 use crate::number::{Ball, Field, bits_for_digits};
-use crate::roots::discriminant;
+use crate::roots::{MOST_BITS, discriminant};
 use crate::stability::{Arc, DampingRatio, InertialThreshold};
 use family::{Family, hurwitz, shifted};
 use frequency::FrequencyCondition;
@@ -101,7 +101,7 @@ pub struct Solution {
 
 /// No precision within the bound separates the solutions.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
-#[error("undecided: the solutions are not separated with {} bits", root::MOST_BITS)]
+#[error("undecided: the solutions are not separated with {MOST_BITS} bits")]
 pub struct Undecided;
 
 /// All positive values of the unknown for which the slider does what `target` says, ascending; their number is exact.

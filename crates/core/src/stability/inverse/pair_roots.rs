@@ -7,8 +7,9 @@ use rug::{Complete, Rational};
 use super::Undecided;
 use super::family::{Family, lead, skew, spread};
 use super::frequency::{FrequencyCondition, squared_angular_frequency};
-use super::root::{MOST_BITS, Root};
-use crate::{number::Field, roots};
+use super::root::Root;
+use crate::number::Field;
+use crate::roots::{self, MOST_BITS};
 
 /// Precision of the first attempt, in bits.
 const FIRST_BITS: u32 = 128;

@@ -6,8 +6,8 @@ use super::*;
 use crate::friction::Slider;
 use crate::number::{nearest_f64, parse_decimal};
 use crate::roots::{CertifiedRoot, certified_roots};
+use crate::stability::fixtures;
 use crate::stability::inverse::family::at;
-use crate::stability::{BoundaryCurve, fixtures};
 
 /// a, b, K, M and σ with D_c = V0 = 1.
 fn parameters([a, b, k, m, s]: [i64; 5]) -> Parameters<Rational> {
@@ -109,25 +109,6 @@ fn the_transition_is_that_of_the_closed_forms() {
             .unwrap()
             .is_empty()
     );
-}
-
-#[test]
-fn the_boundary_is_that_of_its_curve() {
-    let slider = fixtures::paper();
-    let curve = BoundaryCurve::new(&slider, 40);
-    for velocity in [Rational::from((1, 10_000)), Rational::from((1, 100))] {
-        let point = slider.at(Rational::from(1), velocity.clone());
-        let mut found = solve(&point, Unknown::NormalStress, &Target::Boundary, 30).unwrap();
-        found.reverse();
-        let mut expected = curve.at_velocity(&velocity);
-        expected
-            .sort_by(|one, other| other.normal_stress_pa.centre().total_cmp(one.normal_stress_pa.centre()));
-        assert_eq!(found.len(), expected.len());
-        for (solution, point) in found.iter().zip(&expected) {
-            assert!(solution.value.overlaps(&point.normal_stress_pa));
-            assert_eq!(solution.kind, point.arc.into());
-        }
-    }
 }
 
 #[test]
