@@ -4,7 +4,7 @@ use crate::claims::computed::Asked;
 use crate::claims::{BITS, Check, Evidence, Finding};
 use crate::experiments::Context;
 use slipmode_core::number::format::certain_digits;
-use slipmode_core::theory::sufficient_inertia::sufficient_inertial_parameter;
+use slipmode_core::stability::cusp::cusp_inertial_parameter;
 
 pub(super) const CHECKS: &[Check] = &[Check {
     name: "sufficient-inertia",
@@ -19,7 +19,7 @@ fn sufficient_inertia(context: &Context, asked: Asked) -> Finding {
     let bound = "η > η_c suffices, with (1 − 2η_c)³ = 27 (b/a) η_c², that is η_c = 1/(2 + 6√(b/a) cos(⅓ arccos √(a/b)))";
     let all = "η ≥ 1/8 suffices for all a < b; no smaller bound does";
     let slider = context.outcome.potentially_unstable().and_then(|scene| scene.slider());
-    let sharp = slider.and_then(|slider| sufficient_inertial_parameter(&slider.effect_ratio(), BITS));
+    let sharp = slider.map(|slider| cusp_inertial_parameter(&slider.effect_ratio(), BITS));
     let value = sharp.map(|sharp| certain_digits(&sharp, 6));
     let of_scene = value.as_ref().map(|value| format!(" = {value} at the scene's b/a")).unwrap_or_default();
     let finding = finding

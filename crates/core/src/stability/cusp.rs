@@ -25,6 +25,14 @@ pub fn cusp_abscissa(effect_ratio: &Rational, bits: u32) -> Ball {
     polish(&coefficients, Ball::new(start, radius * 2_u32), 2 * START_BITS, bits)
 }
 
+/// η of the cusp. For a < b a larger one excludes real roots left of −1, and with them every stable point without oscillation.
+///
+/// There β = (1 − 2η)³/(27η²) and x = (1 − 2η)/(3η).
+#[must_use]
+pub fn cusp_inertial_parameter(effect_ratio: &Rational, bits: u32) -> Ball {
+    Ball::from(1) / (Ball::from(3) * cusp_abscissa(effect_ratio, bits) + Ball::from(2))
+}
+
 /// Precision of the start, in MPFR for its range of exponents.
 const START_BITS: u32 = 64;
 
@@ -59,6 +67,36 @@ mod tests {
 
     use super::*;
     use crate::friction::Groups;
+    use crate::roots::discriminant;
+    use slipmode_algebra::UnivariatePolynomial;
+
+    #[test]
+    fn at_the_inertial_parameter_of_the_cusp_sturm_sequences_lose_two_roots() {
+        for beta in [(3, 2), (11, 10), (5, 1), (1, 2)].map(Rational::from) {
+            let bound = cusp_inertial_parameter(&beta, 100);
+            let near = bound.centre().to_rational().unwrap();
+            // κ where the discriminant is zero at this η: a quartic.
+            let ends = |eta: Rational| {
+                let value = |kappa: i32| {
+                    let groups = Groups {
+                        inertial_parameter: eta.clone(),
+                        stiffness_group: Rational::from(kappa),
+                        effect_ratio: beta.clone(),
+                    };
+                    discriminant(&groups.characteristic_cubic())
+                };
+                let line = UnivariatePolynomial::interpolating((0..5).map(value).collect());
+                line.isolate_positive_roots().len()
+            };
+            let step = Rational::from((1, 1_000_000_000));
+            assert_eq!((ends(near.clone() - &step), ends(near.clone() + &step)), (3, 1), "{beta}");
+            assert_eq!(beta > 1, near < Rational::from((1, 8)));
+            // 1/(2 + 6√β cos(arccos(1/√β)/3)) for β > 1.
+            let root = beta.to_f64().sqrt();
+            let closed = 1.0 / (2.0 + 6.0 * root * libm::cos(libm::acos(1.0 / root) / 3.0));
+            assert!(beta < 1 || (closed - bound.to_f64()).abs() < 1e-14, "{beta}: {closed}");
+        }
+    }
 
     proptest! {
         /// κ = (1+η)³/(27η²), β = (1−2η)³/(27η²), and the triple root r = −(1+η)/(3η), for 0 < η < 1/2.

@@ -43,8 +43,6 @@ pub mod root_location;
 pub mod stated_proofs;
 #[doc(hidden)]
 pub mod strip_frequency;
-#[doc(hidden)]
-pub mod sufficient_inertia;
 mod units;
 
 pub use derivation::{Form as Derivation, Operation, System};

@@ -66,31 +66,6 @@ fn sturm_sequences_count_the_same_areas_on_lines_of_fixed_inertial_parameter() {
     }
 }
 
-/// The same bound by another way: below η_c the discriminant has three positive roots in κ, above it one.
-#[test]
-fn the_sufficient_inertial_parameter_is_where_sturm_sequences_lose_two_roots() {
-    let discriminant = boundary::cubic_discriminant(&paper()).expect("eq 8");
-    for beta in [(3, 2), (11, 10), (5, 1), (1, 2)].map(Rational::from) {
-        let bound = sufficient_inertia::sufficient_inertial_parameter(&beta, 100).expect("one root");
-        let near = bound.centre().to_rational().expect("finite");
-        let ends = |eta: Rational| {
-            let number = |value: &Rational| slipmode_algebra::Polynomial::constant(value.clone());
-            let line = discriminant.substitute(&Symbol::from("beta"), &number(&beta));
-            let line = line.substitute(&Symbol::from("eta"), &number(&eta));
-            let coefficients = line.coefficients(&Symbol::from("kappa"));
-            let values = coefficients.iter().filter_map(slipmode_algebra::Polynomial::as_constant);
-            UnivariatePolynomial::new(values.collect()).isolate_positive_roots().len()
-        };
-        let step = Rational::from((1, 1_000_000_000));
-        assert_eq!((ends(near.clone() - &step), ends(near.clone() + &step)), (3, 1), "{beta}");
-        assert_eq!(beta > 1, near < Rational::from((1, 8)));
-        // 1/(2 + 6√β cos(arccos(1/√β)/3)) for β > 1.
-        let root = crate::number::nearest_f64(&beta).sqrt();
-        let closed = 1.0 / (2.0 + 6.0 * root * libm::cos(libm::acos(1.0 / root) / 3.0));
-        assert!(beta < 1 || (closed - bound.to_f64()).abs() < 1e-14, "{beta}: {closed}");
-    }
-}
-
 #[test]
 fn regularised_law_differs_by_less_than_86_orders_of_magnitude() {
     let bound = |effect: (i32, i32)| {
