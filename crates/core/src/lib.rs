@@ -75,28 +75,3 @@ pub use checked::{
 pub use dynamics::{Behaviour, Failure as SimulationError, Simulation};
 pub use friction::{EvolutionLaw, SlipMode};
 pub use stability::{Arc, Asymptote, SpectralClass};
-
-#[cfg(test)]
-mod tests {
-    use crate::dynamics;
-    use crate::friction::{EvolutionLaw, Groups};
-    use crate::number::{Rational, nearest_f64};
-    use crate::theory::hopf;
-
-    /// The formula stands on a floor below the proofs, as runs need it there.
-    #[test]
-    fn runs_next_to_the_transition_use_the_amplitude_that_is_proved() {
-        for law in EvolutionLaw::ALL {
-            for eta in [(1, 100_000), (1, 10), (1, 1), (1_000, 1)].map(Rational::from) {
-                for beta in [(101, 100), (3, 2), (50, 1)].map(Rational::from) {
-                    let exact = nearest_f64(&hopf::square_amplitude(law, &eta, &beta).unwrap());
-                    let [inertial_parameter, effect_ratio] = [&eta, &beta].map(nearest_f64);
-                    let groups = Groups { inertial_parameter, stiffness_group: 1.0, effect_ratio };
-                    let of_runs = dynamics::square_amplitude(law, &groups);
-                    // β − 1 = 1/100 is known to 2e-14 after rounding; a few roundings follow.
-                    assert!((of_runs / exact - 1.0).abs() < 1e-12, "{law:?} {eta} {beta}");
-                }
-            }
-        }
-    }
-}

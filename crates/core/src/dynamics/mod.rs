@@ -133,8 +133,6 @@ pub use scalar::Scalar;
 #[doc(hidden)]
 pub use section_return::{Return, ReturnEnd, next_return};
 pub use simulation::{simulate, simulate_model};
-#[cfg(test)]
-pub(crate) use slow_pair::square_amplitude;
 pub use start::Start;
 #[doc(hidden)]
 pub use stepper::{Stepper, Trial, Weight, increment, velocity_slopes};

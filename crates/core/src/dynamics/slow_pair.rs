@@ -8,7 +8,7 @@ use super::decay::Oscillation;
 use super::deviations::Modes;
 use super::integrator::Work;
 use super::{Balance, Model};
-use crate::friction::{EvolutionLaw, Groups};
+use crate::friction::Groups;
 use crate::number::{Rational, nearest_f64};
 use crate::roots::certified_roots;
 
@@ -118,27 +118,15 @@ fn near_transition(model: &Model<f64>, exact: &Groups<Rational>) -> Option<NearT
     if excess.abs() > NEAREST {
         return None;
     }
-    let square_amplitude = square_amplitude(model.law(), model.groups());
+    let Groups { inertial_parameter, effect_ratio, .. } = model.groups();
+    // Infinite where the first Lyapunov coefficient vanishes.
+    let [numerator, divisor] = model.law().square_amplitude(inertial_parameter, effect_ratio);
+    let square_amplitude = numerator / divisor;
     // The rate of ln A vanishes on the small cycle.
     let critical =
         Groups { stiffness_group: model.groups().critical_stiffness_group(), ..model.groups().clone() };
     let cubic = -model.groups().critical_stiffness_group() * crossing_speed(&critical) / square_amplitude;
     Some(NearTransition { excess, square_amplitude, cubic })
-}
-
-/// A²/(K/K_c − 1) of the small cycle to leading order, by the first Lyapunov coefficient; infinite where that vanishes.
-///
-/// The expression that is proved stands on a higher floor, in `theory::hopf`; a test of the crate compares the two.
-pub(crate) fn square_amplitude(law: EvolutionLaw, groups: &Groups<f64>) -> f64 {
-    let (eta, excess) = (groups.inertial_parameter, groups.effect_ratio - 1.0);
-    let sum = 1.0 + eta;
-    let second_harmonic = sum * sum + 4.0 * eta * eta * excess;
-    match law {
-        EvolutionLaw::Slip => -4.0 * second_harmonic / (eta * (1.0 + 9.0 * eta) * (1.0 + excess)),
-        EvolutionLaw::Aging => {
-            -4.0 * sum * second_harmonic / (eta * (eta * eta * (7.0 + 4.0 * excess) + 6.0 * eta - 1.0))
-        }
-    }
 }
 
 /// The frequency of a pair next to the imaginary axis, in V_l/D_c.

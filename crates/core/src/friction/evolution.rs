@@ -1,5 +1,7 @@
 //! The two laws by which the frictional state evolves (eqs 2 and 3).
 
+use crate::number::Field;
+
 slipmode_algebra::named! {
     /// How the state variable θ evolves; both laws share the steady state θ = D_c/V and the linearisation about it.
     ///
@@ -15,6 +17,28 @@ slipmode_algebra::named! {
         Aging = "aging",
         /// dθ/dt = −(Vθ/D_c) ln(Vθ/D_c) (eq 3): evolves by slip only.
         Slip = "slip",
+    }
+}
+
+impl EvolutionLaw {
+    /// Numerator and denominator of A²/(K/K_c − 1) of the small cycle next to K = K_c, to leading order, A the amplitude of ln(V/V_l).
+    ///
+    /// The denominator vanishes where the first Lyapunov coefficient does. `theory::hopf` proves the formula.
+    pub(crate) fn square_amplitude<R: Field>(self, inertial_parameter: &R, effect_ratio: &R) -> [R; 2] {
+        let (eta, one) = (inertial_parameter, || R::from(1));
+        let excess = effect_ratio.clone() - one();
+        let sum = one() + eta;
+        let second_harmonic = sum.square() + R::from(4) * eta * eta * &excess;
+        match self {
+            Self::Slip => {
+                let divisor = eta.clone() * (one() + R::from(9) * eta) * (one() + excess);
+                [R::from(-4) * second_harmonic, divisor]
+            }
+            Self::Aging => {
+                let margin = eta.square() * (R::from(7) + R::from(4) * excess) + R::from(6) * eta - one();
+                [R::from(-4) * sum * second_harmonic, eta.clone() * margin]
+            }
+        }
     }
 }
 

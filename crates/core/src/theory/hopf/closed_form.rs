@@ -23,13 +23,8 @@ impl Criticality {
     /// The kind at this η > 0 and β > 1, decided exactly.
     #[must_use]
     pub fn of(law: EvolutionLaw, inertial_parameter: &Rational, effect_ratio: &Rational) -> Self {
-        let eta = inertial_parameter;
-        let slope = Rational::from(effect_ratio * 4) + 3;
-        let margin = match law {
-            EvolutionLaw::Slip => Rational::from(1),
-            EvolutionLaw::Aging => (slope * eta + 6) * eta - 1,
-        };
-        match margin.cmp0() {
+        let [_, divisor] = law.square_amplitude(inertial_parameter, effect_ratio);
+        match divisor.cmp0() {
             std::cmp::Ordering::Greater => Self::Supercritical,
             std::cmp::Ordering::Less => Self::Subcritical,
             std::cmp::Ordering::Equal => Self::Degenerate,

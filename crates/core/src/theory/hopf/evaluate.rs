@@ -1,9 +1,7 @@
-//! The proved expressions at given parameters, exactly.
+//! What is proved at given parameters, exactly.
 
-use super::closed_form::square_amplitude as closed_square_amplitude;
 use crate::friction::EvolutionLaw;
 use crate::number::Rational;
-use slipmode_algebra::Expression;
 
 /// A²/(K/K_c − 1) to leading order at this η and β, A the amplitude of ln(V/V_l): [`super::HopfCoefficient::square_amplitude`].
 /// Nothing where l_1 = 0.
@@ -13,8 +11,8 @@ pub fn square_amplitude(
     inertial_parameter: &Rational,
     effect_ratio: &Rational,
 ) -> Option<Rational> {
-    let omega_squared = Rational::from(effect_ratio - 1);
-    value(&closed_square_amplitude(law), inertial_parameter, &omega_squared)
+    let [numerator, divisor] = law.square_amplitude(inertial_parameter, effect_ratio);
+    (divisor != 0).then(|| numerator / divisor)
 }
 
 /// η_0 = 1/(3 + 2√(β + 3)), below which the aging law is subcritical.
@@ -23,43 +21,12 @@ pub fn degenerate_inertial_parameter(effect_ratio: f64) -> f64 {
     1.0 / (3.0 + 2.0 * (effect_ratio + 3.0).sqrt())
 }
 
-/// An expression in η and even powers of ω; nothing for any other, and where a denominator vanishes.
-fn value(expression: &Expression, eta: &Rational, omega_squared: &Rational) -> Option<Rational> {
-    let of = |inner: &Expression| value(inner, eta, omega_squared);
-    let raised = |base: Rational, exponent: i32| {
-        let power = (0..exponent.unsigned_abs()).fold(Rational::from(1), |power, _| power * &base);
-        match exponent {
-            0.. => Some(power),
-            _ => (power != 0).then(|| power.recip()),
-        }
-    };
-    match expression {
-        Expression::Number(number) => Some(number.clone()),
-        Expression::Variable(name) => (name.as_str() == "eta").then(|| eta.clone()),
-        Expression::Sum(parts) => parts.iter().try_fold(Rational::new(), |sum, part| Some(sum + of(part)?)),
-        Expression::Product(parts) => {
-            parts.iter().try_fold(Rational::from(1), |product, part| Some(product * of(part)?))
-        }
-        Expression::Quotient(left, right) => {
-            let divisor = of(right)?;
-            if divisor == 0 { None } else { Some(of(left)? / divisor) }
-        }
-        Expression::Negation(inner) => of(inner).map(|inner| -inner),
-        Expression::Power(inner, exponent) => match inner.as_ref() {
-            Expression::Variable(name) if name.as_str() == "omega" && exponent % 2 == 0 => {
-                raised(omega_squared.clone(), exponent / 2)
-            }
-            _ => raised(of(inner)?, *exponent),
-        },
-        Expression::Call(..) | Expression::Generic(..) => None,
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::super::Criticality;
+    use super::super::{Criticality, closed_form};
     use super::*;
     use crate::number::nearest_f64;
+    use slipmode_algebra::{Domain, Expression};
 
     #[test]
     fn small_cycles_stand_below_the_line_where_supercritical_and_above_it_where_subcritical() {
@@ -72,6 +39,26 @@ mod tests {
                     let subcritical = Criticality::of(law, &eta, &beta) == Criticality::Subcritical;
                     assert_eq!(square > 0, subcritical, "{law:?} {eta} {beta}");
                 }
+            }
+        }
+    }
+
+    /// On more points than the degrees in η and ω, so that the two are the same function.
+    #[test]
+    fn the_amplitude_that_the_program_computes_with_is_the_one_that_is_proved() {
+        for law in EvolutionLaw::ALL {
+            for (eta, omega) in (1..12).flat_map(|eta| (1..9).map(move |omega| (eta, omega))) {
+                let [eta, omega] = [eta, omega].map(Rational::from);
+                let proved = [("eta", &eta), ("omega", &omega)]
+                    .into_iter()
+                    .fold(closed_form::square_amplitude(law), |expression, (name, value)| {
+                        expression.with(name, &Expression::Number(value.clone()))
+                    });
+                let proved = Domain::default().rational_function(&proved).unwrap();
+                let [above, below] =
+                    [proved.numerator(), proved.denominator()].map(|side| side.as_constant().unwrap());
+                let computed = square_amplitude(law, &eta, &(omega.square() + 1)).unwrap();
+                assert_eq!(above / below, computed, "{law:?} {eta}");
             }
         }
     }
