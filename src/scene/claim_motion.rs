@@ -3,7 +3,7 @@
 use slipmode_algebra::{Expression, Symbol};
 use slipmode_core::theory::Equations;
 use slipmode_core::theory::lyapunov_sign::LyapunovSign;
-use slipmode_core::theory::planar::MotionLemma;
+use slipmode_core::theory::planar::{MotionLemma, MotionWord};
 
 use crate::scene::Problem;
 use crate::scene::claim_formula::grammar::read_side;
@@ -11,26 +11,32 @@ use crate::scene::claim_names::Names;
 use crate::scene::nearest;
 use crate::scene::section::{Entry, Section};
 
-slipmode_algebra::named! {
-    /// The lemmas, by what they conclude.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-    enum Word {
-        /// Every motion is periodic.
-        Periodic = "periodic",
-        /// Every motion approaches the steady state.
-        Attraction = "attraction",
-        /// Every motion off the steady state leaves every compact set.
-        Escape = "escape",
-        /// A variable becomes infinite in finite time.
-        Runaway = "runaway",
-        /// A variable falls for ever.
-        Deceleration = "deceleration",
-        /// A variable falls from some time on.
-        LateDeceleration = "late-deceleration",
-        /// A steady state is unstable although no root has a positive real part.
-        WeakInstability = "weak-instability",
-        /// The sign of the first Lyapunov coefficient.
-        Transition = "transition",
+/// The lemmas, by what they conclude.
+#[derive(Clone, Copy)]
+enum Word {
+    /// On every motion of two equations.
+    Planar(MotionWord),
+    /// A steady state is unstable although no root has a positive real part.
+    WeakInstability,
+    /// The sign of the first Lyapunov coefficient.
+    Transition,
+}
+
+impl Word {
+    fn all() -> Vec<Self> {
+        MotionWord::ALL
+            .into_iter()
+            .map(Self::Planar)
+            .chain([Self::WeakInstability, Self::Transition])
+            .collect()
+    }
+
+    const fn as_str(self) -> &'static str {
+        match self {
+            Self::Planar(word) => word.as_str(),
+            Self::WeakInstability => "weak-instability",
+            Self::Transition => "transition",
+        }
     }
 }
 
@@ -58,8 +64,9 @@ impl ClaimMotion {
     /// Reads the section; `equations` define the system.
     pub(super) fn read(entry: &Entry<'_>, equations: &Equations) -> Option<Self> {
         let mut section = entry.section()?;
-        let allowed = Word::ALL.map(Word::as_str).join(", ");
-        let word = section.required("lemma", &allowed).and_then(|entry| entry.word(&Word::ALL, Word::as_str));
+        let words = Word::all();
+        let allowed = words.iter().map(|word| word.as_str()).collect::<Vec<_>>().join(", ");
+        let word = section.required("lemma", &allowed).and_then(|entry| entry.word(&words, Word::as_str));
         let system = section.required("system", "the name of a [[system]]");
         // Without the lemma it is not known what else the section should have.
         let word = word?;
@@ -84,7 +91,6 @@ impl ClaimMotion {
     #[must_use]
     pub fn words(&self, set: impl Fn(&Expression) -> String) -> String {
         let name = &self.name;
-        let variable = |index: &usize| self.state.get(*index).map(Symbol::as_str).unwrap_or_default();
         let says = match &self.said {
             MotionSaid::Lyapunov(LyapunovSign::Positive, _) => {
                 format!("the steady state of {name} is unstable although no root has a positive real part")
@@ -94,27 +100,25 @@ impl ClaimMotion {
                     "the transition of {name} is subcritical where the sign is positive and supercritical where it is negative"
                 )
             }
-            MotionSaid::Planar(lemma) => match lemma {
-                MotionLemma::Periodic { .. } => format!("every motion of {name} is periodic"),
-                MotionLemma::Attraction { .. } => {
-                    format!("every motion of {name} approaches the steady state")
+            MotionSaid::Planar(lemma) => {
+                let variable = self.state.get(lemma.variable).map(Symbol::as_str).unwrap_or_default();
+                match lemma.word {
+                    MotionWord::Periodic => format!("every motion of {name} is periodic"),
+                    MotionWord::Attraction => format!("every motion of {name} approaches the steady state"),
+                    MotionWord::Escape => format!(
+                        "every motion of {name} off the steady state leaves every compact set, and {variable} is unbounded along it"
+                    ),
+                    MotionWord::Runaway => format!(
+                        "{variable} becomes infinite in finite time from every start of {name} in the region"
+                    ),
+                    MotionWord::Deceleration => {
+                        format!("{variable} falls for ever from every start of {name} in the region")
+                    }
+                    MotionWord::LateDeceleration => format!(
+                        "{variable} falls from some time on for ever, and tends to zero, from every start of {name}"
+                    ),
                 }
-                MotionLemma::Escape { grows, .. } => format!(
-                    "every motion of {name} off the steady state leaves every compact set, and {} is unbounded along it",
-                    variable(grows)
-                ),
-                MotionLemma::Runaway { grows, .. } => format!(
-                    "{} becomes infinite in finite time from every start of {name} in the region",
-                    variable(grows)
-                ),
-                MotionLemma::Deceleration { falls, .. } => {
-                    format!("{} falls for ever from every start of {name} in the region", variable(falls))
-                }
-                MotionLemma::LateDeceleration { falls, .. } => format!(
-                    "{} falls from some time on for ever, and tends to zero, from every start of {name}",
-                    variable(falls)
-                ),
-            },
+            }
         };
         let with = |(word, expression): (&str, &Expression)| format!("{word} {}", set(expression));
         let with: Vec<String> = self.expressions().into_iter().map(with).collect();
@@ -137,9 +141,13 @@ fn read_said(
         return entry.refuse(Problem::Needs(format!("the name of a [[system]] of equations.toml{near}")));
     };
     let states = system.state.len();
-    let is_of_lyapunov = matches!(word, Word::WeakInstability | Word::Transition);
+    let is_of_three = states == 3 && !system.steady.is_empty();
     let said = match word {
-        _ if is_of_lyapunov && (states != 3 || system.steady.is_empty()) => {
+        Word::Planar(word) if states == 2 => {
+            MotionSaid::Planar(read_lemma(section, word, &system.state, &names)?)
+        }
+        Word::Planar(_) => return entry.refuse(Problem::Needs("a system with two state variables".into())),
+        _ if !is_of_three => {
             let needed = "a system with three state variables and a steady state";
             return entry.refuse(Problem::Needs(needed.into()));
         }
@@ -150,8 +158,6 @@ fn read_said(
             let [frequency, sign] = ["frequency", "sign"].map(|key| read_expression(section, key, &names));
             MotionSaid::Lyapunov(LyapunovSign::Of(sign?), frequency?)
         }
-        word if states == 2 => MotionSaid::Planar(read_lemma(section, word, &system.state, &names)?),
-        _ => return entry.refuse(Problem::Needs("a system with two state variables".into())),
     };
     Some(ClaimMotion { state: system.state.clone(), name, said })
 }
@@ -171,40 +177,14 @@ fn read_index(section: &mut Section<'_>, state: &[Symbol]) -> Option<usize> {
 }
 
 /// All expressions are read before the first fault ends it.
-fn read_lemma(section: &mut Section<'_>, word: Word, state: &[Symbol], names: &Names) -> Option<MotionLemma> {
-    let keys: &[&'static str] = match word {
-        Word::Periodic | Word::LateDeceleration | Word::WeakInstability | Word::Transition => &["quantity"],
-        Word::Attraction => &["quantity", "zero"],
-        Word::Escape => &["quantity", "zero", "threshold", "growth"],
-        Word::Runaway => &["region", "growth"],
-        Word::Deceleration => &["region"],
-    };
-    let has_variable = !matches!(word, Word::Periodic | Word::Attraction);
-    let read: Vec<_> = keys.iter().map(|key| read_expression(section, key, names)).collect();
-    let index = if has_variable { read_index(section, state) } else { Some(0) };
+fn read_lemma(
+    section: &mut Section<'_>,
+    word: MotionWord,
+    state: &[Symbol],
+    names: &Names,
+) -> Option<MotionLemma> {
+    let read: Vec<_> = word.expressions().iter().map(|key| read_expression(section, key, names)).collect();
+    let variable = if word.has_variable() { read_index(section, state) } else { Some(0) };
     let read: Vec<Expression> = read.into_iter().collect::<Option<_>>()?;
-    let index = index?;
-    match (word, &read[..]) {
-        (Word::Periodic, [quantity]) => Some(MotionLemma::Periodic { quantity: quantity.clone() }),
-        (Word::Attraction, [quantity, zero]) => {
-            Some(MotionLemma::Attraction { quantity: quantity.clone(), zero: zero.clone() })
-        }
-        (Word::Escape, [quantity, zero, threshold, growth]) => Some(MotionLemma::Escape {
-            quantity: quantity.clone(),
-            zero: zero.clone(),
-            grows: index,
-            threshold: threshold.clone(),
-            growth: growth.clone(),
-        }),
-        (Word::Runaway, [region, growth]) => {
-            Some(MotionLemma::Runaway { region: region.clone(), grows: index, growth: growth.clone() })
-        }
-        (Word::Deceleration, [region]) => {
-            Some(MotionLemma::Deceleration { region: region.clone(), falls: index })
-        }
-        (Word::LateDeceleration, [quantity]) => {
-            Some(MotionLemma::LateDeceleration { quantity: quantity.clone(), falls: index })
-        }
-        _ => None,
-    }
+    Some(MotionLemma::new(word, variable?, read))
 }

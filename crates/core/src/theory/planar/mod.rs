@@ -26,57 +26,57 @@ pub struct PlanarSystem {
     pub steady: Option<[Expression; 2]>,
 }
 
+slipmode_algebra::named! {
+    /// The lemmas, by what they conclude.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum MotionWord {
+        /// Every motion is periodic: `quantity` is conserved.
+        Periodic = "periodic",
+        /// Every motion approaches the steady state: `quantity` rises towards its greatest value, but where `zero` vanishes.
+        Attraction = "attraction",
+        /// Every motion off the steady state leaves every compact set, and the variable is unbounded: where the other one is larger than
+        /// `threshold`, the rate of the variable's logarithm is larger than `growth`.
+        Escape = "escape",
+        /// From every start with `region` > 0 the variable becomes infinite in finite time: there the rate of its logarithm is larger than
+        /// `growth` times it.
+        Runaway = "runaway",
+        /// From every start with `region` > 0 the variable falls for ever.
+        Deceleration = "deceleration",
+        /// From every start the variable falls from some time on for ever, and tends to zero. `quantity` is a multiple of the product of
+        /// both state variables: in the time with dτ = dt over the other one it moves by itself.
+        LateDeceleration = "late-deceleration",
+    }
+}
+
+impl MotionWord {
+    /// The words of the expressions that state the lemma. A quantity is strictly concave or convex where it is conserved or has a rate of
+    /// one sign, which is a multiple of the square of `zero`; a region's expression rises in the region; `growth` is a positive constant.
+    #[must_use]
+    pub const fn expressions(self) -> &'static [&'static str] {
+        match self {
+            Self::Periodic | Self::LateDeceleration => &["quantity"],
+            Self::Attraction => &["quantity", "zero"],
+            Self::Escape => &["quantity", "zero", "threshold", "growth"],
+            Self::Runaway => &["region", "growth"],
+            Self::Deceleration => &["region"],
+        }
+    }
+
+    /// Whether one of the state variables has a part of its own.
+    #[must_use]
+    pub const fn has_variable(self) -> bool {
+        !matches!(self, Self::Periodic | Self::Attraction)
+    }
+}
+
 /// What is claimed of the motions, with what the lemma needs to know.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum MotionLemma {
-    /// Every motion is periodic: `quantity` is conserved.
-    Periodic {
-        /// The conserved quantity, strictly concave or convex.
-        quantity: Expression,
-    },
-    /// Every motion approaches the steady state: `quantity` rises towards its greatest value, but where `zero` vanishes.
-    Attraction {
-        /// The Lyapunov function, strictly concave or convex.
-        quantity: Expression,
-        /// Its rate is a multiple of the square of this.
-        zero: Expression,
-    },
-    /// Every motion off the steady state leaves every compact set, and the state variable `grows` is unbounded.
-    Escape {
-        /// The Lyapunov function, strictly concave or convex.
-        quantity: Expression,
-        /// Its rate is a multiple of the square of this.
-        zero: Expression,
-        /// Which state variable is unbounded, 0 or 1.
-        grows: usize,
-        /// Where the other variable is larger than this, the rate of ln `grows` is larger than `growth`.
-        threshold: Expression,
-        /// A positive constant.
-        growth: Expression,
-    },
-    /// From every start with `region` > 0 the state variable `grows` becomes infinite in finite time.
-    Runaway {
-        /// It is positive in the region and rises there.
-        region: Expression,
-        /// Which state variable, 0 or 1.
-        grows: usize,
-        /// In the region the rate of ln `grows` is larger than this times `grows`.
-        growth: Expression,
-    },
-    /// From every start with `region` > 0 the state variable `falls` falls for ever.
-    Deceleration {
-        /// It is positive in the region and rises there.
-        region: Expression,
-        /// Which state variable, 0 or 1.
-        falls: usize,
-    },
-    /// From every start the state variable `falls` falls from some time on for ever, and tends to zero.
-    LateDeceleration {
-        /// A multiple of the product of both state variables. In the time with dτ = dt over the other one it moves by itself.
-        quantity: Expression,
-        /// Which state variable, 0 or 1.
-        falls: usize,
-    },
+pub struct MotionLemma {
+    /// Which lemma.
+    pub word: MotionWord,
+    /// The state variable of which it speaks, 0 or 1.
+    pub variable: usize,
+    expressions: Vec<Expression>,
 }
 
 impl PlanarSystem {
@@ -119,57 +119,34 @@ impl PlanarSystem {
 }
 
 impl MotionLemma {
+    /// The lemma with its expressions in the order of their words.
+    #[must_use]
+    pub const fn new(word: MotionWord, variable: usize, expressions: Vec<Expression>) -> Self {
+        Self { word, variable, expressions }
+    }
+
     /// The region in which a hypothesis is used, as an expression that is positive there.
     #[must_use]
     pub fn region(&self, system: &PlanarSystem) -> Option<Expression> {
-        match self {
-            Self::Runaway { region, .. } | Self::Deceleration { region, .. } => Some(region.clone()),
-            Self::Escape { grows, threshold, .. } => Some(system.variable(1 - grows) - threshold.clone()),
-            Self::Periodic { .. } | Self::Attraction { .. } | Self::LateDeceleration { .. } => None,
+        match (self.word, &self.expressions[..]) {
+            (MotionWord::Runaway | MotionWord::Deceleration, [region, ..]) => Some(region.clone()),
+            (MotionWord::Escape, [_, _, threshold, _]) => {
+                Some(system.variable(1 - self.variable) - threshold.clone())
+            }
+            _ => None,
         }
     }
 
     /// The expressions that state it, each with its word.
     #[must_use]
     pub fn expressions(&self) -> Vec<(&'static str, &Expression)> {
-        match self {
-            Self::Periodic { quantity } | Self::LateDeceleration { quantity, .. } => {
-                vec![("quantity", quantity)]
-            }
-            Self::Attraction { quantity, zero } => vec![("quantity", quantity), ("zero", zero)],
-            Self::Escape { quantity, zero, threshold, growth, .. } => {
-                vec![("quantity", quantity), ("zero", zero), ("threshold", threshold), ("growth", growth)]
-            }
-            Self::Runaway { region, growth, .. } => vec![("region", region), ("growth", growth)],
-            Self::Deceleration { region, .. } => vec![("region", region)],
-        }
+        self.word.expressions().iter().copied().zip(&self.expressions).collect()
     }
 
     /// The lemma with each of its expressions changed.
     #[must_use]
     pub fn map(&self, change: impl Fn(&Expression) -> Expression) -> Self {
-        match self {
-            Self::Periodic { quantity } => Self::Periodic { quantity: change(quantity) },
-            Self::Attraction { quantity, zero } => {
-                Self::Attraction { quantity: change(quantity), zero: change(zero) }
-            }
-            Self::Escape { quantity, zero, grows, threshold, growth } => Self::Escape {
-                quantity: change(quantity),
-                zero: change(zero),
-                grows: *grows,
-                threshold: change(threshold),
-                growth: change(growth),
-            },
-            Self::Runaway { region, grows, growth } => {
-                Self::Runaway { region: change(region), grows: *grows, growth: change(growth) }
-            }
-            Self::Deceleration { region, falls } => {
-                Self::Deceleration { region: change(region), falls: *falls }
-            }
-            Self::LateDeceleration { quantity, falls } => {
-                Self::LateDeceleration { quantity: change(quantity), falls: *falls }
-            }
-        }
+        Self::new(self.word, self.variable, self.expressions.iter().map(change).collect())
     }
 
     /// Adds the hypotheses and the conclusion to a proof. `domains` are forms of one domain, each of which reaches every point of it; a step is
@@ -184,17 +161,23 @@ impl MotionLemma {
         domains: &[Domain],
     ) -> Result<Proof, Refutation> {
         let mut steps = Steps::new(start, system, domains);
-        match self {
-            Self::Periodic { quantity } => hill::periodic(&mut steps, quantity)?,
-            Self::Attraction { quantity, zero } => hill::attraction(&mut steps, quantity, zero)?,
-            Self::Escape { quantity, zero, grows, threshold, growth } => {
+        match (self.word, &self.expressions[..]) {
+            (MotionWord::Periodic, [quantity]) => hill::periodic(&mut steps, quantity)?,
+            (MotionWord::Attraction, [quantity, zero]) => hill::attraction(&mut steps, quantity, zero)?,
+            (MotionWord::Escape, [quantity, zero, threshold, growth]) => {
                 hill::repulsion(&mut steps, quantity, zero)?;
-                region::unbounded(&mut steps, *grows, threshold, growth)?;
+                region::unbounded(&mut steps, self.variable, threshold, growth)?;
             }
-            Self::Runaway { region, grows, growth } => region::runaway(&mut steps, region, *grows, growth)?,
-            Self::Deceleration { region, falls } => region::deceleration(&mut steps, region, *falls)?,
-            Self::LateDeceleration { quantity, falls } => {
-                ratio::late_deceleration(&mut steps, quantity, *falls)?
+            (MotionWord::Runaway, [region, growth]) => {
+                region::runaway(&mut steps, region, self.variable, growth)?;
+            }
+            (MotionWord::Deceleration, [region]) => region::deceleration(&mut steps, region, self.variable)?,
+            (MotionWord::LateDeceleration, [quantity]) => {
+                ratio::late_deceleration(&mut steps, quantity, self.variable)?;
+            }
+            (word, given) => {
+                let says = format!("the lemma has {} expressions", word.expressions().len());
+                return Err(steps.refuse(&says, format!("{} are given", given.len())));
             }
         }
         Ok(steps.proof)

@@ -67,22 +67,25 @@ fn critical(system: &PlanarSystem) -> PlanarSystem {
     system.map(|expression| expression.with("B", &formula("A + K*L")))
 }
 
+fn lemma(word: MotionWord, expressions: &[&str]) -> MotionLemma {
+    MotionLemma::new(word, 0, expressions.iter().map(|text| formula(text)).collect())
+}
+
 fn attraction(quantity: &str, zero: &str) -> MotionLemma {
-    MotionLemma::Attraction { quantity: formula(quantity), zero: formula(zero) }
+    lemma(MotionWord::Attraction, &[quantity, zero])
 }
 
 fn escape(quantity: &str, zero: &str, threshold: &str, growth: &str) -> MotionLemma {
-    let [quantity, zero, threshold, growth] = [quantity, zero, threshold, growth].map(formula);
-    MotionLemma::Escape { quantity, zero, grows: 0, threshold, growth }
+    lemma(MotionWord::Escape, &[quantity, zero, threshold, growth])
 }
 
 fn runaway(region: &str, growth: &str) -> MotionLemma {
-    MotionLemma::Runaway { region: formula(region), grows: 0, growth: formula(growth) }
+    lemma(MotionWord::Runaway, &[region, growth])
 }
 
 #[test]
 fn at_the_critical_stiffness_every_motion_is_periodic() {
-    let periodic = |quantity: &str| MotionLemma::Periodic { quantity: formula(quantity) };
+    let periodic = |quantity: &str| lemma(MotionWord::Periodic, &[quantity]);
     let domains = weakening(&[("B", "2")]);
     prove(&periodic(HILL), &critical(&loaded()), &domains).unwrap();
     // Minus the quantity is convex and serves as well.
@@ -143,9 +146,9 @@ fn with_the_load_point_at_rest_a_ratio_separates_runaway_from_deceleration() {
     let beyond = "(B - A - K*L)*V*theta/L - (B - A)";
     let growth = "K/(B - A)";
     prove(&runaway(beyond, growth), &at_rest(), &soft(&example)).unwrap();
-    let slower = MotionLemma::Deceleration { region: formula("B - (B - K*L)*V*theta/L"), falls: 0 };
+    let slower = lemma(MotionWord::Deceleration, &["B - (B - K*L)*V*theta/L"]);
     prove(&slower, &at_rest(), &soft(&[("B", "3")])).unwrap();
-    let late = |quantity: &str| MotionLemma::LateDeceleration { quantity: formula(quantity), falls: 0 };
+    let late = |quantity: &str| lemma(MotionWord::LateDeceleration, &[quantity]);
     prove(&late("V*theta/L"), &at_rest(), &stiff_and_weakening()).unwrap();
     // Too large a region, too fast a growth, the wrong side of the critical stiffness, another quantity.
     let larger = "(B - A - K*L)*V*theta/L - (B - A)/2";
@@ -159,7 +162,7 @@ fn with_the_load_point_at_rest_a_ratio_separates_runaway_from_deceleration() {
     healing.rates[1] = formula("1 - V*theta/L*(1 + ln(theta)^2)");
     let refused = prove(&late("V*theta/L"), &healing, &stiff_and_weakening()).unwrap_err();
     assert!(refused.remainder.contains("ln(theta)"), "{refused}");
-    let faster = MotionLemma::Deceleration { region: formula("B - (B - K*L)*V*theta/(2*L)"), falls: 0 };
+    let faster = lemma(MotionWord::Deceleration, &["B - (B - K*L)*V*theta/(2*L)"]);
     assert!(prove(&faster, &at_rest(), &soft(&[("B", "3")])).is_err());
 }
 
