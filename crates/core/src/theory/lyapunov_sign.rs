@@ -3,7 +3,7 @@
 use super::System;
 use super::hopf::expansion::{Conditions, in_basis, solve, taylor_part};
 use super::hopf::projection::{Critical, Vector, coefficient};
-use super::notation::{formula, rational, simplified};
+use super::notation::{first_success, formula, rational, simplified};
 use slipmode_algebra::{Domain, Expression, Proof, Refutation, Symbol};
 
 /// What is said of the first Lyapunov coefficient.
@@ -171,14 +171,8 @@ fn positive(
     domains: &[Domain],
 ) -> Result<Proof, Refutation> {
     let says = format!("{says} is positive");
-    let mut refused = None;
-    for domain in domains {
-        match proof.clone().positive(&says, &[], expression, domain) {
-            Ok(proof) => return Ok(proof),
-            Err(error) => refused = refused.or(Some(error)),
-        }
-    }
-    Err(refused.unwrap_or_else(|| proof.refute(&says, &[], "there is no domain")))
+    first_success(domains, |domain| proof.clone().positive(&says, &[], expression, domain))
+        .map_err(|refused| refused.unwrap_or_else(|| proof.refute(&says, &[], "there is no domain")))
 }
 
 /// A vector v with forms(v) = i·frequency·v and one component 1.
@@ -189,8 +183,7 @@ fn eigenvector(
     domain: &Domain,
 ) -> Result<Vector, Refutation> {
     let unknowns = ["real_1", "imaginary_1", "real_2", "imaginary_2"];
-    let mut refused = None;
-    for one in 0..3 {
+    let with_one_at = |one: usize| {
         let mut vector = [0, 1, 2].map(|_| formula("1"));
         let pairs = unknowns.chunks(2).map(|pair| formula(&format!("{} + i*{}", pair[0], pair[1])));
         (0..3).filter(|place| *place != one).zip(pairs).for_each(|(place, pair)| vector[place] = pair);
@@ -200,12 +193,11 @@ fn eigenvector(
             |n: usize| forms[n].substitute(&values) - formula("i") * frequency.clone() * vector[n].clone();
         let vanishing = [0, 1, 2].map(rest);
         let conditions = Conditions { vanishing: &vanishing, identically_in: &["i"], unknowns: &unknowns };
-        match solve(proof, &[], &conditions, domain.clone()) {
-            Ok(found) => return Ok(vector.map(|part| found.substituted(&part))),
-            Err(error) => refused = refused.or(Some(error)),
-        }
-    }
-    Err(refused.unwrap_or_else(|| proof.refute("an eigenvector", &[], "none was tried")))
+        let found = solve(proof, &[], &conditions, domain.clone())?;
+        Ok(vector.map(|part| found.substituted(&part)))
+    };
+    first_success(0..3, with_one_at)
+        .map_err(|refused| refused.unwrap_or_else(|| proof.refute("an eigenvector", &[], "none was tried")))
 }
 
 #[cfg(test)]

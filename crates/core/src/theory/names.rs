@@ -142,13 +142,7 @@ impl Names {
     /// What the definitions behind an expression are given for, besides the assumptions of the file.
     #[must_use]
     pub fn given_of(&self, expression: &Expression) -> Vec<&Condition> {
-        let mut all: Vec<&Condition> = Vec::new();
-        for condition in self.meanings_in(expression).into_iter().flat_map(|one| &one.given) {
-            if !all.contains(&condition) {
-                all.push(condition);
-            }
-        }
-        all
+        distinct(self.meanings_in(expression).into_iter().flat_map(|one| &one.given))
     }
 
     /// What must hold for an expression to have a value, in variables only: as it is written, and as the definitions behind it are.
@@ -156,12 +150,7 @@ impl Names {
     pub fn demands_of(&self, expression: &Expression) -> Vec<Condition> {
         let own = expression.demands().into_iter().map(|one| self.resolved_condition(&one));
         let behind = self.meanings_in(expression).into_iter().flat_map(|one| one.demands.iter().cloned());
-        own.chain(behind).fold(Vec::new(), |mut all, one| {
-            if !all.contains(&one) {
-                all.push(one);
-            }
-            all
-        })
+        distinct(own.chain(behind))
     }
 
     /// A condition with the meanings in place of the names.
@@ -173,12 +162,7 @@ impl Names {
     /// The proofs of the definitions behind an expression, each after those that it uses.
     #[must_use]
     pub fn proofs_of(&self, expression: &Expression) -> Vec<&Proof> {
-        let mut order: Vec<&Symbol> = Vec::new();
-        for name in self.meanings_in(expression).into_iter().flat_map(|one| &one.proofs) {
-            if !order.contains(&name) {
-                order.push(name);
-            }
-        }
+        let order = distinct(self.meanings_in(expression).into_iter().flat_map(|one| &one.proofs));
         order.into_iter().filter_map(|name| self.proofs.get(name)).collect()
     }
 
@@ -192,33 +176,31 @@ impl Names {
         given: Vec<Condition>,
         proof: Option<Proof>,
     ) {
-        let demands = behind.iter().flat_map(|expression| self.demands_of(expression));
-        let demands = demands.fold(Vec::new(), |mut all, one| {
-            if !all.contains(&one) {
-                all.push(one);
-            }
-            all
-        });
+        let demands = distinct(behind.iter().flat_map(|expression| self.demands_of(expression)));
         let used: Vec<&Meaning> = behind.iter().flat_map(|expression| self.meanings_in(expression)).collect();
         let equations: BTreeSet<String> =
             used.iter().flat_map(|one| one.equations.iter().cloned()).chain(own).collect();
-        let mut all = given;
-        let mut proofs: Vec<Symbol> = Vec::new();
-        for one in used {
-            let new =
-                one.given.iter().filter(|condition| !all.contains(condition)).cloned().collect::<Vec<_>>();
-            all.extend(new);
-            let new = one.proofs.iter().filter(|known| !proofs.contains(known)).cloned().collect::<Vec<_>>();
-            proofs.extend(new);
-        }
+        let inherited = used.iter().flat_map(|one| one.given.iter().cloned());
+        let given = distinct(given.into_iter().chain(inherited));
+        let mut proofs = distinct(used.iter().flat_map(|one| one.proofs.iter().cloned()));
         if let Some(proof) = proof {
             proofs.push(name.clone());
             self.proofs.insert(name.clone(), proof);
         }
         let equations = equations.into_iter().collect();
-        let meaning = Meaning { expression, equations, given: all, demands, proofs };
+        let meaning = Meaning { expression, equations, given, demands, proofs };
         self.meanings.insert(name.clone(), meaning);
     }
+}
+
+/// The items in their order, each once.
+pub(super) fn distinct<T: PartialEq>(items: impl Iterator<Item = T>) -> Vec<T> {
+    items.fold(Vec::new(), |mut all, one| {
+        if !all.contains(&one) {
+            all.push(one);
+        }
+        all
+    })
 }
 
 /// A name that an equation defines.

@@ -149,3 +149,18 @@ pub(super) fn rational(
         proof.refute("an expression of the derivation is no rational function", equations, error.to_string())
     })
 }
+
+/// The first attempt that succeeds, else the first refusal; none where nothing was attempted.
+pub(super) fn first_success<I, T>(
+    items: impl IntoIterator<Item = I>,
+    mut attempt: impl FnMut(I) -> Result<T, Refutation>,
+) -> Result<T, Option<Refutation>> {
+    let mut refused = None;
+    for item in items {
+        match attempt(item) {
+            Ok(found) => return Ok(found),
+            Err(error) => refused = refused.or(Some(error)),
+        }
+    }
+    Err(refused)
+}

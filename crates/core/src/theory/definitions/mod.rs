@@ -15,7 +15,7 @@ use super::definedness;
 use super::derivation::{
     Form, NOT_A_NAME, Operation, System, Work, derive, is_name, read_condition, read_name,
 };
-use super::names::{Names, circle, defined_by_equations, in_order};
+use super::names::{Names, circle, defined_by_equations, distinct, in_order};
 use super::{AssumptionsText, DefinitionText, Equation, EquationFault, FunctionText, SystemText};
 use slipmode_algebra::nearest;
 use slipmode_algebra::{Condition, Domain, Expression, Proof, Symbol};
@@ -259,12 +259,7 @@ impl Reader<'_> {
         behind.extend(given.iter().map(|one| &one.expression));
         let given: Vec<Condition> = given.iter().map(|one| names.resolved_condition(one)).collect();
         let inherited = behind.iter().flat_map(|expression| names.given_of(expression)).cloned();
-        let more: Vec<Condition> = given.iter().cloned().chain(inherited).fold(Vec::new(), |mut all, one| {
-            if !all.contains(&one) {
-                all.push(one);
-            }
-            all
-        });
+        let more = distinct(given.iter().cloned().chain(inherited));
         let domain = with_conditions(domain.clone(), &more)?;
         let resolve = |expression: &Expression| names.resolved(expression);
         if let Some(unmet) = definedness::unmet(&form.demands, &domain, &resolve) {

@@ -1,6 +1,7 @@
 //! The steps that the lemmas share.
 
 use super::PlanarSystem;
+use crate::theory::notation::first_success;
 use slipmode_algebra::{
     Certificate, Domain, Expression, Proof, RationalFunction, Refutation, Relation, Symbol,
 };
@@ -140,17 +141,11 @@ impl<'a> Steps<'a> {
         domains: Vec<Domain>,
         certificate: impl Fn(Domain) -> Certificate,
     ) -> Result<(), Refutation> {
-        let mut refused = None;
-        for domain in domains {
-            match self.proof.clone().certify(says, &[], certificate(domain)) {
-                Ok(proof) => {
-                    self.proof = proof;
-                    return Ok(());
-                }
-                Err(error) => refused = refused.or(Some(error)),
-            }
-        }
-        Err(refused.unwrap_or_else(|| self.refuse(says, "there is no domain".into())))
+        let certified =
+            first_success(domains, |domain| self.proof.clone().certify(says, &[], certificate(domain)));
+        self.proof = certified
+            .map_err(|refused| refused.unwrap_or_else(|| self.refuse(says, "there is no domain".into())))?;
+        Ok(())
     }
 
     /// The domain with the condition that an expression is positive: as it is, and with a state variable in which the expression is
