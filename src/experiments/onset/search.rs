@@ -10,7 +10,7 @@ use slipmode_core::dynamics::{
     Control, Failure, Integrator, Model, Radau, Start, oscillation_of_small_deviations,
 };
 use slipmode_core::friction::{EvolutionLaw, Slider};
-use slipmode_core::number::search::{border_between, extrapolate_to_zero};
+use slipmode_core::number::search::{border_between, interpolated};
 use slipmode_core::number::{Rational, nearest_f64};
 
 /// A loading velocity in m/s, or on a line of constant velocity a normal stress in Pa, with its error.
@@ -131,7 +131,7 @@ impl Line<'_> {
             })
             .collect();
         let points = points?;
-        let (finer, coarser) = (extrapolate_to_zero(&points), extrapolate_to_zero(&points[..POINTS - 1]));
+        let (finer, coarser) = (interpolated(&points, 0.0), interpolated(&points[..POINTS - 1], 0.0));
         Some(located(finer, 2.0 * (finer - coarser).abs() + AMPLIFIED * self.tolerance))
     }
 

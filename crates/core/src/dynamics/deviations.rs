@@ -46,11 +46,7 @@ pub(super) fn oscillation_in_double_double(
     model: &Model<f64>,
     local_tolerance: f64,
 ) -> Result<Option<Oscillation<f64>>, Failure> {
-    let fine = Model::with_balance(
-        model.groups().map(|&group| Dd::from(group)),
-        model.law(),
-        model.balance().map(|&group| Dd::from(group)),
-    );
+    let fine = model.in_double_double();
     Ok(modes(&fine, &Radau::<Dd, 7>::new(), Sampling::of(&fine, local_tolerance))?
         .map(|seen| seen.oscillation))
 }

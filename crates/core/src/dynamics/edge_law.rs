@@ -11,6 +11,7 @@
 //! smaller by η V_peak² = O(η^(1/3)).
 
 use super::peak_law::runge_kutta;
+use crate::number::search::border_between;
 
 /// The integrals along the closed orbit with a given peak.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -48,12 +49,8 @@ pub fn edge_orbit(effect_ratio: f64, log_peak: f64, step: f64) -> Option<EdgeOrb
     for _ in 0..MOST_STEPS {
         let next = advance(motion, step);
         if rising(&motion) > 0.0 && rising(&next) <= 0.0 {
-            let mut part = 0.5;
-            let (mut low, mut high) = (0.0, 1.0);
-            while high - low > 1e-14 {
-                part = 0.5 * (low + high);
-                if rising(&advance(motion, part * step)) > 0.0 { low = part } else { high = part }
-            }
+            let falls = |part: f64| Some(rising(&advance(motion, part * step)) <= 0.0);
+            let (_, part) = border_between(falls, (0.0, 1.0), 1e-14)?;
             let [_, _, integrals @ ..] = advance(motion, part * step);
             return Some(EdgeOrbit { excess, integrals });
         }

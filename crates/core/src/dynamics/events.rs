@@ -6,6 +6,7 @@
 
 use super::stepper::{Stepper, increment, velocity_slopes};
 use super::{Integrator, Scalar, State};
+use crate::number::search::zero_between;
 
 /// What happens to x = ln(V/V_l) at a moment.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -57,12 +58,12 @@ pub fn candidates<R: Scalar, M: Stepper<R>>(
         if (left_value < 0.0) != (right_value < 0.0) {
             let mark = if left_value < 0.0 { Mark::Rise } else { Mark::Fall };
             pair[0] =
-                Some(Candidate { mark, theta: zero_between(value, left, left_value, right, right_value) });
+                Some(Candidate { mark, theta: zero(value, [(left, left_value), (right, right_value)]) });
         }
         if (left_slope < 0.0) != (right_slope < 0.0) {
             let mark = if left_slope < 0.0 { Mark::Trough } else { Mark::Peak };
             pair[1] =
-                Some(Candidate { mark, theta: zero_between(slope, left, left_slope, right, right_slope) });
+                Some(Candidate { mark, theta: zero(slope, [(left, left_slope), (right, right_slope)]) });
         }
         if pair[0].zip(pair[1]).is_some_and(|(a, b)| b.theta < a.theta) {
             pair.swap(0, 1);
@@ -76,27 +77,11 @@ pub fn candidates<R: Scalar, M: Stepper<R>>(
     found
 }
 
-/// The zero of a function with different signs at the ends, to half of f64's digits (Illinois variant of the false position).
-fn zero_between(f: impl Fn(f64) -> f64, left: f64, at_left: f64, right: f64, at_right: f64) -> f64 {
-    let (mut a, mut fa, mut b, mut fb) = (left, at_left, right, at_right);
-    for _ in 0..60 {
-        if fb == 0.0 || (b - a).abs() < 1e-9 {
-            break;
-        }
-        let c = b - fb * (b - a) / (fb - fa);
-        let fc = f(c);
-        if (fc < 0.0) == (fb < 0.0) {
-            fa *= 0.5;
-        } else {
-            (a, fa) = (b, fb);
-        }
-        let has_converged = (c - b).abs() < 1e-10;
-        (b, fb) = (c, fc);
-        if has_converged {
-            break;
-        }
-    }
-    b.clamp(left.max(1e-12), right)
+/// The zero of a function with different signs at the ends, to half of f64's digits.
+fn zero(function: impl Fn(f64) -> f64, ends: [(f64, f64); 2]) -> f64 {
+    let [(left, _), (right, _)] = ends;
+    let found = zero_between(|theta| Some(function(theta)), ends, 1e-9);
+    found.map_or(right, |theta| theta.clamp(left.max(1e-12), right))
 }
 
 /// Repeats the last step so that it ends at a candidate; the run then stands there. False when a repetition failed.

@@ -11,6 +11,7 @@
 
 use super::{Arrow, Scalar};
 use crate::friction::{EvolutionLaw, Groups};
+use crate::number::Dd;
 
 /// A point of the trajectory: [x, y, ζ].
 pub type State<R> = [R; 3];
@@ -71,6 +72,14 @@ struct Exponentials<R> {
     /// e^{−y} and e^{−y} − 1, zero when the law does not need them.
     healing: R,
     healing_excess: R,
+}
+
+impl Model<f64> {
+    /// The same slider in double-double.
+    pub(super) fn in_double_double(&self) -> Model<Dd> {
+        let exact = |value: &f64| Dd::from(*value);
+        Model::with_balance(self.groups.map(exact), self.law, self.balance.map(exact))
+    }
 }
 
 impl<R: Scalar> Model<R> {

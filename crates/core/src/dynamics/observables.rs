@@ -56,13 +56,7 @@ impl Observables<f64> {
 impl<T: Copy> Observables<T> {
     /// The same value for all.
     pub const fn all(value: T) -> Self {
-        Self {
-            log_peak: value,
-            log_duration: value,
-            log_trough: value,
-            highest_stress: value,
-            lowest_stress: value,
-        }
+        Self::from_values([value; 5])
     }
 
     /// `stress` for the quantities that a stick phase carries on, the least velocity and both stresses, and `other` for the rest.
@@ -74,26 +68,21 @@ impl<T: Copy> Observables<T> {
         [self.log_peak, self.log_duration, self.log_trough, self.highest_stress, self.lowest_stress]
     }
 
+    const fn from_values(
+        [log_peak, log_duration, log_trough, highest_stress, lowest_stress]: [T; 5],
+    ) -> Self {
+        Self { log_peak, log_duration, log_trough, highest_stress, lowest_stress }
+    }
+
     /// Applies a function to each.
-    pub fn map<S>(self, mut f: impl FnMut(T) -> S) -> Observables<S> {
-        Observables {
-            log_peak: f(self.log_peak),
-            log_duration: f(self.log_duration),
-            log_trough: f(self.log_trough),
-            highest_stress: f(self.highest_stress),
-            lowest_stress: f(self.lowest_stress),
-        }
+    pub fn map<S: Copy>(self, f: impl FnMut(T) -> S) -> Observables<S> {
+        Observables::from_values(self.values().map(f))
     }
 
     /// Joins each with its counterpart.
     pub fn zip<S: Copy>(self, other: Observables<S>) -> Observables<(T, S)> {
-        Observables {
-            log_peak: (self.log_peak, other.log_peak),
-            log_duration: (self.log_duration, other.log_duration),
-            log_trough: (self.log_trough, other.log_trough),
-            highest_stress: (self.highest_stress, other.highest_stress),
-            lowest_stress: (self.lowest_stress, other.lowest_stress),
-        }
+        let (own, others) = (self.values(), other.values());
+        Observables::from_values(std::array::from_fn(|n| (own[n], others[n])))
     }
 }
 

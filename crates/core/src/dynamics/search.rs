@@ -331,11 +331,7 @@ fn in_double_double<M>(
     from: [f64; 2],
     accuracy: Accuracy,
 ) -> Result<Option<Refined<f64>>, Failure> {
-    let fine = Model::with_balance(
-        map.model.groups().map(|&group| Dd::from(group)),
-        map.model.law(),
-        map.model.balance().map(|&group| Dd::from(group)),
-    );
+    let fine = map.model.in_double_double();
     let mut map = ReturnMap::new(&fine, Radau::<Dd, 7>::new(), map.returns, map.most_steps);
     let accuracy = Accuracy { coarse: 1e-14, fine: 1e-16, floor: 1e-16, ..accuracy };
     let refined = refine(&mut map, derivative, from.map(Dd::from), accuracy)?;

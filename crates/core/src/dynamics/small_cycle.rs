@@ -18,6 +18,7 @@ use super::return_errors::OF_DIFFERENCE;
 use super::section_return::Return;
 use super::slow_pair::NearTransition;
 use super::{Cycle, Model, Oscillation};
+use crate::number::search::interpolated;
 
 /// Amplitudes of ln(V/V_l) of the members.
 const AMPLITUDES: [f64; 3] = [0.05, 0.1, 0.2];
@@ -211,23 +212,8 @@ fn stress_per_log(inertial_parameter: f64, effect_ratio: f64) -> f64 {
 
 /// The polynomial through all values, and through the one at zero where it is known; its error by the polynomial without the last value.
 fn estimated(zero: Option<f64>, places: &[f64; 3], values: &[f64; 3], at: f64) -> Estimated {
-    let known: Vec<[f64; 2]> = zero
-        .map(|value| [0.0, value])
-        .into_iter()
-        .chain(places.iter().zip(values).map(|(&place, &value)| [place, value]))
-        .collect();
+    let measured = places.iter().copied().zip(values.iter().copied());
+    let known: Vec<(f64, f64)> = zero.map(|value| (0.0, value)).into_iter().chain(measured).collect();
     let [value, lower] = [0, 1].map(|dropped| interpolated(&known[..known.len() - dropped], at));
     [value, OF_DIFFERENCE * (value - lower).abs()]
-}
-
-/// The polynomial through points, by Neville's rule.
-fn interpolated(points: &[[f64; 2]], at: f64) -> f64 {
-    let mut values: Vec<f64> = points.iter().map(|point| point[1]).collect();
-    for order in 1..points.len() {
-        for n in 0..points.len() - order {
-            let (left, right) = (points[n][0], points[n + order][0]);
-            values[n] += (at - left) * (values[n + 1] - values[n]) / (right - left);
-        }
-    }
-    values[0]
 }

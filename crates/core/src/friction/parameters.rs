@@ -140,15 +140,6 @@ impl<R: Field> Parameters<R> {
         self.slider.effect_difference() * &self.point.normal_stress_pa / &self.slider.critical_slip_distance_m
     }
 
-    /// K_c,dyn = ((b−a)/a)·M V0²/D_c², Pa/m (eq 11): depends on M·V0², not on σ.
-    #[doc(alias = "eq. 11")]
-    #[must_use]
-    pub fn critical_stiffness_dynamic(&self) -> R {
-        self.slider.effect_difference() / &self.slider.direct_effect
-            * &self.slider.mass_per_area_kg_per_m2
-            * self.rate_per_s().square()
-    }
-
     /// K_c = ((b−a)σ/D_c)·(1 + M V0²/(σ a D_c)), Pa/m (eq 9): linearly stable above it.
     #[doc(alias = "eq. 9")]
     #[must_use]

@@ -211,10 +211,11 @@ mod tests {
                 );
             }
             let p = paper().at(stress, velocity);
-            prop_assert_eq!(
-                p.critical_stiffness(),
-                p.critical_stiffness_quasi_static() + p.critical_stiffness_dynamic()
-            );
+            // Eq 11: K_c,dyn = ((b−a)/a)·M V0²/D_c².
+            let dynamic = p.slider.effect_difference() / &p.slider.direct_effect
+                * &p.slider.mass_per_area_kg_per_m2
+                * p.rate_per_s().square();
+            prop_assert_eq!(p.critical_stiffness(), p.critical_stiffness_quasi_static() + dynamic);
         }
     }
 }

@@ -117,13 +117,13 @@ pub fn golden_section(
     Some(if at_left < at_right { left } else { right })
 }
 
-/// The value at zero of the polynomial through points (x, y), none of them at equal x (Neville's scheme).
-pub fn extrapolate_to_zero(points: &[(f64, f64)]) -> f64 {
+/// The value of the polynomial through points (x, y), none of them at equal x (Neville's scheme).
+pub fn interpolated(points: &[(f64, f64)], at: f64) -> f64 {
     let mut values: Vec<f64> = points.iter().map(|point| point.1).collect();
     for order in 1..points.len() {
-        for i in 0..points.len() - order {
-            let (near, far) = (points[i].0, points[i + order].0);
-            values[i] = (far * values[i] - near * values[i + 1]) / (far - near);
+        for n in 0..points.len() - order {
+            let (left, right) = (points[n].0, points[n + order].0);
+            values[n] += (at - left) * (values[n + 1] - values[n]) / (right - left);
         }
     }
     values.first().copied().unwrap_or(f64::NAN)
@@ -167,7 +167,7 @@ mod tests {
     #[test]
     fn a_cubic_is_extrapolated_exactly() {
         let cubic = |x: f64| (x, 2.0 + x * (1.0 - x * (3.0 - x)));
-        let value = extrapolate_to_zero(&[cubic(0.5), cubic(1.0), cubic(2.0), cubic(3.0)]);
+        let value = interpolated(&[cubic(0.5), cubic(1.0), cubic(2.0), cubic(3.0)], 0.0);
         assert!((value - 2.0).abs() < 1e-12, "{value}");
     }
 }
