@@ -66,14 +66,14 @@ pub(super) fn in_groups(expression: &Expression) -> Expression {
 }
 
 /// The coefficients by ascending power; none where the variable occurs in the denominator or inside a function.
-pub(super) fn polynomial_coefficients(function: &RationalFunction, name: &Symbol) -> Option<Vec<Expression>> {
+pub(super) fn polynomial_coefficients(
+    function: &RationalFunction,
+    name: &Symbol,
+) -> Option<Vec<RationalFunction>> {
     if function.denominator().degree(name) > 0 || function.hides(name).is_some() {
         return None;
     }
-    let quotient = |part: Polynomial| {
-        RationalFunction::new(part, function.denominator().clone())
-            .map(|quotient| Expression::from(&quotient))
-    };
+    let quotient = |part: Polynomial| RationalFunction::new(part, function.denominator().clone());
     function.numerator().coefficients(name).into_iter().map(quotient).collect()
 }
 
@@ -89,7 +89,8 @@ pub(super) fn coefficients<const COUNT: usize>(
 ) -> Result<[Expression; COUNT], Refutation> {
     let function = rational(proof, equation, expression, &any())?;
     polynomial_coefficients(&function, &variable.into())
-        .and_then(|parts| <[Expression; COUNT]>::try_from(parts).ok())
+        .and_then(|parts| <[RationalFunction; COUNT]>::try_from(parts).ok())
+        .map(|parts| parts.each_ref().map(Expression::from))
         .ok_or_else(|| {
             let says = format!("a polynomial of degree {} in {variable}", COUNT - 1);
             proof.refute(&says, equation, expression.to_string())

@@ -12,26 +12,16 @@ const MOST_DEGREE: usize = 12;
 /// The most terms of a coefficient that goes into a determinant.
 const MOST_TERMS: usize = 12;
 
-/// The coefficient of a power.
+/// The coefficient of a power; of the highest one where `is_leading`, which has to be this one.
 pub(super) fn coefficient(
     f: &Expression,
     x: &Symbol,
-    power: usize,
+    (power, is_leading): (usize, bool),
     work: &mut Work,
 ) -> Result<Expression, String> {
-    let parts = in_powers(f, x, 0..=MOST_DEGREE, work)?;
+    let degrees = if is_leading { power..=power } else { 0..=MOST_DEGREE };
+    let parts = in_powers(f, x, degrees, work)?;
     Ok(parts.get(power).map_or(Expression::integer(0), expression))
-}
-
-/// The coefficient of the highest power, which has to be this one.
-pub(super) fn leading(
-    f: &Expression,
-    x: &Symbol,
-    power: usize,
-    work: &mut Work,
-) -> Result<Expression, String> {
-    let parts = in_powers(f, x, power..=power, work)?;
-    Ok(parts.last().map_or(Expression::integer(0), expression))
 }
 
 /// The coefficients by ascending power, with the step that they are.

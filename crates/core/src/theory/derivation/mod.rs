@@ -48,8 +48,9 @@ pub(super) fn derive(form: &Form, system: Option<&System>, work: &mut Work) -> R
             system.slope(rate, by, work)
         }
         (Some(Operation::Rate), [f], _, Some(system)) => system.rate(f, work),
-        (Some(Operation::Coefficient), [p], [s], _) => algebra::coefficient(p, s, form.whole, work),
-        (Some(Operation::Leading), [p], [s], _) => algebra::leading(p, s, form.whole, work),
+        (Some(operation @ (Operation::Coefficient | Operation::Leading)), [p], [s], _) => {
+            algebra::coefficient(p, s, (form.whole, operation == Operation::Leading), work)
+        }
         (Some(Operation::Discriminant), [p], [s], _) => algebra::discriminant_of(p, s, work),
         (Some(Operation::Hurwitz), [p], [s], _) => algebra::hurwitz(p, s, form.whole, work),
         (Some(Operation::Eliminate), [p, q], [x], _) => algebra::eliminate(p, q, x, work),

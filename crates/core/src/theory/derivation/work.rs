@@ -1,5 +1,6 @@
 //! A derivation at work: its assumptions, and the proof of what was found so far.
 
+use crate::theory::notation::polynomial_coefficients;
 use slipmode_algebra::{Certificate, Domain, Expression, Proof, RationalFunction, Relation, Symbol};
 
 /// The assumptions and the proof of one definition.
@@ -98,10 +99,8 @@ impl Work<'_> {
         degrees: std::ops::RangeInclusive<usize>,
     ) -> Result<Vec<RationalFunction>, String> {
         let function = self.rational(polynomial)?;
-        if function.denominator().degree(variable) > 0 || function.hides(variable).is_some() {
-            return Err(format!("'{polynomial}' is no polynomial in {variable}"));
-        }
-        let parts = function.numerator().coefficients(variable);
+        let parts = polynomial_coefficients(&function, variable)
+            .ok_or_else(|| format!("'{polynomial}' is no polynomial in {variable}"))?;
         let degree = parts.len() - 1;
         if !degrees.contains(&degree) {
             let (low, high) = degrees.into_inner();
@@ -109,8 +108,7 @@ impl Work<'_> {
                 "'{polynomial}' has degree {degree} in {variable} (allowed: {low} to {high})"
             ));
         }
-        let over = |part| RationalFunction::new(part, function.denominator().clone());
-        Ok(parts.into_iter().filter_map(over).collect())
+        Ok(parts)
     }
 
     /// Adds the step that an expression is not zero: positive, negative, or by an assumption.

@@ -38,7 +38,7 @@ slipmode_algebra::named! {
 #[must_use]
 pub fn coefficients(function: &RationalFunction, variable: &Symbol, most: usize) -> Option<Vec<Expression>> {
     let parts = polynomial_coefficients(function, variable)?;
-    (2..=most + 1).contains(&parts.len()).then_some(parts)
+    (2..=most + 1).contains(&parts.len()).then(|| parts.iter().map(Expression::from).collect())
 }
 
 /// The polynomial with these coefficients, by ascending power.
