@@ -136,7 +136,7 @@ mod tests {
         // Eq 16 to leading order, and then a point next to the crossing that the curve gives.
         let curve = BoundaryCurve::new(&paper(), 80);
         let velocity = parse_decimal("1e-5").unwrap();
-        let crossing = curve.at_velocity(&velocity).remove(1).normal_stress_pa;
+        let crossing = curve.on_section(&Section::AtVelocity(velocity.clone())).remove(1).normal_stress_pa;
         let factor = parse_decimal("1.00000000000000000000000000000000000000000000000001").unwrap();
         let beside = crossing.centre().to_rational().unwrap() * factor;
         let distance = number(LogDistance::to_boundary(&paper().at(beside, velocity)).normal_stress);

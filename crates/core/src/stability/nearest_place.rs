@@ -8,7 +8,7 @@
 
 use rug::{Float, Rational};
 
-use super::boundary::{BoundaryCurve, BoundaryPoint};
+use super::boundary::{BoundaryCurve, BoundaryPoint, Section};
 use super::{Arc, ArcFrame, Asymptote};
 use crate::friction::Parameters;
 use crate::number::{Dd, Field};
@@ -110,7 +110,7 @@ pub fn nearest_boundary_point(parameters: &Parameters<Rational>, digits: u32) ->
         if ratio < 1 { ratio.recip() } else { ratio }
     };
     BoundaryCurve::new(&parameters.slider, digits)
-        .at_velocity(&parameters.point.loading_velocity_m_per_s)
+        .on_section(&Section::AtVelocity(parameters.point.loading_velocity_m_per_s.clone()))
         .into_iter()
         .min_by(|one, other| stretch(one).total_cmp(&stretch(other)))
 }

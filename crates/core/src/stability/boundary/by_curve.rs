@@ -18,13 +18,13 @@ const SECTION_GUARD_BITS: u32 = 40;
 /// The boundary of one friction, spring and mass, ready for points of a given number of digits.
 ///
 /// ```
-/// use slipmode_core::stability::BoundaryCurve;
+/// use slipmode_core::stability::{BoundaryCurve, Section};
 /// # use slipmode_core::{friction::Slider, number::parse_decimal};
 /// # let number = |text| parse_decimal(text).unwrap();
 /// # let slider = Slider::from(["0.004", "0.006", "1e-5", "1e7", "1000"].map(number));
 /// let curve = BoundaryCurve::new(&slider, 20);
 /// // At 10 µm/s steady sliding changes between oscillating and not oscillating at three normal stresses.
-/// let points = curve.at_velocity(&number("1e-5"));
+/// let points = curve.on_section(&Section::AtVelocity(number("1e-5")));
 /// assert_eq!(points.iter().map(|point| point.arc.as_str()).collect::<Vec<_>>(), ["upper", "lower", "lower"]);
 /// assert!(points.iter().all(|point| point.normal_stress_pa.relative_radius_log2() < -60.0));
 /// ```
@@ -184,7 +184,7 @@ mod tests {
         assert_eq!(arcs(Section::AtNormalStress(number("5.5e3"))), [Lower, Lower]);
         assert_eq!(arcs(Section::AtNormalStress(number("1e4"))), []);
         assert_eq!(arcs(Section::AtNormalStress(number("1e6"))), [Upper]);
-        let asymptote = curve.at_velocity(&number("1e-6")).remove(0).asymptote;
+        let asymptote = curve.on_section(&Section::AtVelocity(number("1e-6"))).remove(0).asymptote;
         assert_eq!(asymptote, Asymptote::QuasiStaticUpper);
     }
 }

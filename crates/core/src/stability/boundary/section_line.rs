@@ -1,7 +1,5 @@
 //! One section of the boundary in the groups, and its crossings: the points of the boundary at a given V0 or σ.
 
-use rug::Rational;
-
 use crate::friction::OperatingPoint;
 use crate::number::{Ball, Field, Real};
 use crate::stability::Arc;
@@ -133,17 +131,5 @@ impl BoundaryCurve {
             self.constants.parameter(found, line.given, &line.value).map(|_| Some(work))
         };
         line.each(quickly, |_, _, _| None)
-    }
-
-    /// The points of the boundary at a given V0 in m/s.
-    #[must_use]
-    pub fn at_velocity(&self, velocity_m_per_s: &Rational) -> Vec<BoundaryPoint> {
-        self.on_section(&Section::AtVelocity(velocity_m_per_s.clone()))
-    }
-
-    /// The points of the boundary at a given σ in Pa.
-    #[must_use]
-    pub fn at_normal_stress(&self, normal_stress_pa: &Rational) -> Vec<BoundaryPoint> {
-        self.on_section(&Section::AtNormalStress(normal_stress_pa.clone()))
     }
 }
