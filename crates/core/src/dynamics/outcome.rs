@@ -87,11 +87,7 @@ pub struct Outcome {
     long_term: LongTerm<f64>,
     groups: Groups<f64>,
     start: f64,
-    contraction: Option<f64>,
-    peak_relative_error: f64,
-    period_relative_error: Option<f64>,
-    trough_error: f64,
-    drop_error: f64,
+    errors: Errors,
     work: Work,
     local_tolerance: f64,
 }
@@ -127,7 +123,7 @@ fn stress_drop(long_term: &LongTerm<f64>) -> f64 {
 }
 
 impl Outcome {
-    /// A long-term behaviour with the errors of what it shows; a relative error is e^{error of the logarithm} − 1.
+    /// A long-term behaviour with the errors of what it shows.
     pub(super) fn new(
         model: &Model<f64>,
         start: f64,
@@ -136,19 +132,7 @@ impl Outcome {
         work: Work,
         local_tolerance: f64,
     ) -> Self {
-        let contraction = if let LongTerm::Cycle(cycle) = &long_term { cycle.contraction } else { None };
-        Self {
-            long_term,
-            groups: model.groups().clone(),
-            start,
-            contraction,
-            peak_relative_error: libm::expm1(errors.peak),
-            period_relative_error: errors.period.map(libm::expm1),
-            trough_error: errors.trough,
-            drop_error: errors.drop,
-            work,
-            local_tolerance,
-        }
+        Self { long_term, groups: model.groups().clone(), start, errors, work, local_tolerance }
     }
 
     /// The long-term behaviour in units of V_l, D_c/V_l and aσ.
@@ -163,10 +147,14 @@ impl Outcome {
         peak_and_period(&self.long_term, self.start).0
     }
 
-    /// Estimated relative error of the peak velocity.
+    /// Estimated relative error of the peak velocity: e^{error of the logarithm} − 1.
     #[must_use]
-    pub const fn peak_relative_error(&self) -> f64 {
-        self.peak_relative_error
+    pub fn peak_relative_error(&self) -> f64 {
+        libm::expm1(self.errors.peak)
+    }
+
+    fn period_relative_error(&self) -> Option<f64> {
+        self.errors.period.map(libm::expm1)
     }
 
     /// Accepted and refused steps of all runs.
@@ -178,11 +166,11 @@ impl Outcome {
     /// Factor by which deviations from the cycle shrank in one return of the approach; none for a decay.
     #[must_use]
     pub const fn contraction(&self) -> Option<f64> {
-        self.contraction
+        if let LongTerm::Cycle(cycle) = &self.long_term { cycle.contraction } else { None }
     }
 
     pub(super) fn largest_error(&self) -> f64 {
-        self.peak_relative_error.max(self.period_relative_error.unwrap_or(0.0))
+        self.peak_relative_error().max(self.period_relative_error().unwrap_or(0.0))
     }
 
     /// The slip mode, from the trajectory alone: what it ends in, and how fast it oscillates against √(K/M).
@@ -233,11 +221,11 @@ impl Outcome {
             stress_drop_over_direct_effect: drop,
             frequency_hz: period.map(|period| returns as f64 * rate_per_s / period),
             growth_rate_per_s: growth.map(|growth| growth * rate_per_s),
-            floquet_multiplier: self.contraction,
-            peak_relative_error: self.peak_relative_error,
-            period_relative_error: self.period_relative_error,
-            minimum_velocity_log10_error: self.trough_error / std::f64::consts::LN_10,
-            stress_drop_relative_error: self.drop_error / drop,
+            floquet_multiplier: self.contraction(),
+            peak_relative_error: self.peak_relative_error(),
+            period_relative_error: self.period_relative_error(),
+            minimum_velocity_log10_error: self.errors.trough / std::f64::consts::LN_10,
+            stress_drop_relative_error: self.errors.drop / drop,
             steps: self.work.steps,
             evaluations: self.work.evaluations,
             local_tolerance: self.local_tolerance,
