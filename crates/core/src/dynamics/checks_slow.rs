@@ -177,7 +177,7 @@ fn the_family_of_cycles_and_the_search_agree_where_both_find_the_cycle() {
 fn a_run_outside_a_small_unstable_cycle_is_no_decay() {
     let slider = slider("0.01", "1.5", &next_to_one(true, -12));
     for ratio in [0.1, 0.99, 0.9999] {
-        let options = Options::at(1e-6).with_velocity_ratio(ratio).with_most_returns(100);
+        let options = Options { velocity_ratio: ratio, ..Options::at(1e-6).with_most_returns(100) };
         match simulate(&slider, EvolutionLaw::Aging, &options) {
             Ok(found) => assert_eq!(found.behaviour, Behaviour::Periodic, "{ratio}"),
             Err(failure) => assert!(matches!(failure, Failure::Undecided { .. }), "{ratio} {failure}"),

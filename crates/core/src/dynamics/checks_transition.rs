@@ -78,7 +78,7 @@ fn no_run_ends_on_an_unstable_cycle() {
         };
         let model = Model::new(groups, EvolutionLaw::Aging);
         for (part, periodic) in [(0.98, false), (1.02, true)] {
-            let options = Options::at(1e-6).with_velocity_ratio(libm::exp(-part * threshold));
+            let options = Options { velocity_ratio: libm::exp(-part * threshold), ..Options::at(1e-6) };
             let outcome = simulate_model(&model, &options).unwrap();
             let on_cycle = matches!(outcome.long_term(), LongTerm::Cycle(_));
             assert_eq!(on_cycle, periodic, "η = {eta}, {part}: {:?}", outcome.contraction());

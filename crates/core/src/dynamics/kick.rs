@@ -13,8 +13,8 @@ use std::cell::Cell;
 use super::history::{History, size};
 use super::integrator::{Control, Integrator};
 use super::section_return::{FAINT, ReturnEnd, return_above};
+use super::threshold::border;
 use super::{Failure, Model, Radau, Start, State};
-use crate::number::search::border_between;
 
 slipmode_algebra::named! {
     /// A sudden change of a slider in steady sliding.
@@ -155,11 +155,12 @@ impl Kick {
         let leaves = |size: f64| leaves(model, self.state(model, size), decayed);
         let decades = libm::log10(self.largest() / SMALLEST);
         let steps = (SIZES_PER_DECADE * decades).ceil() as u32;
-        let mut decays = 0.0;
+        let mut decays = 0.0f64;
         for step in 0..=steps {
             let size = SMALLEST * libm::pow(10.0, decades * f64::from(step) / f64::from(steps));
             if leaves(size)? {
-                let [low, high] = border(leaves, (decays, size))?;
+                let width = WIDTH * decays.max(WIDTH * size);
+                let [low, high] = border(leaves, (decays, size), width)?;
                 let error = NOISE / decay;
                 return Ok(Some([low * (1.0 - error), high * (1.0 + error)]));
             }
@@ -181,20 +182,6 @@ fn decay_of_small_deviations(model: &Model<f64>) -> Result<f64, Failure> {
         stresses = [stresses[1], orbit.end[2]];
     }
     Ok(1.0 - stresses[1] / stresses[0])
-}
-
-/// Bisects between a size that decays, or no kick at all, and one that leaves.
-fn border(
-    leaves: impl Fn(f64) -> Result<bool, Failure>,
-    (low, high): (f64, f64),
-) -> Result<[f64; 2], Failure> {
-    let failed = Cell::new(None);
-    let holds = |size| leaves(size).map_err(|failure| failed.set(Some(failure))).ok();
-    let width = WIDTH * low.max(WIDTH * high);
-    match border_between(holds, (low, high), width) {
-        Some((decays, leaves)) => Ok([decays, leaves]),
-        None => Err(failed.take().unwrap_or(Failure::InvalidStart)),
-    }
 }
 
 /// Whether a run does not return to steady sliding; `decayed` is that of [`Kick::smallest`].
@@ -304,8 +291,10 @@ mod tests {
             let model = model(EvolutionLaw::Aging, excess);
             let ends = Kick::VelocityUp.smallest(&model, &Cell::new(0.0)).unwrap().unwrap();
             let is_cycle = |size: f64| {
-                let options =
-                    Options::at(1e-6).with_start(Start::VelocityKick).with_velocity_ratio(libm::exp(size));
+                let options = Options {
+                    velocity_ratio: libm::exp(size),
+                    ..Options::at(1e-6).with_start(Start::VelocityKick)
+                };
                 matches!(simulate_model(&model, &options).unwrap().long_term(), LongTerm::Cycle(_))
             };
             let found = [0.999 * ends[0], 1.001 * ends[1]].map(is_cycle);

@@ -53,12 +53,6 @@ impl Options {
         Self { start, ..self }
     }
 
-    /// The same from V/V_l = `velocity_ratio`.
-    #[must_use]
-    pub const fn with_velocity_ratio(self, velocity_ratio: f64) -> Self {
-        Self { velocity_ratio, ..self }
-    }
-
     /// The same with another limit of oscillations.
     #[must_use]
     pub const fn with_most_returns(self, most_returns: u64) -> Self {
