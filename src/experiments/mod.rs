@@ -121,12 +121,12 @@ macro_rules! experiments {
                 $($(#[cfg($condition)])?
                 let $key = read_experiment::<$section>(&head, stringify!($key), top);)*
                 Some(Self {
-                    name: head.name?,
-                    title: head.title?,
-                    parameters: head.parameters?,
-                    inertial_threshold: head.inertial_threshold?,
-                    sweep: head.sweep?,
-                    $($(#[cfg($condition)])? $key: $key?,)*
+                    name: head.name,
+                    title: head.title,
+                    parameters: head.parameters,
+                    inertial_threshold: head.inertial_threshold,
+                    sweep: head.sweep,
+                    $($(#[cfg($condition)])? $key,)*
                 })
             }
         }

@@ -11,13 +11,14 @@ use crate::sweep::SweepSection;
 use slipmode_core::number::Rational;
 use slipmode_core::stability::InertialThreshold;
 
-/// What a scene states besides its experiments; each value is faulty, absent, or sound.
+/// What a scene states besides its experiments.
 pub(super) struct Head {
-    pub name: Option<String>,
-    pub title: Option<String>,
-    pub parameters: Option<Option<ParametersSection>>,
-    pub inertial_threshold: Option<Option<Rational>>,
-    pub sweep: Option<Option<SweepSection>>,
+    pub name: String,
+    pub title: String,
+    pub parameters: Option<ParametersSection>,
+    has_faulty_parameters: bool,
+    pub inertial_threshold: Option<Rational>,
+    pub sweep: Option<SweepSection>,
 }
 
 impl Scene {
@@ -40,21 +41,13 @@ impl Head {
     fn read(top: &mut Section<'_>) -> Self {
         let name = top.name("name", NAME_RULE);
         let title = top.text("title", "a text");
-        let parameters = top.optionally("parameters", |entry| {
-            let mut section = entry.section()?;
-            let parameters = read_parameters(&mut section);
-            section.finish();
-            parameters
-        });
-        let inertial_threshold = top.optionally("inertial_threshold", |entry| {
-            let mut section = entry.section()?;
-            let ratio = section.decimal("frequency_ratio", AllowedRange::OPEN_UNIT);
-            section.finish();
-            ratio
-        });
-        let read = parameters.as_ref().map(Option::as_ref);
-        let sweep = top.optionally("sweep", |entry| SweepSection::read(entry, read));
-        Self { name, title, parameters, inertial_threshold, sweep }
+        let parameters = top.optionally("parameters", |entry| entry.table(read_parameters)?);
+        let has_faulty_parameters = top.optional("parameters").is_some() && parameters.is_none();
+        let ratio = |section: &mut Section<'_>| section.decimal("frequency_ratio", AllowedRange::OPEN_UNIT);
+        let inertial_threshold = top.optionally("inertial_threshold", |entry| entry.table(ratio));
+        let known = (!has_faulty_parameters).then_some(parameters.as_ref());
+        let sweep = top.optionally("sweep", |entry| SweepSection::read(entry, known));
+        Self { name, title, parameters, has_faulty_parameters, inertial_threshold, sweep }
     }
 }
 
@@ -63,15 +56,15 @@ pub(super) fn read_experiment<E: Experiment>(
     head: &Head,
     key: &'static str,
     top: &mut Section<'_>,
-) -> Option<Option<E>> {
+) -> Option<E> {
     top.optionally(key, |entry| {
         let problem = match (E::REQUIREMENT, &head.parameters) {
             (Requirement::Nothing, _) => None,
-            (_, Some(None)) => Some(Problem::Needs("a [parameters] section".into())),
-            (Requirement::CriticalNormalStress, Some(Some(parameters))) => {
+            (_, None) if !head.has_faulty_parameters => Some(Problem::Needs("a [parameters] section".into())),
+            (Requirement::CriticalNormalStress, Some(parameters)) => {
                 (!parameters.slider.has_transition()).then_some(Problem::NoCriticalNormalStress)
             }
-            (Requirement::OperatingPoint, Some(Some(parameters))) => {
+            (Requirement::OperatingPoint, Some(parameters)) => {
                 let needs =
                     || Problem::Needs("normal_stress_pa and loading_velocity_m_per_s in [parameters]".into());
                 parameters.point().is_none().then(needs)
@@ -79,7 +72,7 @@ pub(super) fn read_experiment<E: Experiment>(
             (_, _) => None,
         };
         problem.map(|problem| entry.refuse::<()>(problem));
-        E::read(entry)
+        entry.table(E::read)
     })
 }
 

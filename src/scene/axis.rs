@@ -1,6 +1,8 @@
 //! Logarithmic axes: their limits, and their coordinates, the same bits on every machine.
+
 use rug::Float;
 
+use crate::scene::Problem;
 use slipmode_core::number::{Rational, nearest_f64};
 
 /// What a scene may ask for.
@@ -8,6 +10,17 @@ use slipmode_core::number::{Rational, nearest_f64};
 pub struct Limits {
     /// The most points of one grid, line or sweep (`--max-points`).
     pub max_points: u64,
+}
+
+impl Limits {
+    pub(crate) fn check(self, points: u64) -> Result<(), Problem> {
+        let limit = self.max_points;
+        if points <= limit {
+            Ok(())
+        } else {
+            Err(Problem::TooManyPoints { points: points.to_string(), limit })
+        }
+    }
 }
 
 impl Default for Limits {
@@ -18,7 +31,7 @@ impl Default for Limits {
 }
 
 /// Points spread evenly in the logarithm between two positive ends.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct LogAxis {
     /// The first coordinate; positive.
     pub from: Rational,

@@ -107,7 +107,7 @@ impl Reader<'_> {
         if lines.is_none() && map.is_none() {
             top.fault("line", Problem::Missing { allowed: "[[line]] sections, or [map]".into() });
         }
-        let (values, x, y) = (values?.unwrap_or_default(), x?, y?);
+        let (values, x, y) = (values.unwrap_or_default(), x?, y?);
         let (y, map) = match &map {
             None => (plain_axis(&y)?, None),
             Some(entry) => {
@@ -122,8 +122,8 @@ impl Reader<'_> {
         })?;
         self.check_units(top, &lines, map.as_ref())?;
         Some(EquationChart {
-            caption: Caption::new(id, &title?, &description?),
-            caption_markdown: caption?,
+            caption: Caption::new(id, &title, &description),
+            caption_markdown: caption,
             x,
             y,
             lines: lines.into_iter().map(|(line, _)| line).collect(),
@@ -151,15 +151,15 @@ impl Reader<'_> {
 
     /// An axis with the values of its variable.
     fn sampled(&self, entry: &Entry<'_>) -> Option<Sampled> {
-        let mut section = entry.section()?;
-        let variable = section.required("variable", "the name of a variable");
-        let variable = variable.and_then(|entry| {
-            entry.sound(read_variable(&entry.text()?, &self.names).map_err(Problem::Equation))
-        });
-        let points = section.whole("points", 2..=MOST_POINTS);
-        let axis = axis(&mut section);
-        section.finish();
-        let (variable, points, (axis, from, to)) = (variable?, u32::try_from(points?).ok()?, axis?);
+        let (variable, points, axis) = entry.table(|section| {
+            let variable = section.required("variable", "the name of a variable");
+            let variable = variable.and_then(|entry| {
+                entry.sound(read_variable(&entry.text()?, &self.names).map_err(Problem::Equation))
+            });
+            let points: u32 = section.whole("points", 2..=MOST_POINTS);
+            (variable, points, axis(section))
+        })?;
+        let (variable, (axis, from, to)) = (variable?, axis?);
         self.check_sign(entry, &variable, &from)?;
         let values = match axis.scale {
             Scale::Log10 => LogAxis { from, to, points }.coordinates(),
@@ -212,23 +212,20 @@ impl Reader<'_> {
         x: &Symbol,
         earlier: &mut Vec<String>,
     ) -> Option<(ChartLine, Expression)> {
-        let mut section = entry.section()?;
-        let column = section.required("column", NAME_RULE).and_then(|entry| distinct_name(&entry, earlier));
-        let label = section.text("label", "a text");
-        let own = section.optionally("values", |entry| self.values(entry, values));
-        let is = section.required("is", "an expression");
-        section.finish();
-        let (is, own) = (is?, own?);
-        let (written, value, given) = self.put_in(&is, own.as_ref().unwrap_or(values), &[x])?;
-        Some((ChartLine { column: column?, label: label?, value, given }, written))
+        let (column, label, own, is) = entry.table(|section| {
+            let column = section.read("column", NAME_RULE, |entry| distinct_name(entry, earlier));
+            let label = section.text("label", "a text");
+            let own = section.optionally("values", |entry| self.values(entry, values));
+            (column, label, own, section.required("is", "an expression"))
+        })?;
+        let (written, value, given) = self.put_in(&is?, own.as_ref().unwrap_or(values), &[x])?;
+        Some((ChartLine { column, label, value, given }, written))
     }
 
     fn map(&self, entry: &Entry<'_>, values: &Values, x: &Sampled, y: Sampled) -> Option<ChartMap> {
-        let mut section = entry.section()?;
+        let keys = [("polynomial", "an expression"), ("roots", "the name of its roots, such as \"s\"")];
         let [polynomial, roots] =
-            [("polynomial", "an expression"), ("roots", "the name of its roots, such as \"s\"")]
-                .map(|(key, allowed)| section.required(key, allowed));
-        section.finish();
+            entry.table(|section| keys.map(|(key, allowed)| section.required(key, allowed)))?;
         let (polynomial, roots) = (polynomial?, roots?);
         let root = roots.sound(read_variable(&roots.text()?, &self.names).map_err(Problem::Equation))?;
         entry.check_points(x.values.len() as u64 * y.values.len() as u64)?;
@@ -277,12 +274,11 @@ const MOST_POINTS: u64 = 2000;
 /// An axis and its ends.
 fn axis(section: &mut Section<'_>) -> Option<(Axis, Rational, Rational)> {
     let title = section.text("title", "a text");
-    let unit = section.optionally("unit", Entry::text).map(Option::unwrap_or_default);
-    let is_linear = section.optionally("linear", Entry::truth);
+    let unit = section.optionally("unit", Entry::text).unwrap_or_default();
+    let is_linear = section.optionally("linear", Entry::truth) == Some(true);
     let [from, to] = ["from", "to"].map(|key| section.required(key, "a number"));
     let ends = [from?, to?].map(|entry| number(&entry).map(|value| (entry, value)));
     let [Some((first, from)), Some((_, to))] = ends else { return None };
-    let (title, unit, is_linear) = (title?, unit?, is_linear? == Some(true));
     if from >= to {
         return first.refuse(if from == to { Problem::EmptyRange } else { Problem::ReversedRange });
     }
@@ -303,10 +299,7 @@ fn short_decimals(values: &[f64]) -> Vec<Rational> {
 }
 
 fn plain_axis(entry: &Entry<'_>) -> Option<Axis> {
-    let mut section = entry.section()?;
-    let axis = axis(&mut section);
-    section.finish();
-    Some(axis?.0)
+    Some(entry.table(axis)??.0)
 }
 
 #[cfg(test)]

@@ -1,6 +1,5 @@
 //! A part of a claim that proofs, other claims or a procedure of this program decide: the keys beside its words.
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use slipmode_core::theory::Equations;
@@ -8,7 +7,7 @@ use slipmode_core::theory::stated_proofs::StatedProofs;
 
 use crate::scene::claim_formula::{Computed, Premise};
 use crate::scene::claim_library::library_proofs;
-use crate::scene::section::{Entry, Section};
+use crate::scene::section::{Entries, Entry, Section};
 use crate::scene::{Problem, of_word};
 
 /// The procedures of this program that a claim may name.
@@ -24,8 +23,8 @@ pub struct Procedures {
 const KEYS: [&str; 8] =
     ["check", "proofs", "premises", "of", "equations", "counter_example", "extent", "shows"];
 
-/// The entries of such a part, by their keys.
-pub(super) struct ComputedEntries<'t>(BTreeMap<&'static str, Entry<'t>>);
+/// The entries of such a part.
+pub(super) struct ComputedEntries<'t>(Entries<'t>);
 
 /// What a part is read with: the equations and the procedures.
 #[derive(Clone, Copy)]
@@ -36,76 +35,66 @@ pub(super) struct Known<'k> {
 
 impl<'t> ComputedEntries<'t> {
     pub fn of(section: &mut Section<'t>) -> Self {
-        Self(KEYS.into_iter().filter_map(|key| Some((key, section.optional(key)?))).collect())
+        Self(section.entries(&KEYS))
     }
 
     /// The first key that is there.
     pub fn first(&self) -> Option<&Entry<'t>> {
-        KEYS.into_iter().find_map(|key| self.0.get(key))
+        self.0.iter().next()
     }
 
     /// Whether something decides.
     pub fn is_stated(&self) -> bool {
-        KEYS[..3].iter().any(|key| self.0.contains_key(key))
+        KEYS[..3].iter().any(|key| self.0.get(key).is_some())
     }
 
-    pub fn text(&self, key: &str) -> Option<Option<String>> {
-        self.0.get(key).map_or(Some(None), |entry| entry.text().map(Some))
+    /// How far something goes.
+    pub fn extent(&self) -> Option<String> {
+        self.0.text("extent")
     }
 
     /// Whether nothing is there but how far something goes.
     pub fn is_extent(&self) -> bool {
-        self.0.keys().eq(["extent"].iter())
+        self.0.get("extent").is_some() && self.0.iter().count() == 1
     }
 
-    fn texts(&self, key: &str) -> Option<Vec<String>> {
-        self.0.get(key).map_or(Some(Vec::new()), |entry| entry.list(Entry::text))
-    }
-
-    pub fn read(&self, known: &Known<'_>) -> Option<Computed> {
+    pub fn read(&self, known: &Known<'_>) -> Computed {
         let name = |entry: &Entry<'_>, known: &[&'static str]| {
             let name = entry.text()?;
             entry.sound(of_word(&name, known, |known| known))?;
             Some(name)
         };
-        let check =
-            self.0.get("check").map_or(Some(None), |entry| name(entry, &known.procedures.checks).map(Some));
-        let shows = self
-            .0
-            .get("shows")
-            .map_or(Some(Vec::new()), |entry| entry.list(|member| name(member, &known.procedures.shows)));
-        let own = known.equations.map(Equations::proofs);
-        let proofs = self.texts("proofs");
-        let all = |proofs: &StatedProofs, ids: &[String]| ids.iter().all(|id| proofs.has(id));
-        let stated = proofs.as_ref().and_then(|ids| match own {
-            Some(own) if all(own, ids) => Some(own.clone()),
-            // The faults of the equations or of the proofs are told already.
-            None => Some(Arc::default()),
-            _ if all(library_proofs(), ids) => Some(library_proofs().clone()),
-            _ => {
-                let missing = ids.iter().find(|id| !own.is_some_and(|own| own.has(id)))?;
-                self.0.get("proofs")?.refuse(Problem::Needs(format!(
-                    "proofs of the report's folder `proofs`: there is no `{missing}`"
-                )))
-            }
-        });
-        let premises = self.texts("premises").map(|ids| {
-            // What they say is put in when all claims of the file are read.
-            ids.into_iter().map(|id| Premise { id, stated: Arc::default() }).collect()
-        });
-        let [of, equations] = ["of", "equations"].map(|key| self.texts(key));
-        let [counter_example, extent] = ["counter_example", "extent"].map(|key| self.text(key));
-        Some(Computed {
-            check: check?,
-            of: of?,
-            equations: equations?,
-            proofs: proofs?,
-            counter_example: counter_example?,
-            premises: premises?,
-            extent: extent?,
-            shows: shows?,
-            stated: stated?,
-        })
+        let check = self.0.get("check").and_then(|entry| name(entry, &known.procedures.checks));
+        let shows = self.0.get("shows");
+        let shows = shows.and_then(|entry| entry.list(|member| name(member, &known.procedures.shows)));
+        let proofs = self.0.texts("proofs");
+        // What they say is put in when all claims of the file are read.
+        let premise = |id| Premise { id, stated: Arc::default() };
+        Computed {
+            check,
+            of: self.0.texts("of"),
+            equations: self.0.texts("equations"),
+            stated: self.stated(&proofs, known.equations).unwrap_or_default(),
+            proofs,
+            counter_example: self.0.text("counter_example"),
+            premises: self.0.texts("premises").into_iter().map(premise).collect(),
+            extent: self.extent(),
+            shows: shows.unwrap_or_default(),
+        }
+    }
+
+    /// The proofs among which those of these ids are.
+    fn stated(&self, ids: &[String], equations: Option<&Equations>) -> Option<Arc<StatedProofs>> {
+        // The faults of the equations or of the proofs are told already.
+        let own = equations?.proofs();
+        let has_all = |proofs: &StatedProofs| ids.iter().all(|id| proofs.has(id));
+        if let Some(all) = [own, library_proofs()].into_iter().find(|proofs| has_all(proofs)) {
+            return Some(all.clone());
+        }
+        let missing = ids.iter().find(|id| !own.has(id))?;
+        self.0.get("proofs")?.refuse(Problem::Needs(format!(
+            "proofs of the report's folder `proofs`: there is no `{missing}`"
+        )))
     }
 }
 

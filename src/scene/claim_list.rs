@@ -119,52 +119,11 @@ fn claims_of(
     equations: Option<&Equations>,
 ) -> Option<Vec<ClaimEntry>> {
     let mut seen: Vec<String> = Vec::new();
-    let subjects = top.optionally("subject", read_subjects)?.unwrap_or_default();
-    let claims = top.required("claim", "[[claim]] sections")?.list(|member| {
-        let mut section = member.section()?;
-        let stated = read_stated(&mut section, &Known { equations, procedures });
-        let sentence = Sentence::read(&mut section);
-        let reason = section.optional("reason");
-        let is_stated = !matches!(stated, Some(None)) || reason.is_some();
-        let id = read_id(&mut section, is_stated, &mut seen);
-        let [place, words] = ["place", "words"].map(|key| section.text(key, "a text"));
-        let allowed = Verdict::ALL.map(Verdict::as_str).join(", ");
-        let expected = section.required("expected", &allowed);
-        let expected = expected.and_then(|entry| entry.word(&Verdict::ALL, Verdict::as_str));
-        let reason = match reason {
-            None => Some(None),
-            Some(entry) => read_reason(&entry, &stated, expected).map(Some),
-        };
-        let rests_on = section.optional("rests_on").map_or(Some(Vec::new()), |list| list.list(Entry::text));
-        let in_answer = section.optionally("in_answer", |entry| entry.word(&InAnswer::ALL, InAnswer::as_str));
-        let sliders = section
-            .optionally("sliders", |entry| entry.list(|member| member.word(&Sliders::ALL, Sliders::as_str)));
-        section.finish();
-        let (mut stated, words) = (stated?, words?);
-        // A formula or a list of parts without words of its own says what the claim's words say.
-        for reading in stated.iter_mut().flat_map(|stated| &mut stated.readings) {
-            let own = reading.parts.iter_mut().map(|(own, _)| own).chain([&mut reading.words]);
-            own.filter(|own| own.is_empty()).for_each(|own| own.clone_from(&words));
-        }
-        let (id, is_known) = (id?, stated.is_none() && reason.as_ref().is_some_and(Option::is_none));
-        let entry = ClaimEntry {
-            sentence: sentence?.or_else(|| library_sentence(&id).filter(|_| is_known)).unwrap_or_default(),
-            subject: subjects.iter().find(|subject| id.starts_with(&subject.letter)).cloned(),
-            id,
-            place: place?,
-            words,
-            expected: expected?,
-            stated,
-            reason: reason?,
-            rests_on: rests_on?,
-            in_answer: in_answer?,
-            sliders: sliders?.unwrap_or_default(),
-        };
-        Some(match equations.filter(|_| is_known) {
-            Some(equations) => entry.with_library(equations, procedures),
-            None => entry,
-        })
-    });
+    let subjects = top.optionally("subject", read_subjects).unwrap_or_default();
+    let known = Known { equations, procedures };
+    let claims = top
+        .required("claim", "[[claim]] sections")?
+        .list(|member| member.table(|section| read_claim(section, &known, &subjects, &mut seen))?);
     let of_library = |id: &str| library_claim(id, equations?, procedures)?.ok()?.stated;
     let (claims, unknown) = with_premises(claims?, of_library);
     if equations.is_none() {
@@ -175,6 +134,52 @@ fn claims_of(
         top.fault(&format!("claim {id}: premises: {premise}"), Problem::Needs(needs.into()));
     }
     unknown.is_empty().then_some(claims)
+}
+
+fn read_claim(
+    section: &mut Section<'_>,
+    known: &Known<'_>,
+    subjects: &[Subject],
+    seen: &mut Vec<String>,
+) -> Option<ClaimEntry> {
+    let stated = read_stated(section, known);
+    let sentence = Sentence::read(section);
+    let reason = section.optional("reason");
+    let is_stated = !matches!(stated, Some(None)) || reason.is_some();
+    let id = section.read("id", "the id of a claim", |entry| read_id(entry, is_stated, seen));
+    let [place, words] = ["place", "words"].map(|key| section.text(key, "a text"));
+    let allowed = Verdict::ALL.map(Verdict::as_str).join(", ");
+    let expected = section.required("expected", &allowed);
+    let expected = expected.and_then(|entry| entry.word(&Verdict::ALL, Verdict::as_str));
+    let is_known = matches!(stated, Some(None)) && reason.is_none();
+    let reason = reason.and_then(|entry| read_reason(&entry, &stated, expected));
+    let rests_on = section.optionally("rests_on", |entry| entry.list(Entry::text)).unwrap_or_default();
+    let in_answer = section.optionally("in_answer", |entry| entry.word(&InAnswer::ALL, InAnswer::as_str));
+    let slider = |member: &Entry<'_>| member.word(&Sliders::ALL, Sliders::as_str);
+    let sliders = section.optionally("sliders", |entry| entry.list(slider)).unwrap_or_default();
+    let mut stated = stated?;
+    // A formula or a list of parts without words of its own says what the claim's words say.
+    for reading in stated.iter_mut().flat_map(|stated| &mut stated.readings) {
+        let own = reading.parts.iter_mut().map(|(own, _)| own).chain([&mut reading.words]);
+        own.filter(|own| own.is_empty()).for_each(|own| own.clone_from(&words));
+    }
+    let entry = ClaimEntry {
+        sentence: sentence.or_else(|| library_sentence(&id).filter(|_| is_known)).unwrap_or_default(),
+        subject: subjects.iter().find(|subject| id.starts_with(&subject.letter)).cloned(),
+        id,
+        place,
+        words,
+        expected: expected?,
+        stated,
+        reason,
+        rests_on,
+        in_answer,
+        sliders,
+    };
+    Some(match known.equations.filter(|_| is_known) {
+        Some(equations) => entry.with_library(equations, known.procedures),
+        None => entry,
+    })
 }
 
 /// The claims with what their premises say, and each premise that is no claim or rests on its own claim. A premise that the file
@@ -218,47 +223,36 @@ fn with_premises(
 /// The formulas of a claim; the inner none for a claim without any.
 fn read_stated(section: &mut Section<'_>, known: &Known<'_>) -> Option<Option<StatedClaim>> {
     let formula = FormulaEntries::of(section);
-    let [parts, readings, criterion, leaves_out, argued, remarks] =
-        ["part", "reading", "criterion", "leaves_out", "argued", "remarks"].map(|key| section.optional(key));
+    let [parts, readings] = ["part", "reading"].map(|key| section.optional(key));
+    let words = section.entries(&["criterion", "leaves_out", "argued", "remarks"]);
     if !formula.is_stated() && parts.is_none() && readings.is_none() {
-        let stray =
-            formula.scope().chain(&criterion).chain(&leaves_out).chain(&argued).chain(&remarks).next();
-        return match stray {
+        return match formula.scope().chain(words.iter()).next() {
             None => Some(None),
             Some(entry) => entry.refuse(Problem::Needs(
                 "`formula`, `motion`, `proofs`, `check`, [[claim.part]] or [[claim.reading]]".into(),
             )),
         };
     }
-    let leaves_out = match leaves_out {
-        Some(entry) => entry.text(),
-        None => {
-            let allowed = "what of the words the formulas leave out, or \"nothing\"".into();
-            section.fault("leaves_out", Problem::Missing { allowed });
-            None
-        }
-    };
+    let leaves_out = section.text("leaves_out", "what of the words the formulas leave out, or \"nothing\"");
     let alone = |parts| vec![StatedReading { words: String::new(), parts }];
     let readings = match (formula.is_stated(), parts, readings) {
         (true, None, None) => formula.read(known).map(|formula| alone(vec![(String::new(), formula)])),
         (false, Some(parts), None) => formula.no_scope().and_then(|()| read_parts(&parts, known)).map(alone),
         (false, None, Some(readings)) => formula.no_scope().and_then(|()| {
             readings.list(|reading| {
-                let mut reading = reading.section()?;
-                let words = reading.text("words", "a text");
-                let parts = reading.required("part", "[[claim.reading.part]] sections");
-                reading.finish();
-                Some(StatedReading { words: words?, parts: read_parts(&parts?, known)? })
+                reading.table(|reading| {
+                    let words = reading.text("words", "a text");
+                    let parts = reading.required("part", "[[claim.reading.part]] sections");
+                    Some(StatedReading { words, parts: read_parts(&parts?, known)? })
+                })?
             })
         }),
         (_, parts, readings) => readings.or(parts)?.refuse(Problem::Needs(
             "nothing else beside it: a claim has `formula`, [[claim.part]] or [[claim.reading]]".into(),
         )),
     };
-    let argued = argued.map_or(Some(None), |entry| entry.text().map(Some));
-    let remarks = remarks.map_or(Some(Vec::new()), |list| list.list(Entry::text));
-    let criterion = criterion.map_or(Some(None), |entry| entry.text().map(Some));
-    let (criterion, leaves_out, argued, remarks) = (criterion?, leaves_out?, argued?, remarks?);
+    let (argued, remarks, criterion) =
+        (words.text("argued"), words.texts("remarks"), words.text("criterion"));
     Some(Some(StatedClaim { criterion, leaves_out, argued, remarks, readings: readings? }))
 }
 
@@ -283,19 +277,18 @@ fn read_reason(
 
 fn read_parts(parts: &Entry<'_>, known: &Known<'_>) -> Option<Vec<(String, ClaimFormula)>> {
     parts.list(|part| {
-        let mut part = part.section()?;
-        let words = part.text("words", "a text");
-        let formula = FormulaEntries::of(&mut part);
-        if !formula.is_stated() {
-            part.fault("formula", Problem::Missing { allowed: "a formula, or `motion`".into() });
-        }
-        part.finish();
-        Some((words?, formula.read(known)?))
+        part.table(|part| {
+            let words = part.text("words", "a text");
+            let formula = FormulaEntries::of(part);
+            if !formula.is_stated() {
+                part.fault("formula", Problem::Missing { allowed: "a formula, or `motion`".into() });
+            }
+            Some((words, formula.read(known)?))
+        })?
     })
 }
 
-fn read_id(section: &mut Section<'_>, is_stated: bool, seen: &mut Vec<String>) -> Option<String> {
-    let entry = section.required("id", "the id of a claim")?;
+fn read_id(entry: &Entry<'_>, is_stated: bool, seen: &mut Vec<String>) -> Option<String> {
     let id = entry.text()?;
     if let Some(first) = seen.iter().find(|first| same_name(first, &id)) {
         let folded = *first != id;

@@ -63,16 +63,20 @@ pub enum MotionSaid {
 impl ClaimMotion {
     /// Reads the section; `equations` define the system.
     pub(super) fn read(entry: &Entry<'_>, equations: &Equations) -> Option<Self> {
-        let mut section = entry.section()?;
-        let words = Word::all();
-        let allowed = words.iter().map(|word| word.as_str()).collect::<Vec<_>>().join(", ");
-        let word = section.required("lemma", &allowed).and_then(|entry| entry.word(&words, Word::as_str));
-        let system = section.required("system", "the name of a [[system]]");
-        // Without the lemma it is not known what else the section should have.
-        let word = word?;
-        let said = read_said(&mut section, word, &system?, equations);
-        section.finish();
-        said
+        let read = |section: &mut Section<'_>| {
+            let words = Word::all();
+            let allowed = words.iter().map(|word| word.as_str()).collect::<Vec<_>>().join(", ");
+            let word = section.required("lemma", &allowed).and_then(|entry| entry.word(&words, Word::as_str));
+            let system = section.required("system", "the name of a [[system]]");
+            let Some((word, system)) = word.zip(system) else {
+                // Without the lemma it is not known which of these the section should have.
+                let planar = MotionWord::ALL.iter().flat_map(|word| word.expressions());
+                planar.chain(&["variable", "frequency", "sign"]).for_each(|key| _ = section.optional(key));
+                return None;
+            };
+            read_said(section, word, &system, equations)
+        };
+        entry.table(read)?
     }
 
     /// The expressions of the lemma, each with its word.

@@ -10,48 +10,25 @@ use crate::scene::claim_formula::grammar::{read_side, read_variable};
 use crate::scene::claim_formula::{ClaimFormula, FormulaCondition, FormulaLimit, OverRows, Scope};
 use crate::scene::claim_motion::ClaimMotion;
 use crate::scene::claim_names::Names;
-use crate::scene::section::{Entry, Section};
+use crate::scene::section::{Entries, Entry, Section};
+
+/// What says over what a formula is said.
+const SCOPE: [&str; 10] =
+    ["rows", "numbers", "limit", "outside", "given", "there_is", "witness", "box", "at", "moves"];
 
 /// The entries that state one formula, or what is said of the motions of a system.
 pub(super) struct FormulaEntries<'t> {
     formula: Option<Entry<'t>>,
-    computed: ComputedEntries<'t>,
-    rows: Option<Entry<'t>>,
-    numbers: Option<Entry<'t>>,
-    limit: Option<Entry<'t>>,
-    outside: Option<Entry<'t>>,
     motion: Option<Entry<'t>>,
-    given: Option<Entry<'t>>,
-    there_is: Option<Entry<'t>>,
-    witness: Option<Entry<'t>>,
-    within: Option<Entry<'t>>,
-    at: Option<Entry<'t>>,
-    moves: Option<Entry<'t>>,
+    scope: Entries<'t>,
+    computed: ComputedEntries<'t>,
 }
 
 impl<'t> FormulaEntries<'t> {
     pub fn of(section: &mut Section<'t>) -> Self {
-        let [formula, motion, rows, numbers, limit, outside, given, there_is, witness, within, at, moves] = [
-            "formula", "motion", "rows", "numbers", "limit", "outside", "given", "there_is", "witness",
-            "box", "at", "moves",
-        ]
-        .map(|key| section.optional(key));
-        let computed = ComputedEntries::of(section);
-        Self {
-            formula,
-            computed,
-            motion,
-            rows,
-            numbers,
-            limit,
-            outside,
-            given,
-            there_is,
-            witness,
-            within,
-            at,
-            moves,
-        }
+        let [formula, motion] = ["formula", "motion"].map(|key| section.optional(key));
+        let scope = section.entries(&SCOPE);
+        Self { formula, motion, scope, computed: ComputedEntries::of(section) }
     }
 
     /// Whether something is stated.
@@ -61,21 +38,7 @@ impl<'t> FormulaEntries<'t> {
 
     /// What says over what the formula is said.
     pub fn scope(&self) -> impl Iterator<Item = &Entry<'t>> {
-        [
-            &self.rows,
-            &self.numbers,
-            &self.limit,
-            &self.outside,
-            &self.given,
-            &self.there_is,
-            &self.witness,
-            &self.within,
-            &self.at,
-            &self.moves,
-        ]
-        .into_iter()
-        .flatten()
-        .chain(self.computed.first())
+        self.scope.iter().chain(self.computed.first())
     }
 
     /// Refuses a scope without a formula beside it.
@@ -88,17 +51,17 @@ impl<'t> FormulaEntries<'t> {
 
     /// The formula over its scope, with its limit.
     pub fn read(&self, known: &Known<'_>) -> Option<ClaimFormula> {
-        let limit = match (&self.limit, &self.outside) {
+        let limit = match (self.scope.get("limit"), self.scope.get("outside")) {
             (None, None) => None,
             (Some(limit), Some(outside)) => {
-                let mut outside = outside.section()?;
-                let (words, formula) = (outside.text("words", "a text"), Self::of(&mut outside));
-                outside.finish();
-                Some(Box::new(FormulaLimit { words: limit.text()?, outside: (words?, formula.read(known)?) }))
+                let (words, formula) =
+                    outside.table(|outside| (outside.text("words", "a text"), Self::of(outside)))?;
+                Some(Box::new(FormulaLimit { words: limit.text()?, outside: (words, formula.read(known)?) }))
             }
             (limit, outside) => {
-                let lone = limit.as_ref().or(outside.as_ref())?;
-                return lone.refuse(Problem::Needs("`limit` and `outside` beside each other".into()));
+                return limit
+                    .or(outside)?
+                    .refuse(Problem::Needs("`limit` and `outside` beside each other".into()));
             }
         };
         Some(ClaimFormula { limit, ..self.read_alone(known)? })
@@ -107,12 +70,11 @@ impl<'t> FormulaEntries<'t> {
     /// The formula over its scope; all faults of the scope are found first.
     fn read_alone(&self, known: &Known<'_>) -> Option<ClaimFormula> {
         let equations = known.equations;
-        if let Some(first) =
-            self.computed.first().filter(|_| self.rows.is_none() || !self.computed.is_extent())
-        {
-            let needs = match (&self.formula, &self.motion, &self.rows) {
+        let rows = self.scope.get("rows");
+        if let Some(first) = self.computed.first().filter(|_| rows.is_none() || !self.computed.is_extent()) {
+            let needs = match (&self.formula, &self.motion, rows) {
                 (None, None, None) if self.computed.is_stated() => {
-                    return Some(ClaimFormula::of_computed(self.computed.read(known)?));
+                    return Some(ClaimFormula::of_computed(self.computed.read(known)));
                 }
                 (None, None, None) => "`check`, `proofs` or `premises` beside it",
                 _ => "no formula beside it: it has a part of its own",
@@ -124,14 +86,13 @@ impl<'t> FormulaEntries<'t> {
         }
         let formula = self.formula.as_ref()?;
         let text = formula.text()?;
-        if let Some(rows) = &self.rows {
+        let numbers = self.scope.get("numbers");
+        if let Some(rows) = rows {
             let of =
                 |members: &Entry<'_>| members.members(|name, member| Some((name.to_owned(), member.text()?)));
-            let numbers = self.numbers.as_ref().map_or(Some(Vec::new()), of);
-            let (table, extent) = (rows.text()?, self.computed.text("extent")?);
-            let rows = OverRows { table, numbers: numbers?.into_iter().collect(), extent };
-            let others = [&self.given, &self.there_is, &self.witness, &self.within, &self.at, &self.moves];
-            return match others.into_iter().flatten().next() {
+            let numbers = numbers.and_then(of).into_iter().flatten().collect();
+            let rows = OverRows { table: rows.text()?, numbers, extent: self.computed.extent() };
+            return match SCOPE[4..].iter().find_map(|key| self.scope.get(key)) {
                 Some(entry) => entry
                     .refuse(Problem::Needs("no `rows` beside it: write the condition after `where`".into())),
                 None => Some(ClaimFormula {
@@ -141,7 +102,7 @@ impl<'t> FormulaEntries<'t> {
                 }),
             };
         }
-        if let Some(numbers) = &self.numbers {
+        if let Some(numbers) = numbers {
             return numbers.refuse(Problem::Needs("`rows` beside it: they are numbers of a table".into()));
         }
         let equations = equations?;
@@ -151,7 +112,7 @@ impl<'t> FormulaEntries<'t> {
 
     /// What is said of the motions of a system.
     fn read_motion(&self, motion: &Entry<'_>, equations: &Equations) -> Option<ClaimFormula> {
-        if self.formula.is_some() || self.rows.is_some() {
+        if self.formula.is_some() || self.scope.get("rows").is_some() {
             return motion.refuse(Problem::Needs("no `formula` and no `rows` beside it".into()));
         }
         let (scope, said) = (self.read_whole_scope(equations), ClaimMotion::read(motion, equations));
@@ -170,26 +131,26 @@ impl<'t> FormulaEntries<'t> {
 
     fn read_scope(&self, names: &Names) -> Option<Scope> {
         fn all<'e, 't, T>(
-            entry: &'e Option<Entry<'t>>,
+            entry: Option<&'e Entry<'t>>,
             read: impl Fn(&'e Entry<'t>) -> Option<Vec<T>>,
         ) -> Option<Vec<T>> {
-            entry.as_ref().map_or(Some(Vec::new()), read)
+            entry.map_or(Some(Vec::new()), read)
         }
         let variable = |name: &str, entry: &Entry<'_>| {
             entry.sound(read_variable(name, names).map_err(Problem::Equation))
         };
-        let given = all(&self.given, |entry| {
+        let given = all(self.scope.get("given"), |entry| {
             entry.list(|member| {
                 member.sound(FormulaCondition::read(&member.text()?, names).map_err(Problem::Equation))
             })
         });
-        let there_is = all(&self.there_is, |entry| {
-            entry.distinct(|name: &Symbol| format!("`{name}`"), |member| variable(&member.text()?, member))
+        let [there_is, moves] = ["there_is", "moves"].map(|key| {
+            all(self.scope.get(key), |entry| {
+                entry
+                    .distinct(|name: &Symbol| format!("`{name}`"), |member| variable(&member.text()?, member))
+            })
         });
-        let moves = all(&self.moves, |entry| {
-            entry.distinct(|name: &Symbol| format!("`{name}`"), |member| variable(&member.text()?, member))
-        });
-        let witness = all(&self.witness, |entry| {
+        let witness = all(self.scope.get("witness"), |entry| {
             entry.members(|name, member| {
                 let value = member.sound(read_side(&member.text()?, names).map_err(Problem::Equation));
                 let Some(known) = there_is.iter().flatten().find(|known| known.as_str() == name) else {
@@ -198,7 +159,7 @@ impl<'t> FormulaEntries<'t> {
                 Some((known.clone(), value?))
             })
         });
-        let within = all(&self.within, |entry| {
+        let within = all(self.scope.get("box"), |entry| {
             entry.members(|name, member| {
                 let name = variable(name, member);
                 match <[Rational; 2]>::try_from(member.list(number)?) {
@@ -207,7 +168,7 @@ impl<'t> FormulaEntries<'t> {
                 }
             })
         });
-        let at = all(&self.at, |entry| {
+        let at = all(self.scope.get("at"), |entry| {
             entry.members(|name, member| {
                 let value = (variable(name, member)?, number(member)?);
                 let elsewhere =

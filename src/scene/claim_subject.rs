@@ -43,11 +43,12 @@ slipmode_algebra::named! {
 pub(super) fn read_subjects(entry: &Entry<'_>) -> Option<Vec<Subject>> {
     let mut place = 0;
     entry.list(|member| {
-        let mut section = member.section()?;
-        let letter = section.text("letter", "the letter of the claims' ids");
-        let [title, words] = ["title", "words"].map(|key| section.text(key, "a text"));
-        section.finish();
         place += 1;
-        Some(Subject { place: place - 1, letter: letter?, title: title?, words: words? })
+        member.table(|section| Subject {
+            place: place - 1,
+            letter: section.text("letter", "the letter of the claims' ids"),
+            title: section.text("title", "a text"),
+            words: section.text("words", "a text"),
+        })
     })
 }

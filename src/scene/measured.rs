@@ -42,15 +42,12 @@ impl Measured {
     /// All the faults at once.
     pub fn parse(file: &str, bytes: &[u8]) -> Result<Self, Faults> {
         read_document(file, bytes, Limits::default(), |top| {
-            let sources = names(top, "sources");
             let (mut table_ids, mut chart_ids) = (Vec::new(), Vec::new());
-            let tables = top
-                .required("table", "[[table]] sections")
-                .and_then(|entry| entry.list(|member| table(member, &mut table_ids)));
-            let charts = top
-                .required("chart", "[[chart]] sections")
-                .and_then(|entry| entry.list(|member| chart(member, &mut chart_ids)));
-            Some(Self { sources: sources?, tables: tables?, charts: charts? })
+            Some(Self {
+                sources: names(top, "sources"),
+                tables: top.list("table", "[[table]] sections", |member| table(member, &mut table_ids)),
+                charts: top.list("chart", "[[chart]] sections", |member| chart(member, &mut chart_ids)),
+            })
         })
     }
 
@@ -120,89 +117,80 @@ fn cell(text: &str, column: &Column) -> Result<Cell, Problem> {
         .ok_or_else(|| Problem::OutOfRange { allowed: "a number, `inf`, or an empty cell".into() })
 }
 
-fn names(section: &mut Section<'_>, key: &'static str) -> Option<Vec<String>> {
-    section.required(key, &format!("a list of names, each {NAME_RULE}"))?.list(Entry::name)
+fn names(section: &mut Section<'_>, key: &'static str) -> Vec<String> {
+    section.list(key, &format!("a list of names, each {NAME_RULE}"), Entry::name)
 }
 
 /// A text that may be absent, which is then empty.
-fn optional_words(section: &mut Section<'_>, key: &'static str) -> Option<String> {
-    section.optionally(key, Entry::text).map(Option::unwrap_or_default)
-}
-
-fn id(section: &mut Section<'_>, earlier: &mut Vec<String>) -> Option<String> {
-    distinct_name(&section.required("id", NAME_RULE)?, earlier)
+fn optional_words(section: &mut Section<'_>, key: &'static str) -> String {
+    section.optionally(key, Entry::text).unwrap_or_default()
 }
 
 fn table(entry: &Entry<'_>, earlier: &mut Vec<String>) -> Option<Table> {
-    let mut section = entry.section()?;
-    let id = id(&mut section, earlier);
-    let title = section.text("title", "a text");
-    let note = optional_words(&mut section, "note");
-    let columns = section.required("columns", "a list of { name = …, header = … }");
-    let mut names = Vec::new();
-    let columns = columns.and_then(|entry| entry.list(|member| column(member, &mut names)));
-    section.finish();
-    Some(Table::new(&id?, &title?, columns?).with_note(&note?))
+    entry.table(|section| {
+        let id = section.read("id", NAME_RULE, |entry| distinct_name(entry, earlier));
+        let title = section.text("title", "a text");
+        let note = optional_words(section, "note");
+        let mut names = Vec::new();
+        let columns = section
+            .list("columns", "a list of { name = …, header = … }", |member| column(member, &mut names));
+        Table::new(&id, &title, columns).with_note(&note)
+    })
 }
 
 fn column(entry: &Entry<'_>, earlier: &mut Vec<String>) -> Option<Column> {
-    let mut section = entry.section()?;
-    let name = section.required("name", NAME_RULE).and_then(|entry| distinct_name(&entry, earlier));
-    let header = section.text("header", "a text");
-    let unit = optional_words(&mut section, "unit");
-    let is_number = section.optionally("number", Entry::truth);
-    section.finish();
-    let kind = if is_number? == Some(true) { Kind::Number } else { Kind::Text };
-    Some(Column { name: name?, header: header?, unit: unit?, kind })
+    entry.table(|section| {
+        let name = section.read("name", NAME_RULE, |entry| distinct_name(entry, earlier));
+        let header = section.text("header", "a text");
+        let unit = optional_words(section, "unit");
+        let is_number = section.optionally("number", Entry::truth) == Some(true);
+        Column { name, header, unit, kind: if is_number { Kind::Number } else { Kind::Text } }
+    })
 }
 
 fn chart(entry: &Entry<'_>, earlier: &mut Vec<String>) -> Option<MeasuredChart> {
-    let mut section = entry.section()?;
-    let id = id(&mut section, earlier);
-    let [label, title, caption, description] =
-        ["label", "title", "caption", "description"].map(|key| section.text(key, "a text"));
-    let data = names(&mut section, "data");
-    let [x, y] = ["x", "y"].map(|key| axis(&mut section, key));
-    let series = section
-        .required("series", "a list of { label = …, points = … }")
-        .and_then(|entry| entry.list(series));
-    let verticals = section.optionally("verticals", |entry| entry.list(vertical));
-    section.finish();
-    let chart = LineChart {
-        caption: Caption::new(&id?, &title?, &description?),
-        x: x?,
-        y: y?,
-        series: series?,
-        references: verticals?.unwrap_or_default(),
+    let read = |section: &mut Section<'_>| {
+        let id = section.read("id", NAME_RULE, |entry| distinct_name(entry, earlier));
+        let [label, title, caption_markdown, description] =
+            ["label", "title", "caption", "description"].map(|key| section.text(key, "a text"));
+        let data = names(section, "data");
+        let [x, y] = ["x", "y"].map(|key| axis(section, key));
+        let series = section.list("series", "a list of { label = …, points = … }", series);
+        let verticals = section.optionally("verticals", |entry| entry.list(vertical));
+        let chart = LineChart {
+            caption: Caption::new(&id, &title, &description),
+            x: x?,
+            y: y?,
+            series,
+            references: verticals.unwrap_or_default(),
+        };
+        Some(MeasuredChart { label, caption_markdown, data, chart })
     };
-    Some(MeasuredChart { label: label?, caption_markdown: caption?, data: data?, chart })
+    entry.table(read)?
 }
 
 /// A logarithmic axis.
 fn axis(section: &mut Section<'_>, key: &'static str) -> Option<Axis> {
-    let mut section = section.required(key, "{ title = …, from = …, to = … }")?.section()?;
-    let title = section.text("title", "a text");
-    let unit = optional_words(&mut section, "unit");
-    let ends = section.ends();
-    section.finish();
-    let (from, to) = ends?;
-    Some(Axis::log10(&title?, &unit?, nearest_f64(&from), nearest_f64(&to)))
+    section.required(key, "{ title = …, from = …, to = … }")?.table(|section| {
+        let title = section.text("title", "a text");
+        let unit = optional_words(section, "unit");
+        let (from, to) = section.ends();
+        Axis::log10(&title, &unit, nearest_f64(&from), nearest_f64(&to))
+    })
 }
 
 fn series(entry: &Entry<'_>) -> Option<Series> {
-    let mut section = entry.section()?;
-    let label = section.text("label", "a text");
-    let points = section.required("points", "a list of [x, y]").and_then(|entry| entry.list(point));
-    section.finish();
-    Some(Series::marked(label?, points?))
+    entry.table(|section| {
+        let label = section.text("label", "a text");
+        Series::marked(label, section.list("points", "a list of [x, y]", point))
+    })
 }
 
 fn vertical(entry: &Entry<'_>) -> Option<Reference> {
-    let mut section = entry.section()?;
-    let at = section.decimal("at", AllowedRange::PHYSICAL);
-    let label = section.text("label", "a text");
-    section.finish();
-    Some(Reference::Vertical { at: nearest_f64(&at?), label: label? })
+    entry.table(|section| Reference::Vertical {
+        at: nearest_f64(&section.decimal("at", AllowedRange::PHYSICAL)),
+        label: section.text("label", "a text"),
+    })
 }
 
 fn point(entry: &Entry<'_>) -> Option<(f64, f64)> {

@@ -1,7 +1,7 @@
 //! `[paper]` of `report.toml`: the authors and the reference of the paper that a report accompanies, for those who certify its archive.
 
 use crate::scene::Problem;
-use crate::scene::section::Entry;
+use crate::scene::section::{Entry, Section};
 
 /// What is known of the paper; nothing without the section.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -24,26 +24,25 @@ pub struct Author {
 }
 
 impl Paper {
-    pub(crate) fn read(entry: &Entry<'_>) -> Option<Self> {
-        let mut section = entry.section()?;
-        let title = section.optionally("title", Entry::text);
-        let reference = section.optionally("reference", Entry::text);
-        let authors = section.required("author", "[[paper.author]] sections, the corresponding author first");
-        let authors = authors.and_then(|entry| entry.list(read_author));
-        section.finish();
-        Some(Self { title: title?, reference: reference?, authors: authors? })
+    pub(crate) fn read(section: &mut Section<'_>) -> Self {
+        let authors = "[[paper.author]] sections, the corresponding author first";
+        Self {
+            title: section.optionally("title", Entry::text),
+            reference: section.optionally("reference", Entry::text),
+            authors: section.list("author", authors, |member| member.table(Author::read)),
+        }
     }
 }
 
-fn read_author(entry: &Entry<'_>) -> Option<Author> {
-    let mut section = entry.section()?;
-    let name = section.text("name", "a text");
-    let orcid = section.optionally("orcid", |entry| {
-        let orcid = entry.text()?;
-        if is_orcid(&orcid) { Some(orcid) } else { entry.refuse(Problem::Needs(ORCID_FORM.into())) }
-    });
-    section.finish();
-    Some(Author { name: name?, orcid: orcid? })
+impl Author {
+    fn read(section: &mut Section<'_>) -> Self {
+        let name = section.text("name", "a text");
+        let orcid = section.optionally("orcid", |entry| {
+            let orcid = entry.text()?;
+            if is_orcid(&orcid) { Some(orcid) } else { entry.refuse(Problem::Needs(ORCID_FORM.into())) }
+        });
+        Self { name, orcid }
+    }
 }
 
 const ORCID_FORM: &str =

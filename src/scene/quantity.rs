@@ -161,7 +161,7 @@ pub(crate) fn read_parameters(section: &mut Section<'_>) -> Option<ParametersSec
         .map(|quantity| section.required(quantity.key(), &range.wanted())?.uncertain(range));
     let [stress, velocity] = [Quantity::NormalStress, Quantity::LoadingVelocity]
         .map(|quantity| section.optionally(quantity.key(), |entry| entry.uncertain(range)));
-    let (material, stress, velocity) = ([a?, b?, d?, k?, m?], stress?, velocity?);
+    let material = [a?, b?, d?, k?, m?];
     let middle = |value: &Option<Uncertain>| value.as_ref().map(Uncertain::middle);
     Some(ParametersSection {
         slider: Slider::from(material.each_ref().map(Uncertain::middle)),

@@ -58,35 +58,26 @@ impl ReportPlan {
     /// All the faults at once: among them scenes listed twice, also when only case differs.
     pub fn parse(file: &str, bytes: &[u8]) -> Result<Self, Faults> {
         read_document(file, bytes, Limits::default(), |top| {
-            let name = top.name("name", NAME_RULE);
-            let title = top.text("title", "a text");
-            let authors = top.optionally("authors", |entry| entry.list(Entry::text));
-            let date = top.optionally("date", read_date);
-            let publish_page = top.optionally("publish_page", Entry::truth);
-            let question = top.optionally("question", |entry| entry.word(&Question::ALL, Question::as_str));
             let names = |entry: &Entry<'_>| {
                 let mut names = Vec::new();
                 entry.list(|member| distinct_name(member, &mut names))
             };
-            let [scenes, proofs, charts] =
-                ["scenes", "proofs", "charts"].map(|key| top.optionally(key, names));
-            let measured = top.optionally("measured", read_measured);
-            let paper = top.optionally("paper", Paper::read);
-            let chapters = top.required("chapter", "[[chapter]] sections");
-            let chapters = chapters.and_then(|entry| read_chapters(&entry));
             Some(Self {
-                name: name?,
-                title: title?,
-                authors: authors?.unwrap_or_default(),
-                date: date?,
-                publish_page: publish_page?.unwrap_or(true),
-                question: question?.unwrap_or_default(),
-                scenes: scenes?.unwrap_or_default(),
-                proofs: proofs?.unwrap_or_default(),
-                charts: charts?.unwrap_or_default(),
-                measured: measured?,
-                paper: paper?.unwrap_or_default(),
-                chapters: chapters?,
+                name: top.name("name", NAME_RULE),
+                title: top.text("title", "a text"),
+                authors: top.optionally("authors", |entry| entry.list(Entry::text)).unwrap_or_default(),
+                date: top.optionally("date", read_date),
+                publish_page: top.optionally("publish_page", Entry::truth).unwrap_or(true),
+                question: top
+                    .optionally("question", |entry| entry.word(&Question::ALL, Question::as_str))
+                    .unwrap_or_default(),
+                scenes: top.optionally("scenes", names).unwrap_or_default(),
+                proofs: top.optionally("proofs", names).unwrap_or_default(),
+                charts: top.optionally("charts", names).unwrap_or_default(),
+                measured: top
+                    .optionally("measured", |entry| entry.table(|section| section.name("folder", NAME_RULE))),
+                paper: top.optionally("paper", |entry| entry.table(Paper::read)).unwrap_or_default(),
+                chapters: top.read("chapter", "[[chapter]] sections", read_chapters),
             })
         })
     }
@@ -100,14 +91,6 @@ fn read_date(entry: &Entry<'_>) -> Option<String> {
     if is_day { Some(date) } else { entry.refuse(Problem::Needs("a day such as \"2026-11-29\"".into())) }
 }
 
-/// `[measured]`: the name of the folder.
-fn read_measured(entry: &Entry<'_>) -> Option<String> {
-    let mut section = entry.section()?;
-    let folder = section.name("folder", NAME_RULE);
-    section.finish();
-    folder
-}
-
 /// Why the first chapter has no part.
 const INTRODUCTION_STANDS_APART: &str =
     "no part on the first chapter: it is the introduction, which precedes all parts";
@@ -116,17 +99,17 @@ fn read_chapters(entry: &Entry<'_>) -> Option<Vec<Chapter>> {
     let mut ids = Vec::new();
     let mut parts = Vec::new();
     entry.list(|member| {
-        let mut section = member.section()?;
-        let id = section.required("id", NAME_RULE).and_then(|entry| distinct_name(&entry, &mut ids));
-        let title = section.text("title", "a text");
-        let prose = section.name("prose", "a file of prose/");
-        let part = section.optionally("part", |entry| match parts.is_empty() {
-            true => entry.refuse(Problem::Needs(INTRODUCTION_STANDS_APART.into())),
-            false => Part::read(entry, &parts),
-        });
-        parts.push(part.flatten());
-        section.finish();
-        Some(Chapter { id: id?, title: title?, prose: prose?, part: part? })
+        member.table(|section| {
+            let id = section.read("id", NAME_RULE, |entry| distinct_name(entry, &mut ids));
+            let title = section.text("title", "a text");
+            let prose = section.name("prose", "a file of prose/");
+            let part = section.optionally("part", |entry| match parts.is_empty() {
+                true => entry.refuse(Problem::Needs(INTRODUCTION_STANDS_APART.into())),
+                false => Part::read(entry, &parts),
+            });
+            parts.push(part);
+            Chapter { id, title, prose, part }
+        })
     })
 }
 

@@ -62,6 +62,10 @@ pub struct Entry<'t> {
     value: &'t Spanned<DeValue<'t>>,
 }
 
+/// The values of some keys of a table.
+#[derive(Debug)]
+pub struct Entries<'t>(Vec<(&'static str, Entry<'t>)>);
+
 impl<'t> Section<'t> {
     /// The file's top table.
     pub(crate) fn top(source: &'t Source<'t>, table: &'t DeTable<'t>) -> Self {
@@ -77,6 +81,11 @@ impl<'t> Section<'t> {
         Some(Entry { source: self.source, key: self.full_key(key), value })
     }
 
+    /// The values of those of these keys that are there.
+    pub fn entries(&mut self, keys: &[&'static str]) -> Entries<'t> {
+        Entries(keys.iter().filter_map(|key| Some((*key, self.optional(key)?))).collect())
+    }
+
     /// The value of a key that must be there; its absence is a fault that states what may stand there.
     pub fn required(&mut self, key: &'static str, allowed: &str) -> Option<Entry<'t>> {
         let entry = self.optional(key);
@@ -86,46 +95,61 @@ impl<'t> Section<'t> {
         entry
     }
 
-    /// What `read` makes of a key that may be absent; `None` when it is there and faulty.
+    /// What `read` makes of a key that may be absent; `None` when it is absent or faulty.
     pub fn optionally<T>(
         &mut self,
         key: &'static str,
         read: impl FnOnce(&Entry<'t>) -> Option<T>,
-    ) -> Option<Option<T>> {
-        match self.optional(key) {
-            None => Some(None),
-            Some(entry) => read(&entry).map(Some),
-        }
+    ) -> Option<T> {
+        self.optional(key).and_then(|entry| read(&entry))
     }
 
-    /// A text that must be there.
-    pub fn text(&mut self, key: &'static str, allowed: &str) -> Option<String> {
-        self.required(key, allowed)?.text()
-    }
-
-    /// A text that must be there and be safe as the name of a file.
-    pub fn name(&mut self, key: &'static str, allowed: &str) -> Option<String> {
-        self.required(key, allowed)?.name()
-    }
-
-    /// A decimal that must be there.
-    pub fn decimal(&mut self, key: &'static str, range: AllowedRange) -> Option<Rational> {
-        self.required(key, &range.wanted())?.decimal(range)
-    }
-
-    /// A list of decimals that must be there.
-    pub fn decimals(
+    /// What `read` makes of a key that must be there.
+    ///
+    /// A value that is absent or faulty is read as the default of its type: its fault is noted, and [`Entry::table`] then gives
+    /// nothing.
+    pub fn read<T: Default>(
         &mut self,
         key: &'static str,
         allowed: &str,
-        range: AllowedRange,
-    ) -> Option<Vec<Rational>> {
-        self.required(key, allowed)?.list(|member| member.decimal(range))
+        read: impl FnOnce(&Entry<'t>) -> Option<T>,
+    ) -> T {
+        self.required(key, allowed).and_then(|entry| read(&entry)).unwrap_or_default()
+    }
+
+    /// A list that must be there, of which every member is read by `read`.
+    pub fn list<T>(
+        &mut self,
+        key: &'static str,
+        allowed: &str,
+        read: impl FnMut(&Entry<'t>) -> Option<T>,
+    ) -> Vec<T> {
+        self.read(key, allowed, |entry| entry.list(read))
+    }
+
+    /// A text that must be there.
+    pub fn text(&mut self, key: &'static str, allowed: &str) -> String {
+        self.read(key, allowed, Entry::text)
+    }
+
+    /// A text that must be there and be safe as the name of a file.
+    pub fn name(&mut self, key: &'static str, allowed: &str) -> String {
+        self.read(key, allowed, Entry::name)
+    }
+
+    /// A decimal that must be there.
+    pub fn decimal(&mut self, key: &'static str, range: AllowedRange) -> Rational {
+        self.read(key, &range.wanted(), |entry| entry.decimal(range))
+    }
+
+    /// A list of decimals that must be there.
+    pub fn decimals(&mut self, key: &'static str, allowed: &str, range: AllowedRange) -> Vec<Rational> {
+        self.list(key, allowed, |member| member.decimal(range))
     }
 
     /// A whole number that must be there.
-    pub fn whole(&mut self, key: &'static str, range: RangeInclusive<u64>) -> Option<u64> {
-        self.required(key, &whole_range_text(&range))?.whole(range)
+    pub fn whole<T: TryFrom<u64> + Default>(&mut self, key: &'static str, range: RangeInclusive<u64>) -> T {
+        self.read(key, &whole_range_text(&range), |entry| T::try_from(entry.whole(range)?).ok())
     }
 
     /// What serde reads of the keys `keys`; `None` when one of them is faulty.
@@ -146,16 +170,25 @@ impl<'t> Section<'t> {
         self.source.fault(self.offset, self.full_key(key), None, problem);
     }
 
-    /// The ends of a range, `from` < `to`, which must be there.
-    pub fn ends(&mut self) -> Option<(Rational, Rational)> {
-        let [from, to] = ["from", "to"].map(|key| self.decimal(key, AllowedRange::PHYSICAL));
-        let (from, to) = (from?, to?);
-        if from >= to {
-            let problem = if from == to { Problem::EmptyRange } else { Problem::ReversedRange };
-            self.source.fault(self.offset, self.path.clone(), None, problem);
-            return None;
+    /// A fault of the section as a whole.
+    pub fn refuse(&self, problem: Problem) {
+        self.source.fault(self.offset, self.path.clone(), None, problem);
+    }
+
+    /// Refuses more points than the limit of the file.
+    pub fn check_points(&self, points: u64) {
+        if let Err(problem) = self.limits().check(points) {
+            self.refuse(problem);
         }
-        Some((from, to))
+    }
+
+    /// The ends of a range, `from` < `to`, which must be there.
+    pub fn ends(&mut self) -> (Rational, Rational) {
+        let [from, to] = ["from", "to"].map(|key| self.decimal(key, AllowedRange::PHYSICAL));
+        if from >= to && to > 0 {
+            self.refuse(if from == to { Problem::EmptyRange } else { Problem::ReversedRange });
+        }
+        (from, to)
     }
 
     /// The limits of the file.
@@ -164,7 +197,7 @@ impl<'t> Section<'t> {
     }
 
     /// Every key that no reader requested is a fault.
-    pub fn finish(self) {
+    pub(super) fn finish(self) {
         let is_unknown = |key: &&Spanned<DeString<'_>>| !self.requested.contains(&key.get_ref().as_ref());
         for key in self.table.keys().filter(is_unknown).take(MOST_UNKNOWN_KEYS) {
             let near = nearest(key.get_ref(), self.requested.iter().copied()).map(str::to_string);
@@ -175,6 +208,28 @@ impl<'t> Section<'t> {
 
     fn full_key(&self, key: &str) -> String {
         if self.path.is_empty() { key.to_string() } else { format!("{}.{key}", self.path) }
+    }
+}
+
+impl<'t> Entries<'t> {
+    /// The value of a key.
+    pub fn get(&self, key: &str) -> Option<&Entry<'t>> {
+        self.0.iter().find(|(known, _)| *known == key).map(|(_, entry)| entry)
+    }
+
+    /// All values.
+    pub fn iter(&self) -> impl Iterator<Item = &Entry<'t>> {
+        self.0.iter().map(|(_, entry)| entry)
+    }
+
+    /// A text; `None` when it is absent or faulty.
+    pub fn text(&self, key: &str) -> Option<String> {
+        self.get(key).and_then(Entry::text)
+    }
+
+    /// A list of texts; empty when it is absent or faulty.
+    pub fn texts(&self, key: &str) -> Vec<String> {
+        self.get(key).and_then(|entry| entry.list(Entry::text)).unwrap_or_default()
     }
 }
 
@@ -279,13 +334,21 @@ impl<'t> Entry<'t> {
         matches!(self.value.get_ref(), DeValue::Table(_))
     }
 
-    /// A table.
-    pub fn section(&self) -> Option<Section<'t>> {
+    fn section(&self) -> Option<Section<'t>> {
         let DeValue::Table(table) = self.value.get_ref() else {
             return self.wrong_type("a table");
         };
         let offset = self.value.span().start;
         Some(Section { source: self.source, path: self.key.clone(), offset, table, requested: Vec::new() })
+    }
+
+    /// What `read` makes of a table, of which every other key is a fault; `None` when the table has a fault.
+    pub fn table<T>(&self, read: impl FnOnce(&mut Section<'t>) -> T) -> Option<T> {
+        let mut section = self.section()?;
+        let earlier = self.source.fault_count();
+        let value = read(&mut section);
+        section.finish();
+        (self.source.fault_count() == earlier).then_some(value)
     }
 
     /// A list that is not empty, of which every member is read by `read`; `None` when any of them is faulty.
@@ -340,18 +403,14 @@ impl<'t> Entry<'t> {
 
     /// Refuses more points than the limit of the file.
     pub fn check_points(&self, points: u64) -> Option<()> {
-        let limit = self.source.limits.max_points;
-        if points <= limit {
-            return Some(());
-        }
-        self.refuse(Problem::TooManyPoints { points: points.to_string(), limit })
+        self.sound(self.source.limits.check(points))
     }
 }
 
-/// A section of a scene, read and valid.
+/// A section of a scene.
 pub trait ReadSection: Sized {
-    /// Reads it; its faults are added to the others.
-    fn read(entry: &Entry<'_>) -> Option<Self>;
+    /// Reads its keys; its faults are added to the others.
+    fn read(section: &mut Section<'_>) -> Self;
 }
 
 /// The one of `all` that has a word.

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use crate::scene::section::Section;
+use crate::scene::section::{Entry, Section};
 
 slipmode_algebra::named! {
     /// What a sentence says, by the paper's own words. The kind decides the verdict before any number is computed.
@@ -74,26 +74,24 @@ pub struct Change {
 }
 
 impl Sentence {
-    /// The keys of a claim; the inner none for a claim without any of them.
-    pub(super) fn read(section: &mut Section<'_>) -> Option<Option<Self>> {
+    /// The keys of a claim; none for a claim without any of them.
+    pub(super) fn read(section: &mut Section<'_>) -> Option<Self> {
         let kind = section.optionally("kind", |entry| entry.word(&Kind::ALL, Kind::as_str));
         let source = section.optionally("source", |entry| entry.word(&Source::ALL, Source::as_str));
-        let quote = section.optionally("quote", |entry| entry.text());
-        let same_as = section.optionally("same_as", |entry| entry.text());
-        let decided_for = section.optionally("decided_for", |entry| entry.text());
-        let change = section.optionally("change", |entry| Change::read(entry.section()?));
-        let (kind, source, quote, same_as) = (kind?, source?, quote?, same_as?);
-        let (decided_for, change) = (decided_for?, change?);
+        let quote = section.optionally("quote", Entry::text);
+        let same_as = section.optionally("same_as", Entry::text);
+        let decided_for = section.optionally("decided_for", Entry::text);
+        let change = section.optionally("change", |entry| entry.table(Change::read));
         let is_stated = kind.is_some() || source.is_some() || quote.is_some();
         let is_stated = is_stated || same_as.is_some() || decided_for.is_some() || change.is_some();
-        Some(is_stated.then(|| Self {
+        is_stated.then(|| Self {
             kind: kind.unwrap_or_default(),
             quote: quote.unwrap_or_default(),
             source: source.unwrap_or_default(),
             same_as,
             decided_for,
             change,
-        }))
+        })
     }
 }
 
@@ -113,10 +111,8 @@ pub fn filled(sentence: &str, numbers: &BTreeMap<String, String>) -> Result<Stri
 }
 
 impl Change {
-    fn read(mut section: Section<'_>) -> Option<Self> {
+    fn read(section: &mut Section<'_>) -> Self {
         let [instead, affects] = ["instead", "affects"].map(|key| section.text(key, "a text"));
-        let rank = section.whole("rank", 1..=100);
-        section.finish();
-        Some(Self { instead: instead?, affects: affects?, rank: rank? })
+        Self { instead, affects, rank: section.whole("rank", 1..=100) }
     }
 }

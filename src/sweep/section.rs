@@ -75,21 +75,22 @@ const WORKS: [&str; 4] = ["classify", "boundary", "asymptote-error", "simulate"]
 
 impl SweepSection {
     pub(crate) fn read(entry: &Entry<'_>, parameters: ReadParameters<'_>) -> Option<Self> {
-        let mut section = entry.section()?;
-        let is_list = section.optional("list").is_some();
-        let work = read_work(&mut section, is_list);
-        let points = read_points(&mut section, parameters);
-        let block_points = section.optionally("block_points", |entry| entry.whole(1..=MOST_BLOCK_POINTS));
-        let summary = section.optionally("summary", SummarySection::read);
-        section.finish();
-        let (work, points) = (work?, points?);
-        let is_of_points = matches!(work, SweepWork::Boundary | SweepWork::AsymptoteError);
-        if is_of_points && points.has_error_bars() {
-            let needs = "values without error bars, or the work classify or simulate, which take them";
-            return entry.refuse(Problem::Needs(needs.into()));
-        }
-        let block_points = block_points?.unwrap_or_else(|| work.usual_block_points());
-        Some(Self { work, points, block_points, summary: summary? })
+        let read = |section: &mut Section<'_>| {
+            let is_list = section.optional("list").is_some();
+            let work = read_work(section, is_list);
+            let points = read_points(section, parameters);
+            let block_points = section.optionally("block_points", |entry| entry.whole(1..=MOST_BLOCK_POINTS));
+            let summary = section.optionally("summary", |entry| entry.table(SummarySection::read));
+            let (work, points) = (work?, points?);
+            let is_of_points = matches!(work, SweepWork::Boundary | SweepWork::AsymptoteError);
+            if is_of_points && points.has_error_bars() {
+                let needs = "values without error bars, or the work classify or simulate, which take them";
+                section.refuse(Problem::Needs(needs.into()));
+            }
+            let block_points = block_points.unwrap_or_else(|| work.usual_block_points());
+            Some(Self { work, points, block_points, summary })
+        };
+        entry.table(read)?
     }
 }
 
@@ -126,7 +127,7 @@ fn read_work(section: &mut Section<'_>, is_list: bool) -> Option<SweepWork> {
         Some("classify") => Some(SweepWork::Classify),
         Some("boundary") => Some(SweepWork::Boundary),
         Some("asymptote-error") => Some(SweepWork::AsymptoteError),
-        Some(_) => read_simulate(section, is_list),
+        Some(_) => Some(read_simulate(section, is_list)),
         None => {
             // Their absence or presence is no news if the work is unknown.
             let _ = (section.optional("laws"), section.optional("tolerance"));
@@ -135,71 +136,65 @@ fn read_work(section: &mut Section<'_>, is_list: bool) -> Option<SweepWork> {
     }
 }
 
-fn read_simulate(section: &mut Section<'_>, is_list: bool) -> Option<SweepWork> {
+fn read_simulate(section: &mut Section<'_>, is_list: bool) -> SweepWork {
     let laws = match section.optional("laws") {
-        None if is_list => Some(Vec::new()),
-        stated => section.laws().filter(|laws| {
-            let fits = !is_list || laws.len() == 1;
-            if !fits && let Some(entry) = stated {
+        None if is_list => Vec::new(),
+        stated => {
+            let laws = section.laws();
+            if is_list
+                && laws.len() > 1
+                && let Some(entry) = stated
+            {
                 let wanted = "one law for a list, or none and a column `law` in its file".into();
                 entry.refuse::<()>(Problem::Needs(wanted));
             }
-            fits
-        }),
+            laws
+        }
     };
     let tolerance = section.decimal("tolerance", AllowedRange::SIMULATION_TOLERANCE);
-    Some(SweepWork::Simulate { laws: laws?, tolerance: tolerance? })
+    SweepWork::Simulate { laws, tolerance }
 }
 
 /// Exactly one of `grid`, `samples` and `list`.
 fn read_points(section: &mut Section<'_>, parameters: ReadParameters<'_>) -> Option<SweepPoints> {
-    let places = ["grid", "samples", "list"].map(|key| section.optional(key));
-    if places.iter().flatten().count() != 1 {
-        let one = "exactly one of [sweep.grid], [sweep.samples] and [sweep.list]";
-        section.fault("points", Problem::Needs(one.into()));
-        return None;
+    match ["grid", "samples", "list"].map(|key| section.optional(key)) {
+        [Some(grid), None, None] => grid.table(|section| read_grid(section, parameters))?,
+        [None, Some(samples), None] => samples.table(|section| read_samples(section, parameters))?,
+        [None, None, Some(list)] => {
+            list.table(|section| SweepPoints::List { file: section.name("file", NAME_RULE) })
+        }
+        _ => {
+            let one = "exactly one of [sweep.grid], [sweep.samples] and [sweep.list]";
+            section.fault("points", Problem::Needs(one.into()));
+            None
+        }
     }
-    let [grid, samples, list] = places;
-    if let Some(entry) = grid {
-        return read_grid(&entry, parameters);
-    }
-    if let Some(entry) = samples {
-        return read_samples(&entry, parameters);
-    }
-    let mut section = list?.section()?;
-    let file = section.name("file", NAME_RULE);
-    section.finish();
-    Some(SweepPoints::List { file: file? })
 }
 
-fn read_grid(entry: &Entry<'_>, parameters: ReadParameters<'_>) -> Option<SweepPoints> {
-    let mut section = entry.section()?;
-    let coordinates = grid_coordinates(&mut section, parameters);
-    section.finish();
-    let coordinates = check_varies(entry, coordinates?)?;
+fn read_grid(section: &mut Section<'_>, parameters: ReadParameters<'_>) -> Option<SweepPoints> {
+    let coordinates = grid_coordinates(section, parameters)?;
+    check_varies(section, &coordinates);
     let points = coordinates.iter().fold(1u64, |product, axis| product.saturating_mul(axis.points()));
     if points > MOST_SWEEP_POINTS {
         let allowed = format!("at most {MOST_SWEEP_POINTS} points in all");
-        return entry.refuse(Problem::OutOfRange { allowed });
+        section.refuse(Problem::OutOfRange { allowed });
     }
     Some(SweepPoints::Grid(Box::new(coordinates)))
 }
 
-fn read_samples(entry: &Entry<'_>, parameters: ReadParameters<'_>) -> Option<SweepPoints> {
-    let mut section = entry.section()?;
+fn read_samples(section: &mut Section<'_>, parameters: ReadParameters<'_>) -> Option<SweepPoints> {
     let count = section.whole("count", 1..=MOST_SWEEP_POINTS);
-    let coordinates = sample_coordinates(&mut section, parameters);
-    section.finish();
-    let coordinates = check_varies(entry, coordinates?)?;
-    Some(SweepPoints::Samples { count: count?, coordinates: Box::new(coordinates) })
+    let coordinates = sample_coordinates(section, parameters)?;
+    check_varies(section, &coordinates);
+    Some(SweepPoints::Samples { count, coordinates: Box::new(coordinates) })
 }
 
 /// Identical points have no column that distinguishes them.
-fn check_varies(entry: &Entry<'_>, coordinates: [Coordinate; 7]) -> Option<[Coordinate; 7]> {
-    if coordinates.iter().any(Coordinate::varies) {
-        return Some(coordinates);
+fn check_varies(section: &Section<'_>, coordinates: &[Coordinate; 7]) {
+    if !coordinates.iter().any(Coordinate::varies) {
+        let needs = "at least one quantity that varies: { from = …, to = …, … }";
+        section.refuse(Problem::Needs(needs.into()));
     }
-    entry.refuse(Problem::Needs("at least one quantity that varies: { from = …, to = …, … }".into()))
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! `[boundary]`: how many points of the boundary, to how many digits.
 
-use crate::scene::section::{Entry, ReadSection};
+use crate::scene::section::{ReadSection, Section};
 
 /// `[boundary]`: the exact boundary along its arcs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -15,11 +15,7 @@ pub struct BoundarySection {
 const MOST_DIGITS: u64 = 1_000_000;
 
 impl ReadSection for BoundarySection {
-    fn read(entry: &Entry<'_>) -> Option<Self> {
-        let mut section = entry.section()?;
-        let points = section.points();
-        let digits = section.whole("digits", 1..=MOST_DIGITS);
-        section.finish();
-        Some(Self { points: points?, digits: u32::try_from(digits?).ok()? })
+    fn read(section: &mut Section<'_>) -> Self {
+        Self { points: section.points(), digits: section.whole("digits", 1..=MOST_DIGITS) }
     }
 }

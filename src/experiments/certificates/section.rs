@@ -1,7 +1,6 @@
 //! `[certificates]`: files of certificates, and how many of them each run proves again.
 
-use crate::scene::Problem;
-use crate::scene::section::{Entry, ReadSection};
+use crate::scene::section::{ReadSection, Section};
 
 /// The most rows of a file that a run proves again.
 const MOST_AGAIN: u64 = 1000;
@@ -25,27 +24,21 @@ pub struct CertificateFile {
 }
 
 impl ReadSection for CertificatesSection {
-    fn read(entry: &Entry<'_>) -> Option<Self> {
-        let mut section = entry.section()?;
-        let again = section.whole("prove_again", 1..=MOST_AGAIN);
-        let files = section
-            .required("file", "a list of files, each under [[certificates.file]]")
-            .and_then(|entry| entry.list(CertificateFile::read));
-        section.finish();
-        Some(Self { prove_again: usize::try_from(again?).ok()?, files: files? })
+    fn read(section: &mut Section<'_>) -> Self {
+        Self {
+            prove_again: section.whole("prove_again", 1..=MOST_AGAIN),
+            files: section.list("file", "a list of files, each under [[certificates.file]]", |member| {
+                member.table(CertificateFile::read)
+            }),
+        }
     }
 }
 
 impl CertificateFile {
-    fn read(entry: &Entry<'_>) -> Option<Self> {
-        let mut section = entry.section()?;
-        let name = section.name("name", "the name of NAME.csv");
-        let sha256 = section.text("sha256", "the digest of the file");
-        section.finish();
-        let sha256 = sha256?;
-        if sha256.len() != 64 || !sha256.bytes().all(|byte| b"0123456789abcdef".contains(&byte)) {
-            return entry.refuse(Problem::Needs("a sha256 of 64 digits 0-9 a-f".into()));
+    fn read(section: &mut Section<'_>) -> Self {
+        Self {
+            name: section.name("name", "the name of NAME.csv"),
+            sha256: section.digest("sha256", "the digest of the file"),
         }
-        Some(Self { name: name?, sha256 })
     }
 }

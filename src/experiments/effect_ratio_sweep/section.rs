@@ -1,6 +1,6 @@
 //! `[effect_ratio_sweep]`: ratios b/a.
 
-use crate::scene::section::{Entry, ReadSection};
+use crate::scene::section::{Entry, ReadSection, Section};
 use crate::scene::{AllowedRange, LogAxis};
 use slipmode_core::number::Rational;
 
@@ -14,12 +14,11 @@ pub struct EffectRatioSweepSection {
 }
 
 impl ReadSection for EffectRatioSweepSection {
-    fn read(entry: &Entry<'_>) -> Option<Self> {
-        let mut section = entry.section()?;
-        let effect_ratio = section.axis("effect_ratio");
-        let near_equal = section
-            .optionally("near_equal", |entry| entry.list(|member| member.decimal(AllowedRange::OPEN_UNIT)));
-        section.finish();
-        Some(Self { effect_ratio: effect_ratio?, near_equal: near_equal?.unwrap_or_default() })
+    fn read(section: &mut Section<'_>) -> Self {
+        let near_equal = |entry: &Entry<'_>| entry.list(|member| member.decimal(AllowedRange::OPEN_UNIT));
+        Self {
+            effect_ratio: section.axis("effect_ratio"),
+            near_equal: section.optionally("near_equal", near_equal).unwrap_or_default(),
+        }
     }
 }

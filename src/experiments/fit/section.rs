@@ -1,7 +1,7 @@
 //! `[fit]`: a record of velocity steps, and what is known of the machine.
 
 use crate::fitting::FitGiven;
-use crate::scene::section::{Entry, ReadSection};
+use crate::scene::section::{Entry, ReadSection, Section};
 use crate::scene::{AllowedRange, Quantity};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::{Rational, nearest_f64};
@@ -22,24 +22,15 @@ pub struct FitSection {
 }
 
 impl ReadSection for FitSection {
-    fn read(entry: &Entry<'_>) -> Option<Self> {
-        let mut section = entry.section()?;
-        let record = section.name("record", "the name of the record NAME.csv");
-        let laws = section.laws();
-        let mut number = |quantity: Quantity| {
-            section.optionally(quantity.key(), |entry| entry.decimal(AllowedRange::PHYSICAL))
-        };
-        let stiffness_pa_per_m = number(Quantity::Stiffness);
-        let mass_per_area_kg_per_m2 = number(Quantity::MassPerArea);
-        let has_drift = section.optionally("drift", Entry::truth);
-        section.finish();
-        Some(Self {
-            record: record?,
-            laws: laws?,
-            stiffness_pa_per_m: stiffness_pa_per_m?,
-            mass_per_area_kg_per_m2: mass_per_area_kg_per_m2?,
-            has_drift: has_drift?.unwrap_or_default(),
-        })
+    fn read(section: &mut Section<'_>) -> Self {
+        let given = |entry: &Entry<'_>| entry.decimal(AllowedRange::PHYSICAL);
+        Self {
+            record: section.name("record", "the name of the record NAME.csv"),
+            laws: section.laws(),
+            stiffness_pa_per_m: section.optionally(Quantity::Stiffness.key(), given),
+            mass_per_area_kg_per_m2: section.optionally(Quantity::MassPerArea.key(), given),
+            has_drift: section.optionally("drift", Entry::truth).unwrap_or_default(),
+        }
     }
 }
 

@@ -1,6 +1,6 @@
 //! `[frequency]`: lines of constant normal stress.
 
-use crate::scene::section::{Entry, ReadSection};
+use crate::scene::section::{Entry, ReadSection, Section};
 use crate::scene::{AllowedRange, LogAxis, Problem};
 use slipmode_core::number::{Rational, parse_decimal};
 
@@ -14,18 +14,19 @@ pub struct FrequencySection {
 }
 
 impl ReadSection for FrequencySection {
-    fn read(entry: &Entry<'_>) -> Option<Self> {
-        let mut section = entry.section()?;
-        let ratios = section
-            .required("normal_stress_over_critical", "a list of ratios > 0")
-            .and_then(|entry| entry.list(|member| member.number(parse_ratio)));
-        let velocity = section.axis("loading_velocity_m_per_s");
-        section.finish();
-        let frequency = Self { normal_stress_over_critical: ratios?, loading_velocity_m_per_s: velocity? };
-        let points = u64::from(frequency.loading_velocity_m_per_s.points)
-            .saturating_mul(frequency.normal_stress_over_critical.len() as u64);
-        entry.check_points(points)?;
-        Some(frequency)
+    fn read(section: &mut Section<'_>) -> Self {
+        let ratio = |member: &Entry<'_>| member.number(parse_ratio);
+        let read = Self {
+            normal_stress_over_critical: section.list(
+                "normal_stress_over_critical",
+                "a list of ratios > 0",
+                ratio,
+            ),
+            loading_velocity_m_per_s: section.axis("loading_velocity_m_per_s"),
+        };
+        let points = u64::from(read.loading_velocity_m_per_s.points);
+        section.check_points(points.saturating_mul(read.normal_stress_over_critical.len() as u64));
+        read
     }
 }
 

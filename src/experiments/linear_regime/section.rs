@@ -1,6 +1,6 @@
 //! `[linear_regime]`: small disturbances at a few points (V, σ).
 
-use crate::scene::section::{Entry, ReadSection};
+use crate::scene::section::{Entry, ReadSection, Section};
 use crate::scene::{AllowedRange, PlanePoint};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::Rational;
@@ -20,19 +20,18 @@ pub struct LinearRegimeSection {
 const STARTS_PER_POINT: u64 = 3;
 
 impl ReadSection for LinearRegimeSection {
-    fn read(entry: &Entry<'_>) -> Option<Self> {
-        let mut section = entry.section()?;
-        let points = section.places("points");
-        let laws = section.laws();
+    fn read(section: &mut Section<'_>) -> Self {
         let range = AllowedRange::AMPLITUDE;
-        let amplitudes = section
-            .required("amplitudes", &format!("a list of sizes, each {}", range.text()))
-            .and_then(|entry| entry.distinct(|_| "an earlier member".into(), |size| size.decimal(range)));
-        section.finish();
-        let read = Self { points: points?, laws: laws?, amplitudes: amplitudes? };
+        let sizes =
+            |entry: &Entry<'_>| entry.distinct(|_| "an earlier member".into(), |size| size.decimal(range));
+        let read = Self {
+            points: section.places("points"),
+            laws: section.laws(),
+            amplitudes: section.read("amplitudes", &format!("a list of sizes, each {}", range.text()), sizes),
+        };
         let lists = [read.points.len(), read.laws.len(), read.amplitudes.len()];
-        entry.check_points(product(&lists).saturating_mul(STARTS_PER_POINT))?;
-        Some(read)
+        section.check_points(product(&lists).saturating_mul(STARTS_PER_POINT));
+        read
     }
 }
 

@@ -1,7 +1,7 @@
 //! `[map]`: the points that are classified.
 
 use crate::scene::Rectangle;
-use crate::scene::section::{Entry, ReadSection};
+use crate::scene::section::{ReadSection, Section};
 
 /// `[map]`: the points that are classified.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -11,7 +11,7 @@ pub struct MapSection {
 }
 
 impl ReadSection for MapSection {
-    fn read(entry: &Entry<'_>) -> Option<Self> {
-        Some(Self { rectangle: Rectangle::read(entry)? })
+    fn read(section: &mut Section<'_>) -> Self {
+        Self { rectangle: section.checked_rectangle() }
     }
 }

@@ -1,7 +1,8 @@
 //! `[near_transition]`: the nonlinear slider close to K = K_c, by η and K/K_c instead of V and σ.
 
+use crate::experiments::linear_regime::section::product;
 use crate::scene::AllowedRange;
-use crate::scene::section::{Entry, ReadSection};
+use crate::scene::section::{ReadSection, Section};
 use slipmode_core::number::Rational;
 
 /// `[near_transition]`.
@@ -29,36 +30,29 @@ pub struct KicksSection {
 }
 
 impl ReadSection for KicksSection {
-    fn read(entry: &Entry<'_>) -> Option<Self> {
-        let mut section = entry.section()?;
-        let inertial_parameter = section.decimal("inertial_parameter", AllowedRange::PHYSICAL);
-        let stiffness =
-            section.decimals("stiffness_over_critical", "a list of ratios > 1", AllowedRange::ABOVE_ONE);
-        section.finish();
-        Some(Self { inertial_parameter: inertial_parameter?, stiffness_over_critical: stiffness? })
+    fn read(section: &mut Section<'_>) -> Self {
+        let (allowed, range) = ("a list of ratios > 1", AllowedRange::ABOVE_ONE);
+        Self {
+            inertial_parameter: section.decimal("inertial_parameter", AllowedRange::PHYSICAL),
+            stiffness_over_critical: section.decimals("stiffness_over_critical", allowed, range),
+        }
     }
 }
 
 impl ReadSection for NearTransitionSection {
-    fn read(entry: &Entry<'_>) -> Option<Self> {
-        let mut section = entry.section()?;
-        let [inertial, stiffness, edge] =
-            ["inertial_parameter", "stiffness_over_critical", "edge_inertial_parameter"]
-                .map(|key| section.decimals(key, "a list of ratios > 0", AllowedRange::PHYSICAL));
-        let tolerance = section.decimal("tolerance", AllowedRange::SIMULATION_TOLERANCE);
-        let kicks = section.optionally("kicks", KicksSection::read);
-        section.finish();
-        let near = Self {
-            inertial_parameter: inertial?,
-            stiffness_over_critical: stiffness?,
-            edge_inertial_parameter: edge?,
-            tolerance: tolerance?,
-            kicks: kicks?,
+    fn read(section: &mut Section<'_>) -> Self {
+        let (allowed, range) = ("a list of ratios > 0", AllowedRange::PHYSICAL);
+        let read = Self {
+            inertial_parameter: section.decimals("inertial_parameter", allowed, range),
+            stiffness_over_critical: section.decimals("stiffness_over_critical", allowed, range),
+            edge_inertial_parameter: section.decimals("edge_inertial_parameter", allowed, range),
+            tolerance: section.decimal("tolerance", AllowedRange::SIMULATION_TOLERANCE),
+            kicks: section.optionally("kicks", |entry| entry.table(KicksSection::read)),
         };
-        let runs = near.inertial_parameter.len().saturating_mul(near.stiffness_over_critical.len());
-        let kicks = near.kicks.as_ref().map_or(0, |kicks| kicks.stiffness_over_critical.len());
-        let points = runs.saturating_add(near.edge_inertial_parameter.len()).saturating_add(kicks);
-        entry.check_points(u64::try_from(points).unwrap_or(u64::MAX))?;
-        Some(near)
+        let runs = product(&[read.inertial_parameter.len(), read.stiffness_over_critical.len()]);
+        let kicks = read.kicks.as_ref().map_or(0, |kicks| kicks.stiffness_over_critical.len());
+        let others = (read.edge_inertial_parameter.len() + kicks) as u64;
+        section.check_points(runs.saturating_add(others));
+        read
     }
 }

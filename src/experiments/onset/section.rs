@@ -1,7 +1,7 @@
 //! `[onset]`: where oscillation begins along lines of constant normal stress, and runs on either side of it (fig 4).
 
 use crate::scene::AllowedRange;
-use crate::scene::section::{Entry, ReadSection};
+use crate::scene::section::{Entry, ReadSection, Section};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::Rational;
 
@@ -28,32 +28,33 @@ pub struct OnsetSection {
 const RUNS_OF_A_SEARCH: u64 = 200;
 
 impl ReadSection for OnsetSection {
-    fn read(entry: &Entry<'_>) -> Option<Self> {
-        let mut section = entry.section()?;
+    fn read(section: &mut Section<'_>) -> Self {
         let physical = AllowedRange::PHYSICAL;
-        let stresses = section.decimals("normal_stress_pa", "a list of normal stresses in Pa", physical);
-        let velocities = section.decimals("velocity_over_asymptote", "a list of ratios > 0", physical);
-        let across = section
-            .optionally("loading_velocity_m_per_s", |entry| entry.list(|member| member.decimal(physical)));
-        let laws = section.laws();
-        let tolerance = section.decimal("tolerance", AllowedRange::SIMULATION_TOLERANCE);
-        let visible = section.decimal("visible", AllowedRange::OPEN_UNIT);
-        let other_unit = section.optionally("other_unit_pa", |entry| entry.decimal(physical));
-        section.finish();
-        let (stresses, velocities, laws) = (stresses?, velocities?, laws?);
-        let across = across?.unwrap_or_default();
-        let runs = (RUNS_OF_A_SEARCH.saturating_mul(laws.len() as u64))
-            .saturating_add(velocities.len() as u64)
-            .saturating_mul((stresses.len() + across.len()) as u64);
-        entry.check_points(runs)?;
-        Some(Self {
-            normal_stress_pa: stresses,
-            loading_velocity_m_per_s: across,
-            velocity_over_asymptote: velocities,
-            laws,
-            tolerance: tolerance?,
-            visible: visible?,
-            other_unit_pa: other_unit?,
-        })
+        let across = |entry: &Entry<'_>| entry.list(|member| member.decimal(physical));
+        let read = Self {
+            normal_stress_pa: section.decimals(
+                "normal_stress_pa",
+                "a list of normal stresses in Pa",
+                physical,
+            ),
+            velocity_over_asymptote: section.decimals(
+                "velocity_over_asymptote",
+                "a list of ratios > 0",
+                physical,
+            ),
+            loading_velocity_m_per_s: section
+                .optionally("loading_velocity_m_per_s", across)
+                .unwrap_or_default(),
+            laws: section.laws(),
+            tolerance: section.decimal("tolerance", AllowedRange::SIMULATION_TOLERANCE),
+            visible: section.decimal("visible", AllowedRange::OPEN_UNIT),
+            other_unit_pa: section.optionally("other_unit_pa", |entry| entry.decimal(physical)),
+        };
+        let lines = read.normal_stress_pa.len() + read.loading_velocity_m_per_s.len();
+        let runs = (RUNS_OF_A_SEARCH.saturating_mul(read.laws.len() as u64))
+            .saturating_add(read.velocity_over_asymptote.len() as u64)
+            .saturating_mul(lines as u64);
+        section.check_points(runs);
+        read
     }
 }

@@ -1,14 +1,13 @@
 //! `[operating_point]`: the slip mode at σ and V0 of `[parameters]`, what leaves it, and which error bar decides it.
 
-use crate::scene::section::{Entry, ReadSection};
+use crate::scene::section::{ReadSection, Section};
 
 /// `[operating_point]`; it has no keys.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct OperatingPointSection;
 
 impl ReadSection for OperatingPointSection {
-    fn read(entry: &Entry<'_>) -> Option<Self> {
-        entry.section()?.finish();
-        Some(Self)
+    fn read(_: &mut Section<'_>) -> Self {
+        Self
     }
 }

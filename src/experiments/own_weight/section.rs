@@ -1,6 +1,6 @@
 //! `[own_weight]`: a slider that its own weight presses on, in the plane of loading velocity and K/M.
 
-use crate::scene::section::{Entry, ReadSection};
+use crate::scene::section::{ReadSection, Section};
 use crate::scene::{AllowedRange, LogAxis};
 use slipmode_core::number::Rational;
 
@@ -25,18 +25,13 @@ impl OwnWeightSection {
 }
 
 impl ReadSection for OwnWeightSection {
-    fn read(entry: &Entry<'_>) -> Option<Self> {
-        let mut section = entry.section()?;
-        let gravity = section.decimal("gravity_m_per_s2", AllowedRange::PHYSICAL);
-        let velocity = section.axis("loading_velocity_m_per_s");
-        let ratio = section.axis("stiffness_over_mass_per_s2");
-        section.finish();
+    fn read(section: &mut Section<'_>) -> Self {
         let read = Self {
-            gravity_m_per_s2: gravity?,
-            loading_velocity_m_per_s: velocity?,
-            stiffness_over_mass_per_s2: ratio?,
+            gravity_m_per_s2: section.decimal("gravity_m_per_s2", AllowedRange::PHYSICAL),
+            loading_velocity_m_per_s: section.axis("loading_velocity_m_per_s"),
+            stiffness_over_mass_per_s2: section.axis("stiffness_over_mass_per_s2"),
         };
-        entry.check_points(read.points())?;
-        Some(read)
+        section.check_points(read.points());
+        read
     }
 }

@@ -1,6 +1,6 @@
 //! `[simulations]`: the nonlinear slider on a (V, σ) grid.
 
-use crate::scene::section::{Entry, ReadSection};
+use crate::scene::section::{ReadSection, Section};
 use crate::scene::{AllowedRange, Rectangle};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::Rational;
@@ -17,14 +17,13 @@ pub struct SimulationsSection {
 }
 
 impl ReadSection for SimulationsSection {
-    fn read(entry: &Entry<'_>) -> Option<Self> {
-        let mut section = entry.section()?;
-        let rectangle = section.rectangle();
-        let laws = section.laws();
-        let tolerance = section.decimal("tolerance", AllowedRange::SIMULATION_TOLERANCE);
-        section.finish();
-        let (rectangle, laws) = (rectangle?, laws?);
-        entry.check_points(rectangle.points().saturating_mul(laws.len() as u64))?;
-        Some(Self { rectangle, laws, tolerance: tolerance? })
+    fn read(section: &mut Section<'_>) -> Self {
+        let read = Self {
+            rectangle: section.rectangle(),
+            laws: section.laws(),
+            tolerance: section.decimal("tolerance", AllowedRange::SIMULATION_TOLERANCE),
+        };
+        section.check_points(read.rectangle.points().saturating_mul(read.laws.len() as u64));
+        read
     }
 }

@@ -1,7 +1,7 @@
 //! `[start_sensitivity]`: every completion of the start V_l/10 at a few points (V, σ).
 
 use crate::experiments::linear_regime::section::product;
-use crate::scene::section::{Entry, ReadSection};
+use crate::scene::section::{ReadSection, Section};
 use crate::scene::{AllowedRange, PlanePoint};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::Rational;
@@ -18,14 +18,13 @@ pub struct StartSensitivitySection {
 }
 
 impl ReadSection for StartSensitivitySection {
-    fn read(entry: &Entry<'_>) -> Option<Self> {
-        let mut section = entry.section()?;
-        let points = section.places("points");
-        let laws = section.laws();
-        let tolerance = section.decimal("tolerance", AllowedRange::SIMULATION_TOLERANCE);
-        section.finish();
-        let read = Self { points: points?, laws: laws?, tolerance: tolerance? };
-        entry.check_points(product(&[read.points.len(), read.laws.len(), 4]))?;
-        Some(read)
+    fn read(section: &mut Section<'_>) -> Self {
+        let read = Self {
+            points: section.places("points"),
+            laws: section.laws(),
+            tolerance: section.decimal("tolerance", AllowedRange::SIMULATION_TOLERANCE),
+        };
+        section.check_points(product(&[read.points.len(), read.laws.len(), 4]));
+        read
     }
 }

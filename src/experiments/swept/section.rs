@@ -1,7 +1,7 @@
 //! `[swept]`: sweeps that ran elsewhere, and what running them took.
 
-use crate::scene::section::{Entry, ReadSection};
-use crate::scene::{AllowedRange, Problem};
+use crate::scene::AllowedRange;
+use crate::scene::section::{ReadSection, Section};
 use slipmode_core::number::Rational;
 
 /// `[swept]`.
@@ -29,37 +29,21 @@ pub struct SweptEntry {
 }
 
 impl ReadSection for SweptSection {
-    fn read(entry: &Entry<'_>) -> Option<Self> {
-        let mut section = entry.section()?;
-        let sweeps = section
-            .required("sweep", "a list of sweeps, each under [[swept.sweep]]")
-            .and_then(|entry| entry.list(SweptEntry::read));
-        section.finish();
-        Some(Self { sweeps: sweeps? })
+    fn read(section: &mut Section<'_>) -> Self {
+        let allowed = "a list of sweeps, each under [[swept.sweep]]";
+        Self { sweeps: section.list("sweep", allowed, |member| member.table(SweptEntry::read)) }
     }
 }
 
 impl SweptEntry {
-    fn read(entry: &Entry<'_>) -> Option<Self> {
-        let mut section = entry.section()?;
-        let name = section.name("name", "the name of NAME.toml and NAME.csv");
-        let digest = section.text("scene_sha256", "the digest that blocks state");
-        let version = section.text("version", "the version that blocks state");
-        let machine = section.text("machine", "on what and when");
-        let [core_seconds, peak_memory_mib] =
-            ["core_seconds", "peak_memory_mib"].map(|key| section.decimal(key, AllowedRange::PHYSICAL));
-        section.finish();
-        let digest = digest?;
-        if digest.len() != 64 || !digest.bytes().all(|byte| b"0123456789abcdef".contains(&byte)) {
-            return entry.refuse(Problem::Needs("a scene_sha256 of 64 digits 0-9 a-f".into()));
+    fn read(section: &mut Section<'_>) -> Self {
+        Self {
+            name: section.name("name", "the name of NAME.toml and NAME.csv"),
+            scene_sha256: section.digest("scene_sha256", "the digest that blocks state"),
+            version: section.text("version", "the version that blocks state"),
+            machine: section.text("machine", "on what and when"),
+            core_seconds: section.decimal("core_seconds", AllowedRange::PHYSICAL),
+            peak_memory_mib: section.decimal("peak_memory_mib", AllowedRange::PHYSICAL),
         }
-        Some(Self {
-            name: name?,
-            scene_sha256: digest,
-            version: version?,
-            core_seconds: core_seconds?,
-            peak_memory_mib: peak_memory_mib?,
-            machine: machine?,
-        })
     }
 }

@@ -1,7 +1,7 @@
 //! `[test_experiment]`: normal stresses.
 
 use crate::scene::AllowedRange;
-use crate::scene::section::{Entry, ReadSection};
+use crate::scene::section::{ReadSection, Section};
 use slipmode_core::number::Rational;
 
 /// `[test_experiment]`.
@@ -12,11 +12,8 @@ pub struct TestExperimentSection {
 }
 
 impl ReadSection for TestExperimentSection {
-    fn read(entry: &Entry<'_>) -> Option<Self> {
-        let mut section = entry.section()?;
+    fn read(section: &mut Section<'_>) -> Self {
         let allowed = "a list of normal stresses in Pa";
-        let normal_stress_pa = section.decimals("normal_stress_pa", allowed, AllowedRange::PHYSICAL);
-        section.finish();
-        Some(Self { normal_stress_pa: normal_stress_pa? })
+        Self { normal_stress_pa: section.decimals("normal_stress_pa", allowed, AllowedRange::PHYSICAL) }
     }
 }

@@ -1,7 +1,7 @@
 //! `[tolerance]`: relative errors.
 
 use crate::scene::AllowedRange;
-use crate::scene::section::{Entry, ReadSection};
+use crate::scene::section::{ReadSection, Section};
 use slipmode_core::number::Rational;
 
 /// `[tolerance]`: where each asymptote is good to a relative error.
@@ -12,11 +12,8 @@ pub struct ToleranceSection {
 }
 
 impl ReadSection for ToleranceSection {
-    fn read(entry: &Entry<'_>) -> Option<Self> {
-        let mut section = entry.section()?;
+    fn read(section: &mut Section<'_>) -> Self {
         let allowed = "a list of relative errors, each 0 < value < 1";
-        let relative = section.decimals("relative", allowed, AllowedRange::OPEN_UNIT);
-        section.finish();
-        Some(Self { relative: relative? })
+        Self { relative: section.decimals("relative", allowed, AllowedRange::OPEN_UNIT) }
     }
 }

@@ -1,6 +1,6 @@
 //! `[trajectories]`: named points of which the course of the nonlinear slider is drawn.
 
-use crate::scene::section::{Entry, ReadSection};
+use crate::scene::section::{Entry, ReadSection, Section};
 use crate::scene::{AllowedRange, Problem, Quantity, same_name};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::Rational;
@@ -30,20 +30,19 @@ pub struct TrajectoryPoint {
 }
 
 impl ReadSection for TrajectoriesSection {
-    fn read(entry: &Entry<'_>) -> Option<Self> {
-        let mut section = entry.section()?;
-        let tolerance = section.decimal("tolerance", AllowedRange::SIMULATION_TOLERANCE);
-        let points = section.required("point", "a list of points, each under [[trajectories.point]]");
-        let points = points.and_then(|entry| read_points(&entry));
-        section.finish();
-        Some(Self { tolerance: tolerance?, points: points? })
+    fn read(section: &mut Section<'_>) -> Self {
+        let allowed = "a list of points, each under [[trajectories.point]]";
+        Self {
+            tolerance: section.decimal("tolerance", AllowedRange::SIMULATION_TOLERANCE),
+            points: section.read("point", allowed, read_points),
+        }
     }
 }
 
 fn read_points(entry: &Entry<'_>) -> Option<Vec<TrajectoryPoint>> {
     let mut ids: Vec<String> = Vec::new();
     let points = entry.list(|member| {
-        let point = TrajectoryPoint::read(member)?;
+        let point = member.table(TrajectoryPoint::read)?;
         if ids.iter().any(|id| same_name(id, &point.id)) {
             let of = format!("an earlier id `{}`", point.id);
             return member.refuse(Problem::Duplicate { of, folded: false });
@@ -56,20 +55,14 @@ fn read_points(entry: &Entry<'_>) -> Option<Vec<TrajectoryPoint>> {
 }
 
 impl TrajectoryPoint {
-    fn read(entry: &Entry<'_>) -> Option<Self> {
-        let mut section = entry.section()?;
-        let id = section.name("id", "the name of the point");
-        let [normal_stress, loading_velocity, duration] =
-            [Quantity::NormalStress.key(), Quantity::LoadingVelocity.key(), "duration_s"]
-                .map(|key| section.decimal(key, AllowedRange::PHYSICAL));
-        let laws = section.laws();
-        section.finish();
-        Some(Self {
-            id: id?,
-            normal_stress_pa: normal_stress?,
-            loading_velocity_m_per_s: loading_velocity?,
-            laws: laws?,
-            duration_s: duration?,
-        })
+    fn read(section: &mut Section<'_>) -> Self {
+        let [stress, velocity] = [Quantity::NormalStress, Quantity::LoadingVelocity].map(Quantity::key);
+        Self {
+            id: section.name("id", "the name of the point"),
+            normal_stress_pa: section.decimal(stress, AllowedRange::PHYSICAL),
+            loading_velocity_m_per_s: section.decimal(velocity, AllowedRange::PHYSICAL),
+            duration_s: section.decimal("duration_s", AllowedRange::PHYSICAL),
+            laws: section.laws(),
+        }
     }
 }

@@ -1,7 +1,7 @@
 //! `[zones]`: the points whose slip modes are compared.
 
 use crate::scene::Rectangle;
-use crate::scene::section::{Entry, ReadSection};
+use crate::scene::section::{ReadSection, Section};
 
 /// `[zones]`: the points whose slip modes are compared.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -11,7 +11,7 @@ pub struct ZonesSection {
 }
 
 impl ReadSection for ZonesSection {
-    fn read(entry: &Entry<'_>) -> Option<Self> {
-        Some(Self { rectangle: Rectangle::read(entry)? })
+    fn read(section: &mut Section<'_>) -> Self {
+        Self { rectangle: section.checked_rectangle() }
     }
 }

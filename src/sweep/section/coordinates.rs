@@ -1,6 +1,6 @@
 //! The coordinates of a sweep's points: each of the seven quantities is one decimal, an axis, or a span.
 
-use crate::scene::section::{Entry, Section};
+use crate::scene::section::Section;
 use crate::scene::{AllowedRange, Quantity, Uncertain};
 use crate::sweep::section::ReadParameters;
 use slipmode_core::number::Rational;
@@ -35,13 +35,15 @@ pub struct Span {
     pub spacing: Spacing,
 }
 
-/// What is spread evenly over a span.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Spacing {
-    /// The logarithm.
-    Logarithmic,
-    /// The value itself.
-    Linear,
+slipmode_algebra::named! {
+    /// What is spread evenly over a span.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Spacing {
+        /// The logarithm.
+        Logarithmic = "logarithmic",
+        /// The value itself.
+        Linear = "linear",
+    }
 }
 
 impl Coordinate {
@@ -67,8 +69,8 @@ pub(crate) fn grid_coordinates(
     parameters: ReadParameters<'_>,
 ) -> Option<[Coordinate; 7]> {
     all_seven(section, parameters, |section, span| {
-        let points = section.whole("points", 2..=MOST_AXIS_POINTS)?;
-        Some(Coordinate::Axis { span: span?, points: u32::try_from(points).ok()? })
+        let points = section.whole("points", 2..=MOST_AXIS_POINTS);
+        Coordinate::Axis { span, points }
     })
 }
 
@@ -77,11 +79,11 @@ pub(crate) fn sample_coordinates(
     section: &mut Section<'_>,
     parameters: ReadParameters<'_>,
 ) -> Option<[Coordinate; 7]> {
-    all_seven(section, parameters, |_, span| span.map(Coordinate::Anywhere))
+    all_seven(section, parameters, |_, span| Coordinate::Anywhere(span))
 }
 
 /// What a table is read as, after its span.
-type FromTable = fn(&mut Section<'_>, Option<Span>) -> Option<Coordinate>;
+type FromTable = fn(&mut Section<'_>, Span) -> Coordinate;
 
 fn all_seven(
     section: &mut Section<'_>,
@@ -89,7 +91,7 @@ fn all_seven(
     from_table: FromTable,
 ) -> Option<[Coordinate; 7]> {
     let read = Quantity::ALL.map(|quantity| match section.optional(quantity.key()) {
-        Some(entry) if entry.is_table() => coordinate_of_table(&entry, from_table),
+        Some(entry) if entry.is_table() => entry.table(|section| coordinate_of_table(section, from_table)),
         Some(entry) => entry.uncertain(AllowedRange::PHYSICAL).map(Coordinate::Fixed),
         // What is wrong with the parameters is reported already.
         None => match parameters?.and_then(|parameters| parameters.uncertain(quantity)) {
@@ -107,20 +109,8 @@ fn all_seven(
     Some([a?, b?, d?, k?, m?, s?, v?])
 }
 
-fn coordinate_of_table(entry: &Entry<'_>, from_table: FromTable) -> Option<Coordinate> {
-    let mut section = entry.section()?;
-    let ends = section.ends();
-    let spacing = section.optionally("spacing", |entry| {
-        entry.word(&[Spacing::Logarithmic, Spacing::Linear], |spacing| match spacing {
-            Spacing::Logarithmic => "logarithmic",
-            Spacing::Linear => "linear",
-        })
-    });
-    let span = ends.zip(spacing).map(|((from, to), spacing)| {
-        let spacing = spacing.unwrap_or(Spacing::Logarithmic);
-        Span { from, to, spacing }
-    });
-    let coordinate = from_table(&mut section, span);
-    section.finish();
-    coordinate
+fn coordinate_of_table(section: &mut Section<'_>, from_table: FromTable) -> Coordinate {
+    let (from, to) = section.ends();
+    let spacing = section.optionally("spacing", |entry| entry.word(&Spacing::ALL, Spacing::as_str));
+    from_table(section, Span { from, to, spacing: spacing.unwrap_or(Spacing::Logarithmic) })
 }

@@ -1,6 +1,6 @@
 //! `[sweep.summary]`: what is kept of a sweep whose rows are too many to keep.
 
-use crate::scene::section::Entry;
+use crate::scene::section::{Entry, Section};
 use crate::scene::{LogAxis, Problem};
 
 /// The most cells of a summary: they are held in memory.
@@ -53,52 +53,44 @@ slipmode_algebra::named! {
 const COLUMN: &str = "the name of a column";
 
 impl SummarySection {
-    pub(crate) fn read(entry: &Entry<'_>) -> Option<Self> {
-        let mut section = entry.section()?;
-        let bins = section.optionally("bins", |entry| entry.list(ColumnBins::read));
-        let by = section.optionally("by", |entry| entry.list(Entry::text));
-        let numbers = section.optionally("numbers", |entry| entry.list(ColumnStatistics::read));
-        section.finish();
-        let bins = bins?.unwrap_or_default();
-        let cells =
-            bins.iter().fold(1u64, |cells, bins| cells.saturating_mul(u64::from(bins.edges.points) + 1));
-        if cells > MOST_SUMMARY_CELLS {
+    pub(crate) fn read(section: &mut Section<'_>) -> Self {
+        let bins = |entry: &Entry<'_>| entry.list(|member| member.table(ColumnBins::read));
+        let numbers = |entry: &Entry<'_>| entry.list(|member| member.table(ColumnStatistics::read));
+        let read = Self {
+            bins: section.optionally("bins", bins).unwrap_or_default(),
+            by: section.optionally("by", |entry| entry.list(Entry::text)).unwrap_or_default(),
+            numbers: section.optionally("numbers", numbers).unwrap_or_default(),
+        };
+        let counts = read.bins.iter().map(|bins| u64::from(bins.edges.points) + 1);
+        if counts.fold(1, u64::saturating_mul) > MOST_SUMMARY_CELLS {
             let allowed =
                 format!("at most {MOST_SUMMARY_CELLS} cells in all, those beyond the ends included");
-            return entry.refuse(Problem::OutOfRange { allowed });
+            section.refuse(Problem::OutOfRange { allowed });
         }
-        Some(Self { bins, by: by?.unwrap_or_default(), numbers: numbers?.unwrap_or_default() })
+        read
     }
 }
 
 impl ColumnBins {
-    fn read(entry: &Entry<'_>) -> Option<Self> {
-        let mut section = entry.section()?;
+    fn read(section: &mut Section<'_>) -> Self {
         let column = section.text("column", COLUMN);
-        let ends = section.ends();
-        let count = section.whole("count", 1..=MOST_SUMMARY_CELLS - 1);
-        section.finish();
-        let (from, to) = ends?;
-        let points = u32::try_from(count? + 1).ok()?;
-        Some(Self { column: column?, edges: LogAxis { from, to, points } })
+        let (from, to) = section.ends();
+        let count: u32 = section.whole("count", 1..=MOST_SUMMARY_CELLS - 1);
+        Self { column, edges: LogAxis { from, to, points: count + 1 } }
     }
 }
 
 impl ColumnStatistics {
-    fn read(entry: &Entry<'_>) -> Option<Self> {
-        let mut section = entry.section()?;
+    fn read(section: &mut Section<'_>) -> Self {
         let column = section.text("column", COLUMN);
-        let words = Statistic::ALL.map(Statistic::as_str).join(", ");
-        let statistics = section
-            .required("statistics", &format!("a list of {words}"))
-            .and_then(|entry| entry.list(|member| member.word(&Statistic::ALL, Statistic::as_str)));
-        section.finish();
-        let (column, statistics) = (column?, statistics?);
+        let words = format!("a list of {}", Statistic::ALL.map(Statistic::as_str).join(", "));
+        let word = |member: &Entry<'_>| member.word(&Statistic::ALL, Statistic::as_str);
+        let statistics = section.list("statistics", &words, word);
         let repeated = (1..statistics.len()).find(|index| statistics[..*index].contains(&statistics[*index]));
         if let Some(index) = repeated {
             let of = format!("an earlier `{}`", statistics[index].as_str());
-            return entry.refuse(Problem::Duplicate { of, folded: false });
+            section.refuse(Problem::Duplicate { of, folded: false });
         }
-        Some(Self { column, statistics })
+        Self { column, statistics }
     }
 }

@@ -12,11 +12,8 @@ const AXES: &str = "normal_stress_pa = { from = 1e3, to = 1e6, points = 50 }\n\
 
 fn parse(text: &str) -> Result<SweepSection, Vec<String>> {
     let read = |top: &mut Section<'_>| {
-        let parameters = top.optionally("parameters", |entry| read_parameters(&mut entry.section()?));
-        let read = parameters.as_ref().map(Option::as_ref);
-        let sweep = top.optionally("sweep", |entry| SweepSection::read(entry, read));
-        parameters?;
-        sweep?
+        let parameters = top.optionally("parameters", |entry| entry.table(read_parameters)?);
+        top.optionally("sweep", |entry| SweepSection::read(entry, Some(parameters.as_ref())))
     };
     read_document("s.toml", text.as_bytes(), Limits::default(), read)
         .map_err(|faults| faults.iter().map(ToString::to_string).collect())
