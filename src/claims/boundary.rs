@@ -1,36 +1,15 @@
 //! The boundary max Im(s) = 0: its areas and its asymptotes.
 
-use crate::claims::computed::Asked;
-use crate::claims::{Check, Evidence, Finding, Show};
-use crate::experiments::{Context, Need, SceneOutcome};
+use crate::claims::check::Asked;
+use crate::claims::{Evidence, Finding};
+use crate::experiments::{Context, SceneOutcome};
 use slipmode_core::theory::asymptote_series::{self, AsymptoteSeries};
 
 /// The order to which the error series of the asymptotes are evidence.
 pub(super) const SERIES_ORDER: usize = 2;
 
-pub(super) const CHECKS: &[Check] = &[Check {
-    name: "error-series",
-    is_of_runs: false,
-    roles: &asymptote_series::EQUATIONS,
-    needs: &[],
-    decide: error_series,
-}];
-
-pub(super) const SHOWS: &[Show] = &[
-    Show {
-        name: "areas-on-the-map-of-weakening",
-        needs: &[Need::Map],
-        evidence: |context| areas_on_map(context.outcome.potentially_unstable()),
-    },
-    Show {
-        name: "areas-on-the-map-of-strengthening",
-        needs: &[Need::Map],
-        evidence: |context| areas_on_map(context.outcome.intrinsically_stable()),
-    },
-];
-
 /// The error series of the equations of these numbers, each of which belongs to an end of the boundary of its own.
-fn error_series(context: &Context, asked: Asked) -> Finding {
+pub(super) fn error_series(context: &Context, asked: Asked) -> Finding {
     let series = match asymptote_series::derive(context.equations, SERIES_ORDER) {
         Ok(series) => series,
         Err(refutation) => return Finding::from_proofs([Err(refutation)]),
@@ -54,12 +33,9 @@ fn error_series(context: &Context, asked: Asked) -> Finding {
 }
 
 /// How many areas the computed map shows: a look at the picture next to the proof.
-fn areas_on_map(scene: Option<&SceneOutcome>) -> Vec<Evidence> {
+pub(super) fn areas_on_map(scene: Option<&SceneOutcome>) -> Vec<Evidence> {
     let Some(map) = scene.and_then(|scene| scene.map.as_ref()) else { return Vec::new() };
     let real = map.map(|point| point.max_imaginary_per_s.is_zero());
-    vec![Evidence::Sample {
-        quantity: "Connected areas with max Im(s) = 0 on the grid of the map".into(),
-        value: real.areas_of(&true).to_string(),
-        points: map.values.len(),
-    }]
+    let quantity = "Connected areas with max Im(s) = 0 on the grid of the map";
+    vec![Evidence::sample(quantity, real.areas_of(&true).to_string(), map.values.len())]
 }

@@ -1,24 +1,11 @@
 //! Parts of claims that proofs, other claims or a procedure of this program decide.
 
-use super::{Check, Finding, Show, Verdict, checks, shows};
+use super::check::{Asked, Check, Show};
+use super::procedures::{CHECKS, SHOWS};
+use super::{Finding, Verdict};
 use crate::experiments::{Context, Need};
-use crate::scene::{ClaimEntry, Computed, Fault, Faults, Problem, Procedures, StatedClaim};
+use crate::scene::{ClaimEntry, Computed, Fault, Faults, Problem, StatedClaim};
 use slipmode_core::theory::Equations;
-
-/// What a procedure is asked, besides the equations and the outcome.
-pub(super) struct Asked<'c> {
-    /// What it is asked about.
-    pub of: &'c [String],
-    /// What proofs and premises beside it found; none where there are none.
-    pub proved: Option<Finding>,
-}
-
-impl Asked<'_> {
-    /// What proofs and premises found, for a procedure that needs some.
-    pub fn proved(self) -> Finding {
-        self.proved.unwrap_or_else(|| Finding::from_proofs([]))
-    }
-}
 
 /// What the program does not compute of a proof that a report states.
 const OF_STATED_PROOFS: &str = "the certified steps of a stated proof imply what it says.";
@@ -114,11 +101,11 @@ fn proved(computed: &Computed, premises: Vec<Finding>, context: &Context) -> Opt
 
 fn check_of(computed: &Computed) -> Option<&'static Check> {
     let name = computed.check.as_ref()?;
-    checks().find(|check| check.name == name)
+    CHECKS.iter().find(|check| check.name == name)
 }
 
 fn shows_of(computed: &Computed) -> impl Iterator<Item = &'static Show> {
-    computed.shows.iter().filter_map(|name| shows().find(|show| show.name == name))
+    computed.shows.iter().filter_map(|name| SHOWS.iter().find(|show| show.name == name))
 }
 
 /// What the procedures of a part need computed.
@@ -130,13 +117,4 @@ pub(super) fn needs(computed: &Computed) -> impl Iterator<Item = Need> {
 /// Whether it is about runs: what these rest on was computed without the equations.
 pub(super) fn is_of_runs(computed: &Computed) -> bool {
     check_of(computed).is_some_and(|check| check.is_of_runs)
-}
-
-/// The procedures that a claim may name.
-#[must_use]
-pub fn procedures() -> Procedures {
-    Procedures {
-        checks: checks().map(|check| check.name).collect(),
-        shows: shows().map(|show| show.name).collect(),
-    }
 }

@@ -1,20 +1,12 @@
 //! How good the criteria for oscillation are.
 
-use crate::claims::computed::Asked;
-use crate::claims::{BITS, Check, Evidence, Finding};
+use crate::claims::check::Asked;
+use crate::claims::{BITS, Evidence, Finding};
 use crate::experiments::Context;
 use slipmode_core::number::format::certain_digits;
 use slipmode_core::stability::cusp::cusp_inertial_parameter;
 
-pub(super) const CHECKS: &[Check] = &[Check {
-    name: "sufficient-inertia",
-    is_of_runs: false,
-    roles: &[],
-    needs: &[],
-    decide: sufficient_inertia,
-}];
-
-fn sufficient_inertia(context: &Context, asked: Asked) -> Finding {
+pub(super) fn sufficient_inertia(context: &Context, asked: Asked) -> Finding {
     let finding = asked.proved();
     let bound = "η > η_c suffices, with (1 − 2η_c)³ = 27 (b/a) η_c², that is η_c = 1/(2 + 6√(b/a) cos(⅓ arccos √(a/b)))";
     let all = "η ≥ 1/8 suffices for all a < b; no smaller bound does";
@@ -27,8 +19,6 @@ fn sufficient_inertia(context: &Context, asked: Asked) -> Finding {
         .remark(format!("For a < b and K > K_c every point with η > 1 is underdamped, so there the criterion is sufficient: {bound}{of_scene}; {all}."));
     match value {
         None => finding,
-        Some(value) => {
-            finding.with_evidence(Evidence::Enclosure { quantity: "η_c at the scene's b/a".into(), value })
-        }
+        Some(value) => finding.with_evidence(Evidence::enclosure("η_c at the scene's b/a", value)),
     }
 }

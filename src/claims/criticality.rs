@@ -1,26 +1,18 @@
 //! The kind of the transition along the loading velocity, by the sign of the first Lyapunov coefficient.
 
-use crate::claims::computed::Asked;
+use crate::claims::Finding;
+use crate::claims::check::Asked;
 use crate::claims::reading::{Draft, of_readings};
-use crate::claims::{Check, Finding};
 use crate::experiments::Context;
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::format::round_digits;
 use slipmode_core::number::nearest_f64;
-use slipmode_core::theory::hopf::{self, degenerate_inertial_parameter};
-
-pub(super) const CHECKS: &[Check] = &[Check {
-    name: "sign-of-the-lyapunov-coefficient",
-    is_of_runs: true,
-    roles: &hopf::EQUATIONS,
-    needs: &[],
-    decide: sign_of_lyapunov_coefficient,
-}];
+use slipmode_core::theory::hopf::degenerate_inertial_parameter;
 
 /// Standard gravity, m/s².
 const GRAVITY: f64 = 9.80665;
 
-fn sign_of_lyapunov_coefficient(context: &Context, asked: Asked) -> Finding {
+pub(super) fn sign_of_lyapunov_coefficient(context: &Context, asked: Asked) -> Finding {
     let path = asked.proved();
     let sign = |law| context.hopf_coefficient(law).map(|hopf| hopf.proof.clone());
     let written = Draft::new("σ = M g, with V and K/M as axes: every b/a > 1")

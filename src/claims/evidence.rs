@@ -6,7 +6,7 @@ use slipmode_algebra::Proof;
 
 slipmode_algebra::named! {
     /// How sure a finding is; a finding is as sure as its weakest evidence.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default, Serialize, Deserialize)]
     #[serde(rename_all = "kebab-case")]
     pub enum Strength {
         /// Proved, and Coq accepted the whole statement as a theorem.
@@ -20,6 +20,7 @@ slipmode_algebra::named! {
         /// Refined, with an error estimate.
         Converged = "converged",
         /// Looked at on finitely many points.
+        #[default]
         Sampled = "sampled",
     }
 }
@@ -63,6 +64,16 @@ pub enum Evidence {
 }
 
 impl Evidence {
+    /// A certified value of a quantity.
+    pub fn enclosure(quantity: impl Into<String>, value: impl Into<String>) -> Self {
+        Self::Enclosure { quantity: quantity.into(), value: value.into() }
+    }
+
+    /// A value of a quantity that was read from so many points.
+    pub fn sample(quantity: impl Into<String>, value: impl Into<String>, points: usize) -> Self {
+        Self::Sample { quantity: quantity.into(), value: value.into(), points }
+    }
+
     /// Whether it rests on no run and no point at all.
     #[must_use]
     pub fn is_empty(&self) -> bool {

@@ -1,18 +1,12 @@
 //! How the frequency changes when a and b are exchanged.
 
-use crate::claims::{Evidence, Show};
+use crate::claims::Evidence;
+use crate::experiments::Context;
 use crate::experiments::map::MapPoint;
-use crate::experiments::{Context, Need};
 use slipmode_core::number::format::round_digits;
 
-pub(super) const SHOWS: &[Show] = &[Show {
-    name: "frequencies-under-exchange",
-    needs: &[Need::Map],
-    evidence: |context| frequency_changes(context).into_iter().flatten().collect(),
-}];
-
 /// How max Im(s) differs on the maps of the scenes with a < b and a > b: the ratio where both oscillate, and where one does.
-fn frequency_changes(context: &Context) -> Option<[Evidence; 2]> {
+pub(super) fn frequency_changes(context: &Context) -> Option<[Evidence; 2]> {
     let (one, other) = (context.outcome.potentially_unstable()?, context.outcome.intrinsically_stable()?);
     let (one, other) = (one.map.as_ref()?, other.map.as_ref()?);
     if one.loading_velocity_m_per_s != other.loading_velocity_m_per_s
@@ -29,15 +23,13 @@ fn frequency_changes(context: &Context) -> Option<[Evidence; 2]> {
         pairs().filter(|(one, other)| *one > 0.0 && *other > 0.0).map(|(one, other)| one / other).collect();
     let [least, largest] =
         [ratios.iter().fold(f64::INFINITY, |a, b| a.min(*b)), ratios.iter().fold(0.0, |a: f64, b| a.max(*b))];
-    let sample =
-        |quantity: &str, value, points| Evidence::Sample { quantity: quantity.into(), value, points };
     Some([
-        sample(
+        Evidence::sample(
             "max Im(s) with a < b over that with a > b, where both oscillate",
             format!("{} to {}", round_digits(least, 4), round_digits(largest, 4)),
             ratios.len(),
         ),
-        sample(
+        Evidence::sample(
             "Grid points that oscillate in one map and not in the other",
             differing.to_string(),
             one.values.len(),

@@ -12,7 +12,7 @@ use slipmode_core::number::Rational;
 pub type NamedPoint = BTreeMap<String, Rational>;
 
 /// What a check concluded, why, and where it stops.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, Default, Serialize)]
 pub struct Finding {
     /// The verdict.
     pub verdict: Verdict,
@@ -87,16 +87,14 @@ impl Finding {
     /// A claim that fails for a reason that needs no evidence besides.
     #[must_use]
     pub fn failing(counter_example: impl Into<String>) -> Self {
-        Finding {
-            counter_example: Some(counter_example.into()),
-            ..Finding::bare(Verdict::Fails, Strength::Exact)
-        }
+        let (verdict, strength) = (Verdict::Fails, Strength::Exact);
+        Finding { verdict, strength, counter_example: Some(counter_example.into()), ..Finding::default() }
     }
 
     /// A claim that this report gives no ground to decide. No evidence added later turns it into one that holds.
     #[must_use]
     pub fn not_checked(reason: impl Into<String>) -> Self {
-        Finding { remarks: vec![reason.into()], ..Finding::bare(Verdict::NotChecked, Strength::Sampled) }
+        Finding { remarks: vec![reason.into()], ..Finding::default() }
     }
 
     /// A claim on which two evaluations of the program contradict each other: it is not checked, and the program is at fault.
@@ -114,23 +112,8 @@ impl Finding {
     }
 
     fn holding(evidence: Evidence) -> Self {
-        Finding { evidence: vec![evidence.clone()], ..Finding::bare(Verdict::Holds, evidence.strength()) }
-    }
-
-    fn bare(verdict: Verdict, strength: Strength) -> Self {
-        Finding {
-            verdict,
-            strength,
-            evidence: Vec::new(),
-            supporting: Vec::new(),
-            readings: Vec::new(),
-            limit: None,
-            counter_example: None,
-            points: Vec::new(),
-            contradictions: Vec::new(),
-            numbers: BTreeMap::new(),
-            remarks: Vec::new(),
-        }
+        let (verdict, strength) = (Verdict::Holds, evidence.strength());
+        Finding { verdict, strength, evidence: vec![evidence], ..Finding::default() }
     }
 
     /// Turns the verdict to `fails`; the first counter-example is kept.
@@ -295,13 +278,6 @@ impl Finding {
     #[must_use]
     pub fn number(mut self, name: impl Into<String>, value: String) -> Self {
         self.numbers.insert(name.into(), value);
-        self
-    }
-
-    /// Adds a remark for readers, if there is one.
-    #[must_use]
-    pub fn with_remark(mut self, remark: Option<String>) -> Self {
-        self.remarks.extend(remark);
         self
     }
 

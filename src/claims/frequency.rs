@@ -1,28 +1,16 @@
 //! The frequency of oscillation and its limits.
 
-use crate::claims::computed::Asked;
-use crate::claims::{BITS, Check, Evidence, Finding, Show, Verdict};
+use crate::claims::check::Asked;
+use crate::claims::{BITS, Evidence, Finding, Verdict};
+use crate::experiments::Context;
 use crate::experiments::frequency::{FrequencyLine, FrequencyOutcome};
-use crate::experiments::{Context, Need};
 use crate::scene::cited;
 use slipmode_core::number::format::{certain_digits, round_digits};
 use slipmode_core::number::{Ball, Rational, Real};
-use slipmode_core::theory::Role;
 use slipmode_core::theory::strip_frequency;
 
-pub(super) const CHECKS: &[Check] = &[Check {
-    name: "largest-frequency-in-the-area",
-    is_of_runs: false,
-    roles: &[Role::Characteristic, Role::QuasiStaticCharacteristic],
-    needs: &[],
-    decide: largest_in_the_area,
-}];
-
-pub(super) const SHOWS: &[Show] =
-    &[Show { name: "frequency-near-its-limits", needs: &[Need::Frequency], evidence: near_the_limits }];
-
 /// How far eq 23 and ω_n are from the computed line at σ = σ_c.
-fn near_the_limits(context: &Context) -> Vec<Evidence> {
+pub(super) fn near_the_limits(context: &Context) -> Vec<Evidence> {
     let Some(scene) = context.outcome.potentially_unstable() else { return Vec::new() };
     let (Some(parameters), Some(outcome)) = (scene.slider(), &scene.frequency) else { return Vec::new() };
     let one = Rational::from(1);
@@ -32,14 +20,9 @@ fn near_the_limits(context: &Context) -> Vec<Evidence> {
     let enclosed = parameters.map(|value| Ball::from_rational(value, 128));
     let per_metre = enclosed.transition_angular_frequency_over_velocity_per_m().to_f64();
     let natural = enclosed.natural_angular_frequency_per_s().to_f64();
-    let highest = Evidence::Sample {
-        quantity: "max Im(s)/ω_n at the highest velocity of the line".into(),
-        value: round_digits(
-            line.max_imaginary_per_s.last().and_then(|w| w.to_f64()).unwrap_or(0.0) / natural,
-            6,
-        ),
-        points: outcome.loading_velocity_m_per_s.len(),
-    };
+    let ratio = line.max_imaginary_per_s.last().and_then(|w| w.to_f64()).unwrap_or(0.0) / natural;
+    let quantity = "max Im(s)/ω_n at the highest velocity of the line";
+    let highest = Evidence::sample(quantity, round_digits(ratio, 6), outcome.loading_velocity_m_per_s.len());
     vec![last_velocity_near(outcome, line, per_metre), highest]
 }
 
@@ -54,17 +37,17 @@ fn last_velocity_near(outcome: &FrequencyOutcome, line: &FrequencyLine, eq23_per
             (ratio - 1.0).abs() <= 0.01
         })
         .last();
-    Evidence::Sample {
-        quantity: cited("Highest velocity of the line up to which {frequency-limit} has an error below 1 %"),
-        value: near.map_or("none".into(), |(velocity, _)| format!("{} m/s", round_digits(*velocity, 4))),
-        points: outcome.loading_velocity_m_per_s.len(),
-    }
+    Evidence::sample(
+        cited("Highest velocity of the line up to which {frequency-limit} has an error below 1 %"),
+        near.map_or("none".into(), |(velocity, _)| format!("{} m/s", round_digits(*velocity, 4))),
+        outcome.loading_velocity_m_per_s.len(),
+    )
 }
 
 /// The share of ω_n below which a frequency is called far below it.
 const FAR_BELOW: (i32, i32) = (1, 10);
 
-fn largest_in_the_area(context: &Context, asked: Asked) -> Finding {
+pub(super) fn largest_in_the_area(context: &Context, asked: Asked) -> Finding {
     let finding = asked.proved();
     let law = "without inertia the largest frequency is √(b/a) V0/D_c, at σ = K D_c/(a + b)";
     let slider = context.outcome.potentially_unstable().and_then(|scene| scene.slider());
@@ -94,8 +77,8 @@ fn largest_in_the_area(context: &Context, asked: Asked) -> Finding {
         .on(cited(&format!(
             "ω < ω_n/10 everywhere between {{quasi-static-lower, quasi-static-upper}} exactly for V0 below {velocity} m/s, where ω_n/10 is reached{place}; {law}"
         )))
-        .with_evidence(Evidence::Enclosure {
-            quantity: cited("Least V0 with a frequency of ω_n/10 between {quasi-static-lower, quasi-static-upper}"),
-            value: format!("{velocity} m/s"),
-        })
+        .with_evidence(Evidence::enclosure(
+            cited("Least V0 with a frequency of ω_n/10 between {quasi-static-lower, quasi-static-upper}"),
+            format!("{velocity} m/s"),
+        ))
 }

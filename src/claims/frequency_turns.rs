@@ -1,22 +1,14 @@
 //! Whether the frequency rises with velocity in the whole area of low frequency.
 
+use crate::claims::check::Asked;
 use crate::claims::reading::{Draft, of_readings};
-use crate::claims::{Check, Evidence, Finding};
+use crate::claims::{Evidence, Finding};
 use crate::experiments::Context;
 use crate::scene::cited;
 use slipmode_core::number::format::{Side, certain_digits, rounded};
 use slipmode_core::number::{Ball, Rational};
 use slipmode_core::stability::asymptote;
-use slipmode_core::theory::Role;
 use slipmode_core::theory::frequency_turns::{self, TurningInterval};
-
-pub(super) const CHECKS: &[Check] = &[Check {
-    name: "turning-points-of-the-frequency",
-    is_of_runs: false,
-    roles: &[Role::Characteristic],
-    needs: &[],
-    decide: |context, _| rises_in_the_area(context),
-}];
 
 /// Digits of the ratios of normal stresses.
 const DIGITS: usize = 10;
@@ -25,7 +17,7 @@ const DIGITS: usize = 10;
 const BITS: u32 = 128;
 
 /// Where between eqs 16 and 15 max Im(s) rises with velocity, from the number of its turning points at each normal stress.
-fn rises_in_the_area(context: &Context) -> Finding {
+pub(super) fn rises_in_the_area(context: &Context, _: Asked) -> Finding {
     let strip = match turns_in_strip(context) {
         Ok(strip) => strip,
         Err(undecided) => return undecided,
@@ -53,7 +45,7 @@ fn rises_in_the_area(context: &Context) -> Finding {
 }
 
 fn enclosure(quantity: &str, value: &str) -> Evidence {
-    Evidence::Enclosure { quantity: cited(quantity), value: value.into() }
+    Evidence::enclosure(cited(quantity), value)
 }
 
 /// The numbers of turning points of max Im(s) from eq 15 down to eq 16, each with the σ/σ₁₆ at which it begins.

@@ -1,21 +1,18 @@
 //! Small disturbances of the nonlinear slider.
 
-use crate::claims::{Check, Evidence, Finding};
+use crate::claims::check::Asked;
+use crate::claims::{Evidence, Finding};
 use crate::experiments::linear_regime::ModeRuns;
-use crate::experiments::{Need, Outcome};
+use crate::experiments::{Context, Outcome};
 use crate::scene::cited;
 use slipmode_core::number::format::round_digits;
 
-pub(super) const CHECKS: &[Check] = &[Check {
-    name: "small-disturbances",
-    is_of_runs: true,
-    roles: &[],
-    needs: &[Need::LinearRegime],
-    decide: |context, _| match SmallDisturbances::of(context.outcome) {
+pub(super) fn small_disturbances(context: &Context, _: Asked) -> Finding {
+    match SmallDisturbances::of(context.outcome) {
         Some(seen) => seen.finding(),
         None => Finding::not_checked("The report has no runs of small disturbances."),
-    },
-}];
+    }
+}
 
 /// How far a measured mismatch may be from what the quadratic terms predict at the smallest amplitude: terms of third order change
 /// it by a part in 10^6 there, and a rate that is not a root by more than the mismatch itself.

@@ -41,12 +41,6 @@ impl Parameter {
         if self.is_logarithmic() { libm::exp(coordinate) } else { coordinate }
     }
 
-    /// The coordinate of a value.
-    #[must_use]
-    pub fn coordinate(self, value: f64) -> f64 {
-        if self.is_logarithmic() { libm::log(value) } else { value }
-    }
-
     /// Its symbol.
     #[must_use]
     pub const fn symbol(self) -> &'static str {

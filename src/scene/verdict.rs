@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 slipmode_algebra::named! {
     /// What the program concludes about a claim.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default, Serialize, Deserialize)]
     #[serde(rename_all = "kebab-case")]
     pub enum Verdict {
         /// True as stated.
@@ -14,6 +14,7 @@ slipmode_algebra::named! {
         /// Refuted: the finding names a counter-example.
         Fails = "fails",
         /// This report has no evidence that decides the claim.
+        #[default]
         NotChecked = "not-checked",
     }
 }

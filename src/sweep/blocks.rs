@@ -42,9 +42,6 @@ impl Blocks {
 }
 
 impl Shard {
-    /// All blocks.
-    pub const WHOLE: Self = Self { index: 0, count: 1 };
-
     /// Reads `I/N`, 0 ≤ I < N.
     #[must_use]
     pub fn parse(text: &str) -> Option<Self> {

@@ -31,7 +31,9 @@ fn of_report(report: &str) -> Vec<Stated> {
     let of_claim = |claim: ClaimEntry| {
         let parts = claim.stated.iter().flat_map(|stated| stated.parts()).map(|(_, formula)| formula);
         let all = parts
-            .flat_map(ClaimFormula::with_outside)
+            .flat_map(|formula| {
+                [formula].into_iter().chain(formula.limit.iter().map(|limit| &limit.outside.1))
+            })
             .filter(|formula| formula.rows.is_none() && formula.computed().is_none());
         let stated = |formula: &ClaimFormula| Stated {
             id: format!("{report} {}", claim.id),

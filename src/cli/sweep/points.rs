@@ -234,7 +234,7 @@ mod tests {
             Failure::Refused(message) => message,
             _ => "another failure".into(),
         };
-        match points.jobs(blocks, Shard::WHOLE) {
+        match points.jobs(blocks, Shard { index: 0, count: 1 }) {
             Ok(jobs) => jobs.filter_map(Result::err).map(message).collect(),
             Err(failure) => vec![message(failure)],
         }

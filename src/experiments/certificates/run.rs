@@ -58,20 +58,6 @@ impl Certificates {
         self.rows[*row].certificate.as_ref().ok()
     }
 
-    /// How many rows have a certificate.
-    #[must_use]
-    pub fn count(&self) -> usize {
-        self.rows.iter().filter(|row| row.certificate.is_ok()).count()
-    }
-
-    /// The rows without a certificate, each with the reason, in words; none where all have one.
-    #[must_use]
-    pub fn missing(&self) -> Option<String> {
-        let reason = |row: &Stored| Some(format!("{}: {}", row.place(), row.certificate.as_ref().err()?));
-        let missing: Vec<String> = self.rows.iter().filter_map(reason).collect();
-        (!missing.is_empty()).then(|| format!("Without a certificate: {}.", missing.join("; ")))
-    }
-
     /// The first row that was not proved again, in words.
     #[must_use]
     pub fn refusal(&self) -> Option<String> {
@@ -218,7 +204,7 @@ mod tests {
         // The first, and as extremes the two neighbouring cycles whose peaks differ least; one of them attracts least.
         assert_eq!(again[..3], [0, 1, 2]);
         assert!(again[3..].iter().zip(&again[..3]).all(|(second, first)| *second == first + 4), "{again:?}");
-        assert_eq!((all.refusal(), all.missing(), all.count()), (None, None, 8));
+        assert_eq!((all.refusal(), all.rows.iter().filter(|row| row.certificate.is_ok()).count()), (None, 8));
         assert_eq!(all.at(EvolutionLaw::Slip, 1e-2, 1e5), rows[3].certificate.as_ref().ok());
         assert_eq!(all.at(EvolutionLaw::Aging, 1e-2, 1e5), None);
         for (from, to, named) in [

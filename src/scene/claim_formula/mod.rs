@@ -161,11 +161,6 @@ pub struct Crossing {
 }
 
 impl ClaimFormula {
-    /// The formula, and what is said of the outside of its limit.
-    pub fn with_outside(&self) -> impl Iterator<Item = &Self> {
-        std::iter::once(self).chain(self.limit.as_ref().map(|limit| &limit.outside.1))
-    }
-
     /// The expressions in it, in its conditions and in its witnesses.
     #[must_use]
     pub fn expressions(&self) -> Vec<&Expression> {

@@ -1,0 +1,62 @@
+//! The procedures that claims name: what decides a part of a claim, and what is shown beside it.
+
+use crate::claims::{Evidence, Finding};
+use crate::experiments::{Context, Need};
+use slipmode_core::theory::Role;
+
+/// A procedure that decides a part of a claim. `claims.toml` names it.
+#[derive(Debug)]
+pub(super) struct Check {
+    /// Its name.
+    pub name: &'static str,
+    /// Whether it is about runs, which are computed without the equations of the report.
+    pub is_of_runs: bool,
+    /// The equations that it starts from.
+    pub roles: &'static [Role],
+    /// What it needs computed.
+    pub needs: &'static [Need],
+    /// Computes the verdict.
+    pub decide: fn(&Context, Asked) -> Finding,
+}
+
+impl Check {
+    /// A procedure about equations.
+    pub const fn new(
+        name: &'static str,
+        roles: &'static [Role],
+        decide: fn(&Context, Asked) -> Finding,
+    ) -> Self {
+        Self { name, is_of_runs: false, roles, needs: &[], decide }
+    }
+
+    /// A procedure about runs, which needs this computed.
+    pub const fn of_runs(self, needs: &'static [Need]) -> Self {
+        Self { is_of_runs: true, needs, ..self }
+    }
+}
+
+/// A procedure that computes evidence beside what decides. `claims.toml` names it.
+#[derive(Debug)]
+pub(super) struct Show {
+    /// Its name.
+    pub name: &'static str,
+    /// What it needs computed.
+    pub needs: &'static [Need],
+    /// Computes the evidence.
+    pub evidence: fn(&Context) -> Vec<Evidence>,
+}
+
+/// What a procedure is asked, besides the equations and the outcome.
+pub(super) struct Asked<'c> {
+    /// What it is asked about.
+    pub of: &'c [String],
+    /// What proofs and premises beside it found; none where there are none.
+    pub proved: Option<Finding>,
+}
+
+impl Asked<'_> {
+    /// What proofs and premises found, for a procedure that needs some.
+    pub fn proved(self) -> Finding {
+        self.proved.unwrap_or_else(|| Finding::from_proofs([]))
+    }
+}
