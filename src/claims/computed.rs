@@ -63,8 +63,7 @@ pub fn equation_faults(file: &str, claims: &[ClaimEntry], equations: &Equations)
     for (id, message) in all {
         let problem = Problem::Equation(message);
         if faults.iter().all(|fault| fault.problem != problem) {
-            let key = format!("claim {id}");
-            faults.push(Fault { file: file.to_owned(), line: None, key, value: None, problem });
+            faults.push(Fault::of(file, format!("claim {id}"), problem));
         }
     }
     faults

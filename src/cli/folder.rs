@@ -230,13 +230,7 @@ fn read_prose(file: &str, bytes: &[u8]) -> Result<String, Faults> {
         return Err(vec![fault_of(Path::new(file), problem)]);
     }
     let text = file_text(file, bytes).map_err(|fault| vec![fault])?;
-    let fault = |(line, message)| Fault {
-        file: file.to_string(),
-        line: Some(line),
-        key: "formula".into(),
-        value: None,
-        problem: Problem::Equation(message),
-    };
+    let fault = |(line, message)| Fault::of(file, "formula", Problem::Equation(message)).at(Some(line));
     let faults: Faults = formula_faults(text).into_iter().map(fault).collect();
     if faults.is_empty() { Ok(text.to_string()) } else { Err(faults) }
 }

@@ -126,5 +126,5 @@ pub fn lacks(path: &Path, section: &str, allowed: &str) -> Fault {
 
 /// A fault of a whole file.
 pub fn fault_of(path: &Path, problem: Problem) -> Fault {
-    Fault { file: path.display().to_string(), line: None, key: String::new(), value: None, problem }
+    Fault::of(path.display().to_string(), "", problem)
 }

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use clap::{Arg, ArgGroup, ArgMatches, Args, Command};
 
-use slipmode::scene::{AllowedRange, Fault, Faults, Problem, Quantity, Uncertain, parse_whole};
+use slipmode::scene::{AllowedRange, Fault, Faults, Problem, Quantity, Uncertain, all_of, parse_whole};
 use slipmode_core::friction::{OperatingPoint, Parameters, Slider};
 use slipmode_core::number::format::exact_text;
 use slipmode_core::number::{Rational, nearest_f64, parse_quotient};
@@ -102,11 +102,8 @@ impl<const N: usize> QuantityOptions<N> {
     /// The five values of the material and the machine; what is missing or faulty is collected in `arguments`.
     pub fn slider(&self, arguments: &mut Arguments) -> Option<Slider<Rational>> {
         let is_of_the_slider = |quantity| Quantity::OF_THE_SLIDER.contains(&quantity);
-        let [Some(a), Some(b), Some(d), Some(k), Some(m), ..] = self.values(is_of_the_slider, arguments)
-        else {
-            return None;
-        };
-        Some(Slider::from([a, b, d, k, m]))
+        let [a, b, d, k, m, ..] = self.values(is_of_the_slider, arguments);
+        all_of([a, b, d, k, m]).map(Slider::from)
     }
 
     /// The values of some quantities, each of which must be given.
@@ -131,8 +128,7 @@ impl<const N: usize> QuantityOptions<N> {
             values[quantity as usize].as_ref().filter(|_| is_known(quantity)).map(Uncertain::middle)
         };
         arguments.check_units(&Quantity::ALL.map(middle));
-        let [Some(a), Some(b), Some(d), Some(k), Some(m), Some(s), Some(v)] = values else { return None };
-        Uncertain::region([a, b, d, k, m, s, v])
+        Uncertain::region(all_of(values)?)
     }
 
     /// The same with the middle of each error bar in its place; none where one is at fault.
@@ -153,12 +149,7 @@ impl<const N: usize> QuantityOptions<N> {
 impl SliderOptions {
     /// All seven values; what is missing or faulty is collected in `arguments`.
     pub fn parameters(&self, arguments: &mut Arguments) -> Option<Parameters<Rational>> {
-        let [Some(a), Some(b), Some(d), Some(k), Some(m), Some(s), Some(v)] =
-            self.values(|_| true, arguments)
-        else {
-            return None;
-        };
-        Some(Parameters::from([a, b, d, k, m, s, v]))
+        all_of(self.values(|_| true, arguments)).map(Parameters::from)
     }
 
     /// σ and V0, as [`operating_point`].
@@ -301,13 +292,8 @@ pub struct Arguments {
 impl Arguments {
     /// Notes a fault of an option.
     pub fn fault<T>(&mut self, option: &str, value: Option<&str>, problem: Problem) -> Option<T> {
-        self.faults.push(Fault {
-            file: "command line".into(),
-            line: None,
-            key: option.to_string(),
-            value: value.map(str::to_string),
-            problem,
-        });
+        let value = value.map(str::to_string);
+        self.faults.push(Fault { value, ..Fault::of("command line", option, problem) });
         None
     }
 

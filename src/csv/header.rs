@@ -197,13 +197,7 @@ impl<const N: usize> Header<[Option<usize>; N]> {
         beyond: &Beyond<'_>,
         others: impl FnOnce(&[String]) -> Vec<(String, Problem)>,
     ) -> Result<Self, Faults> {
-        let fault = |key: String, problem: Problem| Fault {
-            file: file.to_string(),
-            line: row.map(|row| row.line),
-            key,
-            value: None,
-            problem,
-        };
+        let fault = |key: String, problem: Problem| Fault::of(file, key, problem).at(row.map(|row| row.line));
         let Some(row) = row else {
             let problem = CsvProblem::NoHeader { wanted: in_words(&wanted) };
             return Err(vec![fault(String::new(), problem.into())]);

@@ -1,6 +1,6 @@
 //! What a command does with the rows of a points file, apart from reading and writing them.
 
-use crate::scene::{CsvProblem, Fault, Faults, Problem, Quantity, Uncertain};
+use crate::scene::{CsvProblem, Fault, Faults, Problem, Quantity, Uncertain, all_of};
 use slipmode_core::friction::{ParameterBox, Parameters};
 use slipmode_core::number::{Dd, Rational, parse_decimal_to_dd};
 
@@ -129,12 +129,7 @@ impl<'r> Cells<'r> {
                 .map_err(|problem| faults.push(self.fault(Some(position), problem)))
                 .ok()
         });
-        match values {
-            [Some(a), Some(b), Some(d), Some(k), Some(m), Some(s), Some(v)] => {
-                Ok(Parameters::from([a, b, d, k, m, s, v]))
-            }
-            _ => Err(faults),
-        }
+        all_of(values).map(Parameters::from).ok_or(faults)
     }
 }
 
@@ -186,10 +181,7 @@ impl Cells<'_> {
             };
             value.map_err(|problem| faults.push(self.fault(Some(column), problem))).ok()
         });
-        match values {
-            [Some(a), Some(b), Some(d), Some(k), Some(m), Some(s), Some(v)] => Ok([a, b, d, k, m, s, v]),
-            _ => Err(faults),
-        }
+        all_of(values).ok_or(faults)
     }
 }
 

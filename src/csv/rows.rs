@@ -242,7 +242,7 @@ impl RowReader {
 
     fn place(&self, problem: Problem) -> Fault {
         let key = if self.number == 0 { "header".into() } else { format!("row {}", self.number) };
-        Fault { file: self.input.name.clone(), line: Some(self.lines + 1), key, value: None, problem }
+        Fault::of(&self.input.name, key, problem).at(Some(self.lines + 1))
     }
 }
 

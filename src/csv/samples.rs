@@ -73,7 +73,7 @@ impl<const N: usize> Samples<'_, N> {
 
 /// A fault of a file of samples.
 pub fn fault(file: &str, line: Option<usize>, key: &str, problem: Problem) -> Fault {
-    Fault { file: file.into(), line, key: key.into(), value: None, problem }
+    Fault::of(file, key, problem).at(line)
 }
 
 /// The numbers of a row; its time is later than the last one.

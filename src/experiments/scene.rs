@@ -85,16 +85,9 @@ pub fn check_distinct_scene_names(scenes: &[(String, Scene)]) -> Result<(), Faul
     for (index, (file, scene)) in scenes.iter().enumerate() {
         let first = scenes[..index].iter().find(|(_, first)| same_name(&first.name, &scene.name));
         if let Some((first_file, first)) = first {
-            faults.push(Fault {
-                file: file.clone(),
-                line: None,
-                key: "name".into(),
-                value: Some(scene.name.clone()),
-                problem: Problem::Duplicate {
-                    of: format!("the name of the scene in {first_file}"),
-                    folded: first.name != scene.name,
-                },
-            });
+            let of = format!("the name of the scene in {first_file}");
+            let problem = Problem::Duplicate { of, folded: first.name != scene.name };
+            faults.push(Fault { value: Some(scene.name.clone()), ..Fault::of(file, "name", problem) });
         }
     }
     if faults.is_empty() { Ok(()) } else { Err(faults) }

@@ -39,7 +39,7 @@ pub(super) fn toml_fault(file: &str, text: &str, error: &toml::de::Error) -> Fau
 
 pub(super) fn equation_fault(file: &str, key: &str, message: &str) -> Fault {
     let problem = Problem::Equation(message.trim_end().replace('\n', "; "));
-    Fault { file: file.to_string(), line: None, key: key.to_string(), value: None, problem }
+    Fault::of(file, key, problem)
 }
 
 #[cfg(test)]

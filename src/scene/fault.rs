@@ -37,6 +37,17 @@ impl serde::Serialize for Fault {
 }
 
 impl Fault {
+    /// A fault under a key of a file, without a line and a value.
+    pub fn of(file: impl Into<String>, key: impl Into<String>, problem: impl Into<Problem>) -> Self {
+        Self { file: file.into(), line: None, key: key.into(), value: None, problem: problem.into() }
+    }
+
+    /// The same at a line, if it is known.
+    #[must_use]
+    pub fn at(self, line: Option<usize>) -> Self {
+        Self { line, ..self }
+    }
+
     fn problem_text(&self) -> String {
         with_short_quotations(&self.problem.to_string(), LONGEST_PROBLEM)
     }

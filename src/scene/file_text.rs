@@ -11,8 +11,7 @@ pub const MAX_FILE_BYTES: u64 = 1 << 20;
 /// When the file is too large, not UTF-8, or holds a character that is invisible or changes the reading
 /// direction (NUL and other controls, zero-width characters, bidirectional overrides).
 pub fn file_text<'b>(file: &str, bytes: &'b [u8]) -> Result<&'b str, Fault> {
-    let fault =
-        |line, problem| Fault { file: file.to_string(), line, key: String::new(), value: None, problem };
+    let fault = |line, problem: Problem| Fault::of(file, "", problem).at(line);
     let size = bytes.len() as u64;
     if size > MAX_FILE_BYTES {
         return Err(fault(None, Problem::TooLarge { bytes: size, limit: MAX_FILE_BYTES }));

@@ -68,9 +68,7 @@ impl Measured {
 /// When the header has other columns, a row has another number of cells, or a cell of a column of numbers is neither a number
 /// nor empty.
 pub fn with_rows(mut table: Table, file: &str, text: &str) -> Result<Table, Faults> {
-    let fault = |line, key: &str, problem: CsvProblem| {
-        vec![Fault { file: file.into(), line, key: key.into(), value: None, problem: problem.into() }]
-    };
+    let fault = |line, key: &str, problem: CsvProblem| vec![Fault::of(file, key, problem).at(line)];
     let mut reader = csv::ReaderBuilder::new().flexible(true).has_headers(false).from_reader(text.as_bytes());
     // A flexible reader of text in memory has no way to fail.
     let mut records = reader.records().flatten();
@@ -93,13 +91,7 @@ pub fn with_rows(mut table: Table, file: &str, text: &str) -> Result<Table, Faul
         let line = record.position().and_then(|position| usize::try_from(position.line()).ok());
         let cells = record.iter().zip(&table.columns).map(|(text, column)| {
             cell(text, column).map_err(|problem| {
-                vec![Fault {
-                    file: file.into(),
-                    line,
-                    key: column.name.clone(),
-                    value: Some(text.into()),
-                    problem,
-                }]
+                vec![Fault { value: Some(text.into()), ..Fault::of(file, &column.name, problem).at(line) }]
             })
         });
         table.rows.push(cells.collect::<Result<_, Faults>>()?);

@@ -61,7 +61,7 @@ pub use name::{NameError, check_name, nearest, same_name};
 pub use paper::{Author, Paper, is_orcid};
 pub use part::Part;
 pub use proofs_file::{join_proofs, read_proofs};
-pub use quantity::{ParametersSection, Quantity};
+pub use quantity::{ParametersSection, Quantity, all_of};
 pub use question::Question;
 pub use range::{AllowedRange, parse_whole};
 pub(crate) use range::{has_between_digits, not_a_number};

@@ -8,23 +8,25 @@ use slipmode_core::number::Rational;
 use slipmode_core::stability::ParameterBox;
 use slipmode_core::stability::inverse::Unknown;
 
-/// One of the seven inputs of the spring-slider, in the order of the command line.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Quantity {
-    /// a, dimensionless.
-    DirectEffect,
-    /// b, dimensionless.
-    EvolutionEffect,
-    /// D_c, m.
-    CriticalSlipDistance,
-    /// K, Pa/m.
-    Stiffness,
-    /// M, kg/m².
-    MassPerArea,
-    /// σ, Pa.
-    NormalStress,
-    /// V0, m/s.
-    LoadingVelocity,
+slipmode_algebra::named! {
+    /// One of the seven inputs of the spring-slider, in the order of columns and options.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    pub enum Quantity {
+        /// a, dimensionless.
+        DirectEffect = "direct_effect",
+        /// b, dimensionless.
+        EvolutionEffect = "evolution_effect",
+        /// D_c, m.
+        CriticalSlipDistance = "critical_slip_distance_m",
+        /// K, Pa/m.
+        Stiffness = "stiffness_pa_per_m",
+        /// M, kg/m².
+        MassPerArea = "mass_per_area_kg_per_m2",
+        /// σ, Pa.
+        NormalStress = "normal_stress_pa",
+        /// V0, m/s.
+        LoadingVelocity = "loading_velocity_m_per_s",
+    }
 }
 
 impl From<Unknown> for Quantity {
@@ -39,17 +41,6 @@ impl From<Unknown> for Quantity {
 }
 
 impl Quantity {
-    /// All seven, in the order of columns and options.
-    pub const ALL: [Self; 7] = [
-        Self::DirectEffect,
-        Self::EvolutionEffect,
-        Self::CriticalSlipDistance,
-        Self::Stiffness,
-        Self::MassPerArea,
-        Self::NormalStress,
-        Self::LoadingVelocity,
-    ];
-
     /// Those of the material and the machine.
     pub const OF_THE_SLIDER: [Self; 5] = {
         let [a, b, d, k, m, ..] = Self::ALL;
@@ -59,15 +50,7 @@ impl Quantity {
     /// The name with its SI unit, as scene key and CSV column.
     #[must_use]
     pub fn key(self) -> &'static str {
-        match self {
-            Self::DirectEffect => "direct_effect",
-            Self::EvolutionEffect => "evolution_effect",
-            Self::CriticalSlipDistance => "critical_slip_distance_m",
-            Self::Stiffness => "stiffness_pa_per_m",
-            Self::MassPerArea => "mass_per_area_kg_per_m2",
-            Self::NormalStress => "normal_stress_pa",
-            Self::LoadingVelocity => "loading_velocity_m_per_s",
-        }
+        self.as_str()
     }
 
     /// Its symbols in formulas, as columns spell them in any case; a longer one before one with which it begins.
@@ -154,14 +137,20 @@ impl ParametersSection {
     }
 }
 
+/// All of them, if none is missing.
+pub fn all_of<T, const N: usize>(values: [Option<T>; N]) -> Option<[T; N]> {
+    let all: Option<Vec<T>> = values.into_iter().collect();
+    all?.try_into().ok()
+}
+
 /// The keys of `[parameters]`.
 pub(crate) fn read_parameters(section: &mut Section<'_>) -> Option<ParametersSection> {
     let range = AllowedRange::PHYSICAL;
-    let [a, b, d, k, m] = Quantity::OF_THE_SLIDER
+    let material = Quantity::OF_THE_SLIDER
         .map(|quantity| section.required(quantity.key(), &range.wanted())?.uncertain(range));
     let [stress, velocity] = [Quantity::NormalStress, Quantity::LoadingVelocity]
         .map(|quantity| section.optionally(quantity.key(), |entry| entry.uncertain(range)));
-    let material = [a?, b?, d?, k?, m?];
+    let material = all_of(material)?;
     let middle = |value: &Option<Uncertain>| value.as_ref().map(Uncertain::middle);
     Some(ParametersSection {
         slider: Slider::from(material.each_ref().map(Uncertain::middle)),

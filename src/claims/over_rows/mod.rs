@@ -54,13 +54,8 @@ pub fn row_faults(file: &str, claims: &[ClaimEntry]) -> Faults {
     let faults = claims.iter().filter_map(stated).flat_map(|(id, stated)| {
         let of_rows = stated.parts().filter_map(|(_, formula)| {
             let message = check(formula.rows.as_ref()?, &formula.text).err()?;
-            Some(Fault {
-                file: file.to_owned(),
-                line: None,
-                key: format!("claim {id}: formula"),
-                value: Some(formula.text.clone()),
-                problem: Problem::Equation(message),
-            })
+            let fault = Fault::of(file, format!("claim {id}: formula"), Problem::Equation(message));
+            Some(Fault { value: Some(formula.text.clone()), ..fault })
         });
         of_rows.collect::<Vec<_>>()
     });

@@ -43,13 +43,7 @@ pub fn write(
 }
 
 fn refused(needs: String) -> Failure {
-    Failure::Input(vec![Fault {
-        file: "command line".into(),
-        line: None,
-        key: "--into".into(),
-        value: None,
-        problem: Problem::Needs(needs),
-    }])
+    Fault::of("command line", "--into", Problem::Needs(needs)).into()
 }
 
 /// The values of the slider: 95 % intervals of those that were fitted.

@@ -42,13 +42,7 @@ impl Backward {
             least: shortest(self.least),
             reading: self.reading(forward, log_level),
         };
-        (self.count > 0).then(|| Fault {
-            file: file.into(),
-            line: self.line,
-            key: "column velocity_m_per_s".into(),
-            value: None,
-            problem: problem.into(),
-        })
+        (self.count > 0).then(|| Fault::of(file, "column velocity_m_per_s", problem).at(self.line))
     }
 
     fn rows(&self) -> String {

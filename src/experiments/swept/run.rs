@@ -37,13 +37,7 @@ pub fn read_swept(
     (scene_file, digest, scene): (String, String, Scene),
     (file, text): (&str, &str),
 ) -> Result<Swept, Fault> {
-    let fault = |file: &str, key: &str, wanted: String| Fault {
-        file: file.to_string(),
-        line: None,
-        key: key.into(),
-        value: None,
-        problem: Problem::Needs(wanted),
-    };
+    let fault = |file: &str, key: &str, wanted: String| Fault::of(file, key, Problem::Needs(wanted));
     if digest != entry.scene_sha256 {
         let wanted = format!("to be the scene that ran, of SHA-256 {}, not {digest}", entry.scene_sha256);
         return Err(fault(&scene_file, "scene", wanted));

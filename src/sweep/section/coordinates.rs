@@ -1,7 +1,7 @@
 //! The coordinates of a sweep's points: each of the seven quantities is one decimal, an axis, or a span.
 
 use crate::scene::section::Section;
-use crate::scene::{AllowedRange, Quantity, Uncertain};
+use crate::scene::{AllowedRange, Quantity, Uncertain, all_of};
 use crate::sweep::section::ReadParameters;
 use slipmode_core::number::Rational;
 
@@ -105,8 +105,7 @@ fn all_seven(
             }
         },
     });
-    let [a, b, d, k, m, s, v] = read;
-    Some([a?, b?, d?, k?, m?, s?, v?])
+    all_of(read)
 }
 
 fn coordinate_of_table(section: &mut Section<'_>, from_table: FromTable) -> Coordinate {
