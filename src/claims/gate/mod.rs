@@ -18,6 +18,7 @@ mod roots;
 mod truth;
 mod value;
 
+use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
 use slipmode_core::number::Rational;
@@ -97,14 +98,24 @@ pub(super) fn tested(formula: &ClaimFormula, finding: &Finding, equations: &Equa
         (Says::True(said), false) if claim.there_is.is_empty() => claim.counter_example(said, &points),
         (Says::True(said), true) => claim.somewhere(said, &points),
         (Says::True(said), false) => claim.nowhere(said, &points),
-        (Says::Limit(..), _) => claim.limit(holds, &points),
-        (Says::Monotone(..), true) => claim.monotone(),
-        (Says::Monotone(..), false) => claim.not_monotone(&points),
-        (Says::Depends(_, depends, _), _) => {
-            if *depends == holds {
-                claim.differs(&points)
-            } else {
-                claim.is_same()
+        (Says::Limit(side, goal, variable, toward), _) => {
+            let tail = |base: &Base| claim.tail(side, goal, *variable, *toward, base);
+            claim.limit(holds, &points, tail)
+        }
+        (Says::Monotone(side, comparison, variable), _) => {
+            let refutes = |pair: [&Base; 2]| claim.refutes_monotone(side, *comparison, *variable, pair);
+            match holds {
+                true => claim.no_pair(*variable, "It does not", refutes),
+                false => claim.not_monotone(&points, *variable, refutes),
+            }
+        }
+        (Says::Depends(side, depends, variable), _) => {
+            let order = |[one, other]: [&Base; 2]| claim.compared(side, one, other);
+            match *depends == holds {
+                true => claim.differs(&points, *variable, order),
+                false => {
+                    claim.no_pair(*variable, "It differs", |pair| order(pair).is_some_and(Ordering::is_ne))
+                }
             }
         }
     }
@@ -308,22 +319,17 @@ impl Claim {
         })
     }
 
-    fn monotone(&self) -> Outcome {
-        let Says::Monotone(side, comparison, variable) = &self.says else {
-            return Outcome::NotEvaluated(String::new());
-        };
+    /// No two points show what would contradict.
+    fn no_pair(&self, variable: usize, words: &str, contradicts: impl Fn([&Base; 2]) -> bool) -> Outcome {
         if !self.is_solved_plainly {
             return Outcome::NotEvaluated("which variable moves along is open".into());
         }
         let mut tried = 0;
-        for [one, other] in self.pairs(*variable, POINTS) {
-            if self.refutes_monotone(side, *comparison, *variable, [&one, &other]) {
-                return Outcome::Contradicted(format!(
-                    "It does not at {} and {} = {}.",
-                    self.text(&one),
-                    self.book.name(*variable),
-                    other[variable]
-                ));
+        for [one, other] in self.pairs(variable, POINTS) {
+            if contradicts([&one, &other]) {
+                let place = self.text(&one);
+                let (name, value) = (self.book.name(variable), &other[&variable]);
+                return Outcome::Contradicted(format!("{words} at {place} and {name} = {value}."));
             }
             tried += 1;
         }
@@ -331,40 +337,39 @@ impl Claim {
     }
 
     /// Two points, or a point next to which the side moves the wrong way.
-    fn not_monotone(&self, points: &[Base]) -> Outcome {
-        let Says::Monotone(side, comparison, variable) = &self.says else {
-            return Outcome::NotEvaluated(String::new());
-        };
+    fn not_monotone(
+        &self,
+        points: &[Base],
+        variable: usize,
+        refutes: impl Fn([&Base; 2]) -> bool,
+    ) -> Outcome {
         if !self.is_solved_plainly {
             return Outcome::NotEvaluated("which variable moves along is open".into());
         }
         let Some(base) = points.first() else {
             return Outcome::Unconfirmed("The counter-example names no point.".into());
         };
-        let Some(here) = base.get(variable) else {
+        let Some(here) = base.get(&variable) else {
             return Outcome::NotEvaluated("the variable that moves has one value".into());
         };
         let near = (0..16).flat_map(|turn| {
             let step = power_of_two(-2 * turn) * (Rational::from(here.abs_ref()) + power_of_two(-4)) / 2_u32;
             [Rational::from(here + &step), Rational::from(here - &step)]
         });
-        let near = near.map(|value| Self::moved(base, *variable, value));
-        let shown = points[1..]
-            .iter()
-            .cloned()
-            .chain(near)
-            .any(|other| self.refutes_monotone(side, *comparison, *variable, [base, &other]));
-        match shown {
+        let near = near.map(|value| Self::moved(base, variable, value));
+        match points[1..].iter().cloned().chain(near).any(|other| refutes([base, &other])) {
             true => Outcome::Passed { points: 1, open: 0 },
             false => Outcome::Unconfirmed(format!("Next to {} no pair of points shows it.", self.text(base))),
         }
     }
 
     /// Two points at which the side differs.
-    fn differs(&self, points: &[Base]) -> Outcome {
-        let Says::Depends(side, _, variable) = &self.says else {
-            return Outcome::NotEvaluated(String::new());
-        };
+    fn differs(
+        &self,
+        points: &[Base],
+        variable: usize,
+        order: impl Fn([&Base; 2]) -> Option<Ordering>,
+    ) -> Outcome {
         let [one, other, ..] = points else {
             return Outcome::Unconfirmed("The proof names no two points.".into());
         };
@@ -373,52 +378,26 @@ impl Claim {
             .filter(|(name, value)| other.get(name) != Some(value))
             .map(|(name, _)| *name)
             .collect();
-        let Some(moved) = other.get(variable) else {
+        let Some(moved) = other.get(&variable) else {
             return Outcome::NotEvaluated("the variable that moves has one value".into());
         };
-        let places = format!("{} and {} = {moved}", self.text(one), self.book.name(*variable));
-        if differ_in != BTreeSet::from([*variable]) || !self.is_inside(one) || !self.is_inside(other) {
+        let places = format!("{} and {} = {moved}", self.text(one), self.book.name(variable));
+        if differ_in != BTreeSet::from([variable]) || !self.is_inside(one) || !self.is_inside(other) {
             return Outcome::Contradicted(format!("The points {places} do not meet the conditions."));
         }
-        match self.compared(side, one, other) {
-            Some(std::cmp::Ordering::Equal) => Outcome::Contradicted(format!("It is the same at {places}.")),
+        match order([one, other]) {
+            Some(Ordering::Equal) => Outcome::Contradicted(format!("It is the same at {places}.")),
             Some(_) => Outcome::Passed { points: 1, open: 0 },
             None => Outcome::Unconfirmed(format!("At {places} enclosures leave it open.")),
         }
     }
 
-    /// No two points show a difference.
-    fn is_same(&self) -> Outcome {
-        let Says::Depends(side, _, variable) = &self.says else {
-            return Outcome::NotEvaluated(String::new());
-        };
-        if !self.is_solved_plainly {
-            return Outcome::NotEvaluated("which variable moves along is open".into());
-        }
-        let mut tried = 0;
-        for [one, other] in self.pairs(*variable, POINTS) {
-            if self.compared(side, &one, &other).is_some_and(std::cmp::Ordering::is_ne) {
-                return Outcome::Contradicted(format!(
-                    "It differs at {} and {} = {}.",
-                    self.text(&one),
-                    self.book.name(*variable),
-                    other[variable]
-                ));
-            }
-            tried += 1;
-        }
-        Outcome::Passed { points: tried, open: 0 }
-    }
-
     /// A limit that holds, or one that does not from a point on. A tail that is not clear contradicts nothing.
-    fn limit(&self, holds: bool, points: &[Base]) -> Outcome {
-        let Says::Limit(side, value, variable, toward) = &self.says else {
-            return Outcome::NotEvaluated(String::new());
-        };
+    fn limit(&self, holds: bool, points: &[Base], tail: impl Fn(&Base) -> Tail) -> Outcome {
         let bases = if holds { self.inside().take(SEQUENCES).collect() } else { points.to_vec() };
         let (mut clear, mut open) = (0, 0);
         for base in &bases {
-            match (self.tail(side, value, *variable, *toward, base), holds) {
+            match (tail(base), holds) {
                 (Tail::There, true) | (Tail::Elsewhere(_), false) => clear += 1,
                 (Tail::Unclear, _) => open += 1,
                 (Tail::Elsewhere(words), true) => {

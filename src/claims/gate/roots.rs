@@ -11,7 +11,7 @@ use num_complex::Complex64;
 use rug::Float;
 
 use slipmode_algebra::number::Interval;
-use slipmode_core::number::{Ball, Rational, Real};
+use slipmode_core::number::{Ball, Real};
 use slipmode_core::theory::root_location::RootStatement;
 
 use super::evaluate::NEAR;
@@ -125,23 +125,23 @@ pub(super) fn is_true(statement: RootStatement, coefficients: &[Number]) -> Opti
     if list.is_empty() {
         return Some(statement == RootStatement::Unstable);
     }
-    let exact: Option<Vec<Rational>> = list
-        .iter()
-        .map(|one| match one {
-            Number::Exact(value) => Some(value.clone()),
-            _ => None,
-        })
-        .collect();
-    match exact {
+    match exact(&list) {
         // Most points need no exact arithmetic.
-        Some(exact) => {
-            by_discs(&BITS[..1], statement, &list).or_else(|| of_exact(statement, &Exact::new(exact)))
-        }
+        Some(exact) => by_discs(&BITS[..1], statement, &list).or_else(|| of_exact(statement, &exact)),
         None => {
             list.last()?.sign().filter(|sign| *sign != Ordering::Equal)?;
             by_discs(bits(&list), statement, &list)
         }
     }
+}
+
+/// The polynomial, where every coefficient is known exactly.
+fn exact(coefficients: &[Number]) -> Option<Exact> {
+    let known = coefficients.iter().map(|one| match one {
+        Number::Exact(value) => Some(value.clone()),
+        _ => None,
+    });
+    known.collect::<Option<_>>().map(Exact::new)
 }
 
 /// The precisions of discs that these coefficients are worth.
@@ -176,21 +176,14 @@ fn of_exact(statement: RootStatement, polynomial: &Exact) -> Option<bool> {
 
 /// Whether a root lies on the imaginary axis.
 pub(super) fn is_one_on_axis(coefficients: &[Number]) -> Option<bool> {
-    let exact: Option<Vec<Rational>> = coefficients
-        .iter()
-        .map(|one| match one {
-            Number::Exact(value) => Some(value.clone()),
-            _ => None,
-        })
-        .collect();
-    let Some(exact) = exact else {
+    let Some(exact) = exact(coefficients) else {
         coefficients.last()?.sign().filter(|sign| *sign != Ordering::Equal)?;
         let apart = discs(bits(coefficients), coefficients, |discs| {
             discs.iter().all(|disc| disc.side().is_some()).then_some(())
         });
         return apart.map(|()| false);
     };
-    let (zero, rest) = Exact::new(exact).squarefree().without_zero();
+    let (zero, rest) = exact.squarefree().without_zero();
     let (pairs, _) = rest.without_opposite_roots();
     if zero || pairs.degree() == 0 {
         return Some(zero);

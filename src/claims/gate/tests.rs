@@ -30,14 +30,12 @@ fn of_report(report: &str) -> Vec<Stated> {
     let claims = read_claims("claims.toml", &read("claims.toml"), &procedures(), Some(&equations)).unwrap();
     let of_claim = |claim: ClaimEntry| {
         let parts = claim.stated.iter().flat_map(|stated| stated.parts()).map(|(_, formula)| formula);
-        let all = parts
-            .flat_map(|formula| {
-                [formula].into_iter().chain(formula.limit.iter().map(|limit| &limit.outside.1))
-            })
-            .filter(|formula| formula.rows.is_none() && formula.computed().is_none());
-        let stated = |formula: &ClaimFormula| Stated {
+        let outside = |formula: &ClaimFormula| Some(formula.limit.as_ref()?.outside.1.clone());
+        let all = parts.flat_map(|formula| [Some(formula.clone()), outside(formula)]).flatten();
+        let all = all.filter(|formula| formula.rows.is_none() && formula.computed().is_none());
+        let stated = |formula: ClaimFormula| Stated {
             id: format!("{report} {}", claim.id),
-            formula: formula.clone(),
+            formula,
             equations: equations.clone(),
         };
         all.map(stated).collect::<Vec<_>>()
