@@ -46,37 +46,31 @@ fn remark(text: &str, stated: &StatedClaim, found: &Finding) -> Option<String> {
 }
 
 fn decide_readings(id: &str, stated: &StatedClaim, context: &Context) -> Finding {
-    let id = id.to_lowercase();
-    if let [reading] = &stated.readings[..]
-        && let [(words, formula)] = &reading.parts[..]
-    {
-        return decide_part(&format!("formula-{id}"), words, formula, context);
+    let parts = parts(id, stated);
+    if let [(id, (words, formula))] = &parts[..] {
+        return decide_part(id, words, formula, context);
     }
     let one = stated.readings.len() == 1;
-    of_readings(stated.readings.iter().zip(1..).map(|(reading, which)| {
+    let mut parts = parts.into_iter();
+    of_readings(stated.readings.iter().map(|reading| {
         let words = if one { "all parts" } else { &reading.words };
-        let which = if one { None } else { Some(which) };
-        reading.parts.iter().zip(1..).fold(reading::Draft::new(words), |draft, ((words, formula), number)| {
-            draft.part(words, decide_part(&proof_id(&id, which, number), words, formula, context))
+        let of_reading = parts.by_ref().take(reading.parts.len());
+        of_reading.fold(reading::Draft::new(words), |draft, (id, (words, formula))| {
+            draft.part(words, decide_part(&id, words, formula, context))
         })
     }))
 }
 
-/// The id of the proof of a part.
-fn proof_id(claim: &str, reading: Option<usize>, part: usize) -> String {
-    let reading = reading.map_or(String::new(), |number| format!("-{number}"));
-    format!("formula-{claim}{reading}-{part}")
-}
-
-/// The parts of a claim, words and formula, with the ids of their proofs.
+/// The parts of a claim, words and formula, with the ids of their proofs: the claim's id, then the number of the reading if there are
+/// several, then that of the part.
 pub(super) fn parts<'c>(id: &str, stated: &'c StatedClaim) -> Vec<(String, &'c (String, ClaimFormula))> {
-    let id = id.to_lowercase();
+    let claim = format!("formula-{}", id.to_lowercase());
     let (readings, all) = (&stated.readings, stated.parts().count());
     let mut found = Vec::new();
     for (reading, which) in readings.iter().zip(1..) {
-        let which = if readings.len() == 1 { None } else { Some(which) };
+        let reading_id = if readings.len() == 1 { claim.clone() } else { format!("{claim}-{which}") };
         for (part, number) in reading.parts.iter().zip(1..) {
-            let id = if all == 1 { format!("formula-{id}") } else { proof_id(&id, which, number) };
+            let id = if all == 1 { claim.clone() } else { format!("{reading_id}-{number}") };
             found.push((id, part));
         }
     }
