@@ -53,13 +53,20 @@ pub struct Options {
     sample: SampleOptions,
 }
 
+impl Options {
+    /// Whether neither rows nor a grid are classified.
+    pub fn is_of_one_point(&self) -> bool {
+        self.points.is_none() && !self.grid.is_given()
+    }
+}
+
 /// Runs the command.
 ///
 /// # Errors
 /// When the arguments or the rows are at fault, or the output cannot be written.
 pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     let mut arguments = Arguments::default();
-    let is_box = options.points.is_none() && !options.grid.is_given() && options.slider.is_uncertain();
+    let is_box = options.is_of_one_point() && options.slider.is_uncertain();
     let threshold = if is_box {
         options.threshold.threshold_over_box(&mut arguments)
     } else {

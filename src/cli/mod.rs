@@ -293,8 +293,9 @@ fn exit_code_of_usage(error: &clap::Error) -> u8 {
 }
 
 fn run(cli: Cli) -> Result<(), Failure> {
-    output::remove_on_signals().map_err(|error| Failure::machine("signals cannot be caught", &error))?;
-    start_threads(cli.threads.as_deref())?;
+    if cli.threads.is_some() || !cli.command.is_of_one_thread() {
+        start_threads(cli.threads.as_deref())?;
+    }
     dispatch(cli.command, Progress::new(cli.quiet))
 }
 
@@ -323,6 +324,17 @@ fn dispatch(command: Command, progress: Progress) -> Result<(), Failure> {
         Command::Completions(options) => shell::completions(&options, Cli::command()),
         Command::Man(options) => shell::man(&options, Cli::command()),
         Command::Theorems(options) => theorems::run(&options),
+    }
+}
+
+impl Command {
+    /// Whether the command needs no threads beside its own: starting them is a tenth of the time of a short command.
+    fn is_of_one_thread(&self) -> bool {
+        match self {
+            Self::Classify(options) => options.is_of_one_point(),
+            Self::Roots(_) | Self::Tolerance(_) | Self::Diff(_) | Self::Completions(_) | Self::Man(_) => true,
+            _ => false,
+        }
     }
 }
 

@@ -14,7 +14,6 @@ use crate::cli::streams::{StandardOutput, is_capturing};
 use partial::PartialFile;
 
 pub use folder::OutputFolder;
-pub use partial::remove_on_signals;
 pub use places::{check_input, note_input, note_input_folder};
 
 /// A file under writing that appears in its place only when [`Output::commit`] succeeds.

@@ -7,6 +7,7 @@ use std::collections::BTreeSet;
 use std::fs::{self, File, Permissions};
 use std::io;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use tempfile::{Builder, NamedTempFile, TempDir};
@@ -116,12 +117,17 @@ impl PartialFolder {
     }
 }
 
-/// Creates something and enters it among the unfinished, with no signal in between.
+/// Creates something and enters it among the unfinished, with no signal in between. The first one has signals caught from then on.
 fn register<T>(
     create: impl FnOnce() -> io::Result<T>,
     path: impl FnOnce(&T) -> &Path,
 ) -> io::Result<(T, Entry)> {
+    static CATCHES_SIGNALS: AtomicBool = AtomicBool::new(false);
     let mut unfinished = unfinished();
+    if !CATCHES_SIGNALS.load(Ordering::Relaxed) {
+        remove_on_signals()?;
+        CATCHES_SIGNALS.store(true, Ordering::Relaxed);
+    }
     let created = create().map_err(bare)?;
     let path = path(&created).to_path_buf();
     unfinished.insert(path.clone());
@@ -219,7 +225,7 @@ fn sync_folder(folder: &Path) -> io::Result<()> {
 /// # Errors
 /// When the system gives no thread or signals.
 #[cfg(unix)]
-pub fn remove_on_signals() -> io::Result<()> {
+fn remove_on_signals() -> io::Result<()> {
     use signal_hook::iterator::Signals;
     use signal_hook::low_level::emulate_default_handler;
     let mut signals = Signals::new(caught_signals())?;
@@ -239,7 +245,7 @@ pub fn remove_on_signals() -> io::Result<()> {
 
 /// Without signals there is nothing to catch.
 #[cfg(not(unix))]
-pub fn remove_on_signals() -> io::Result<()> {
+fn remove_on_signals() -> io::Result<()> {
     Ok(())
 }
 
