@@ -210,7 +210,7 @@ impl Scaled {
                     attained.min(self.value_at(quantity, &summit.evolved(summit.near_a_corner()))?.high);
             }
             step = if level == 0 { far } else { step * WIDER };
-            most = MOST_PLACES / 2;
+            most = MOST_PLACES_COMPARED;
         }
         Some([outer, attained])
     }
