@@ -247,8 +247,8 @@ impl PairSearch<'_> {
                     common(*value, if rises == self.is_greatest { self.upper[i] } else { self.lower[i] })?;
             }
         }
-        if place.parameters != of_place {
-            let discs = RootDiscs::of(&place.parameters)?;
+        let is_changed = place.parameters != of_place;
+        if let Some(discs) = is_changed.then(|| RootDiscs::of(&place.parameters)).flatten() {
             if let (TwoRoots::Pair, Some([half_sum, square])) = (place.kind, discs.others()) {
                 place.values[FIRST] = common(place.values[FIRST], half_sum)?;
                 place.values[SECOND] = common(place.values[SECOND], -square)?;

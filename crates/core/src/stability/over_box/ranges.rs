@@ -15,7 +15,7 @@ use crate::number::{Interval, Rational};
 /// A search ends when the enclosure's end is as near to a value that is attained: as a share of the range, and of the value.
 const NEAR: f64 = 1e-8;
 const FAR: f64 = 4e-3;
-const TOLERANCE: f64 = 1e-9;
+const TOLERANCE: f64 = 1e-12;
 /// The most places that a search over the roots halves, and one that compares with a value.
 const MOST_PLACES: usize = 1 << 12;
 const MOST_PLACES_COMPARED: usize = 1 << 10;

@@ -97,7 +97,8 @@ proptest! {
             let ([low, high], [least, greatest]) = (range.enclosure, range.attained);
             prop_assert!(low <= least && least <= greatest && greatest <= high, "{:?}", range);
         }
-        for point in shares.iter().map(|share| at_shares(&region, share)).chain([inside]) {
+        let corners = (0..1_u32 << 7).map(|bits| std::array::from_fn(|i| 16 * (bits >> i & 1)));
+        for point in corners.chain(shares).map(|share| at_shares(&region, &share)).chain([inside]) {
             let found = classify(&Parameters::from(point), &InertialThreshold::default());
             let values = [found.max_real_per_s, found.max_imaginary_per_s].map(|value| value.to_f64().unwrap());
             for (range, value) in ranges.iter().zip(values) {
