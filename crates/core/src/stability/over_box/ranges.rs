@@ -13,7 +13,7 @@ use super::{OverBox, ParameterBox, boundary_signs};
 use crate::number::{Interval, Rational};
 
 /// A search ends when the enclosure's end is as near to a value that is attained: as a share of the range, and of the value.
-const NEAR: f64 = 1e-8;
+const NEAR: f64 = 1e-10;
 const FAR: f64 = 4e-3;
 const TOLERANCE: f64 = 1e-12;
 /// The most places that a search over the roots halves, and one that compares with a value.
