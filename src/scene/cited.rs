@@ -3,24 +3,21 @@
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
-use serde::Deserialize;
-
 const EQUATIONS: &str = include_str!("../../reports/im-avouac/equations.toml");
 
-/// The numbers of the equations by their roles.
-static NUMBERS: LazyLock<BTreeMap<String, String>> = LazyLock::new(|| {
-    #[derive(Deserialize)]
-    struct File {
-        equation: Vec<Numbered>,
-    }
-    #[derive(Deserialize)]
-    struct Numbered {
-        number: String,
-        role: Option<String>,
-    }
-    let file: Option<File> = toml::from_str(EQUATIONS).ok();
-    let equations = file.into_iter().flat_map(|file| file.equation);
-    equations.filter_map(|equation| Some((equation.role?, equation.number))).collect()
+/// The numbers of the equations by their roles. Each key of this file stands on a line of its own: a reader of TOML took a sixth
+/// of the time of a short command.
+static NUMBERS: LazyLock<BTreeMap<&str, &str>> = LazyLock::new(|| {
+    let mut number = "";
+    let role = |line: &'static str| {
+        let (key, value) = line.split_once(" = ")?;
+        let value = value.trim_matches('"');
+        if key == "number" {
+            number = value;
+        }
+        (key == "role").then_some((value, number))
+    };
+    EQUATIONS.lines().filter_map(role).collect()
 });
 
 /// A text in which the words of roles in braces stand for equations: `{inertial-upper}` for eq 18, and
@@ -37,8 +34,7 @@ pub fn cited(text: &str) -> String {
 
 /// `eq 15`, `eqs 15 and 16`, or `eqs 15, 16, 18 and 20`; none where a word is no role.
 fn equations(roles: &str) -> Option<String> {
-    let numbers: Option<Vec<&str>> =
-        roles.split(',').map(|role| NUMBERS.get(role.trim()).map(String::as_str)).collect();
+    let numbers: Option<Vec<&str>> = roles.split(',').map(|role| NUMBERS.get(role.trim()).copied()).collect();
     Some(match &numbers?[..] {
         [one] => format!("eq {one}"),
         [first @ .., last] => format!("eqs {} and {last}", first.join(", ")),
@@ -56,6 +52,12 @@ mod tests {
         for role in Role::ALL {
             assert!(cited(&format!("{{{}}}", role.as_str())).starts_with("eq "), "{role:?}");
         }
+        let file: toml::Table = EQUATIONS.parse().unwrap();
+        let equations = file["equation"].as_array().unwrap();
+        let word = |equation: &toml::Value, key: &str| Some(equation.get(key)?.as_str()?.to_owned());
+        let read = equations.iter().filter_map(|one| Some((word(one, "role")?, word(one, "number")?)));
+        let scanned = NUMBERS.iter().map(|(role, number)| ((*role).to_owned(), (*number).to_owned()));
+        assert_eq!(scanned.collect::<BTreeMap<_, _>>(), read.collect());
         assert_eq!(cited("A {inertial-upper} b."), "A eq 18 b.");
         assert_eq!(cited("{quasi-static-upper, quasi-static-lower}"), "eqs 15 and 16");
         let all = "{quasi-static-upper, quasi-static-lower, inertial-upper, inertial-lower}";
