@@ -46,13 +46,22 @@ impl<R: Copy> TableRows<R> {
     /// The same with one more column of words.
     #[must_use]
     pub fn text<C: Into<Cell>>(self, name: &str, header: &str, cell: impl Fn(R) -> C) -> Self {
-        self.columns([Column::text(name, header)], |value| [cell(value).into()])
+        self.column(Column::text(name, header), &|value| cell(value).into())
     }
 
     /// The same with one more column of numbers with a unit (empty when the numbers are pure).
     #[must_use]
     pub fn number<C: Into<Cell>>(self, name: &str, header: &str, unit: &str, cell: impl Fn(R) -> C) -> Self {
-        self.columns([Column::number(name, header, unit)], |value| [cell(value).into()])
+        self.column(Column::number(name, header, unit), &|value| cell(value).into())
+    }
+
+    /// One more column. It is compiled once for each kind of row, and not once for each column.
+    fn column(mut self, column: Column, cell: &dyn Fn(R) -> Cell) -> Self {
+        self.table.columns.push(column);
+        for (row, &value) in self.table.rows.iter_mut().zip(&self.values) {
+            row.push(cell(value));
+        }
+        self
     }
 
     /// The same with several more columns, whose cells come together.
