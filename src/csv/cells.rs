@@ -1,7 +1,7 @@
 //! Cells of the output: quoted where CSV needs it, and harmless in a spreadsheet.
 
 use serde_json::Value;
-use slipmode_core::number::format::shortest;
+use slipmode_core::number::format::{shortest, shortest_pieces};
 use slipmode_core::number::parse_decimal;
 
 /// Appends a cell of the input as it stands; text that a spreadsheet would run as a formula gets a `'` in front.
@@ -97,7 +97,10 @@ pub fn push_cells<T>(columns: &[Column<T>], result: &T, out: &mut Vec<u8>) {
         out.push(b',');
         match cell(result) {
             Datum::Text(text) => push_cell(out, text.as_bytes()),
-            Datum::Number(number) => out.extend(number.map(shortest).unwrap_or_default().bytes()),
+            Datum::Number(None) => {}
+            Datum::Number(Some(number)) => {
+                shortest_pieces(number, |piece| out.extend_from_slice(piece.as_bytes()));
+            }
             Datum::Range(ends) => push_cell(out, ends.map(range_text).unwrap_or_default().as_bytes()),
             Datum::Count(count) => out.extend(count.to_string().bytes()),
             Datum::Flag(flag) => out.extend(flag.to_string().bytes()),

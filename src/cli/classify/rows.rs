@@ -1,7 +1,5 @@
 //! `classify --points`: signs, class, mode, growth rate and frequency of every row.
 
-use std::io::Write;
-
 use slipmode::csv::{Cells, Remark, RowWork, joined, names, push_cell, push_cells};
 use slipmode::scene::{Faults, Problem, Uncertain};
 use slipmode_core::friction::Parameters;
@@ -171,8 +169,10 @@ fn append_point(found: &Classification, out: &mut Vec<u8>) {
     ] {
         push_word(word, out);
     }
-    // A vector takes every write.
-    let _ = write!(out, ",{},{}", found.max_real_per_s, found.max_imaginary_per_s);
+    for rate in [found.max_real_per_s, found.max_imaginary_per_s] {
+        out.push(b',');
+        rate.pieces(|piece| out.extend_from_slice(piece.as_bytes()));
+    }
     push_word(found.precision_level.as_str(), out);
 }
 

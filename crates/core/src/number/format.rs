@@ -1,7 +1,5 @@
 //! Numbers as text, all in one form: plain for 1e-4 ≤ |x| < 1e6, `d.ddde±x` otherwise, ASCII signs.
 
-use std::fmt;
-
 use rug::float::Round;
 use rug::ops::Pow;
 use rug::{Float, Integer, Rational};
@@ -94,25 +92,41 @@ pub fn rounded(value: f64, significant: usize, side: Side) -> String {
 #[must_use]
 pub fn shortest(value: f64) -> String {
     let mut text = String::new();
-    // A string takes every write.
-    let _ = write_shortest(&mut text, value);
+    shortest_pieces(value, |piece| text.push_str(piece));
     text
 }
 
-/// Writes [`shortest`] without a text of its own, for files of millions of rows.
-///
-/// The standard library's two layouts are those of this module; only the choice between them is ours.
-///
-/// # Errors
-/// Those of the writer.
-pub fn write_shortest(out: &mut impl fmt::Write, value: f64) -> fmt::Result {
+/// Hands on [`shortest`] piece by piece: files of millions of rows need no text of their own for each number.
+pub fn shortest_pieces(value: f64, mut put: impl FnMut(&str)) {
+    let mut buffer = zmij::Buffer::new();
+    let text = buffer.format(value);
     if value == 0.0 {
-        out.write_char('0')
+        put("0");
     } else if !value.is_finite() || (1e-4..1e6).contains(&value.abs()) {
-        write!(out, "{value}")
+        put(text.strip_suffix(".0").unwrap_or(text));
+    } else if let Some((digits, exponent)) = text.split_once('e') {
+        [digits, "e", exponent.trim_start_matches('+')].into_iter().for_each(put);
     } else {
-        write!(out, "{value:e}")
+        with_moved_point(text, put);
     }
+}
+
+/// The pieces of `d.ddde±x` for a plain decimal from 1e-5 to 1e-4, or from 1e6 to 1e16.
+fn with_moved_point(text: &str, put: impl FnMut(&str)) {
+    const EXPONENTS: [&str; 10] = ["6", "7", "8", "9", "10", "11", "12", "13", "14", "15"];
+    let unsigned = text.trim_start_matches('-');
+    let sign = &text[..text.len() - unsigned.len()];
+    let (whole, fraction, exponent) = match unsigned.strip_prefix("0.0000") {
+        Some(digits) => (digits, "", "-5"),
+        None => {
+            let (whole, fraction) = unsigned.split_once('.').unwrap_or((unsigned, ""));
+            (whole, fraction.trim_end_matches('0'), EXPONENTS[whole.len() - 7])
+        }
+    };
+    let whole = if fraction.is_empty() { whole.trim_end_matches('0') } else { whole };
+    let (first, rest) = whole.split_at(1);
+    let point = if rest.is_empty() && fraction.is_empty() { "" } else { "." };
+    [sign, first, point, rest, fraction, "e", exponent].into_iter().for_each(put);
 }
 
 /// Only the digits that are certain, at most `max_digits`: every point of the ball rounds to the printed decimal.
@@ -249,8 +263,14 @@ mod tests {
         }
 
         #[test]
-        fn the_shortest_text_reads_back_as_the_same_f64(value in proptest::num::f64::NORMAL) {
-            prop_assert_eq!(shortest(value).parse::<f64>().unwrap().to_bits(), value.to_bits());
+        fn the_shortest_text_is_that_of_the_standard_library(bits: u64, scale in -8i32..20, integer in -1_000_000i64..1_000_000) {
+            let near_one = f64::from_bits(bits) % 1.0 * libm::exp10(f64::from(scale));
+            let short = integer as f64 * libm::exp10(f64::from(scale));
+            for value in [f64::from_bits(bits), near_one, short, libm::scalbn(1.0, scale * 50)] {
+                let is_plain = value == 0.0 || !value.is_finite() || (1e-4..1e6).contains(&value.abs());
+                let wanted = if is_plain { format!("{}", value + 0.0) } else { format!("{value:e}") };
+                prop_assert_eq!(shortest(value), wanted);
+            }
         }
     }
 }

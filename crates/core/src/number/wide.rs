@@ -61,6 +61,14 @@ impl Wide {
         Float::with_val(53, self.mantissa) << self.exponent
     }
 
+    /// Hands on its text piece by piece.
+    pub fn pieces(self, mut put: impl FnMut(&str)) {
+        match self.to_f64() {
+            Some(value) => format::shortest_pieces(value, put),
+            None => put(&format::round_float(&self.to_float(), 17)),
+        }
+    }
+
     /// Whether the value is exactly zero.
     #[must_use]
     pub fn is_zero(self) -> bool {
@@ -71,10 +79,9 @@ impl Wide {
 impl fmt::Display for Wide {
     /// The shortest decimal that reads back as the same 53 bits; 17 digits beyond f64's range.
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.to_f64() {
-            Some(value) => format::write_shortest(formatter, value),
-            None => formatter.write_str(&format::round_float(&self.to_float(), 17)),
-        }
+        let mut written = Ok(());
+        self.pieces(|piece| written = written.and_then(|()| formatter.write_str(piece)));
+        written
     }
 }
 
