@@ -1,4 +1,4 @@
-//! Which figures there are: `figures.toml` describes them, and a function draws each.
+//! Which figures there are: `figures.toml` describes them and their charts, and a function puts in the numbers of each.
 
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
@@ -6,9 +6,10 @@ use std::sync::LazyLock;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
+use crate::experiments::described::with_points;
 use crate::experiments::{Need, Outcome};
 use crate::scene::cited;
-use slipmode_plot::figure::{Axis, Caption, Panel, Panels, ZoneMap};
+use slipmode_plot::figure::{Caption, Panel, Panels};
 
 /// A figure that is ready to be placed.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -59,30 +60,42 @@ pub struct Words {
     pub label: String,
     /// What it shows and what to look at, in Markdown.
     pub markdown: String,
+    /// What the drawing shows besides numbers, as TOML.
+    drawing: String,
 }
 
 impl Words {
-    /// Puts values in the place of their names in braces.
+    /// Puts values in the place of their names in braces. They have no quotation mark and no backslash: the drawing stays TOML.
     pub(crate) fn fill(&mut self, values: &[(&str, &str)]) {
         let Caption { title, description, .. } = &mut self.caption;
-        for text in [title, description, &mut self.markdown] {
+        for text in [title, description, &mut self.markdown, &mut self.drawing] {
             for (name, value) in values {
                 *text = text.replace(&format!("{{{name}}}"), value);
             }
         }
     }
 
-    /// A zone map without zones.
-    pub(crate) fn zone_map(&self, x: Axis, y: Axis) -> ZoneMap {
-        let (zones, lines, marks, labels) = Default::default();
-        ZoneMap { caption: self.caption.clone(), x, y, zones, lines, marks, labels }
+    /// The drawing as the file describes it, still without numbers.
+    pub(crate) fn drawing<T: DeserializeOwned>(&self) -> Option<T> {
+        toml::from_str(&self.drawing).ok()
+    }
+
+    /// The described chart with the points of its series, as SVG.
+    pub(crate) fn line_chart(&self, lines: impl IntoIterator<Item = Vec<(f64, f64)>>) -> Option<String> {
+        Some(with_points(self.drawing()?, lines)?.svg())
+    }
+
+    /// The last of the described small charts, with values in the place of their names in braces.
+    pub(crate) fn panel(&self, values: &[(&str, &str)]) -> Option<Panel> {
+        let mut own = self.clone();
+        own.fill(values);
+        own.drawing::<Panels>()?.panels.pop()
     }
 
     /// Small charts in rows as SVG; none without a chart.
-    pub(crate) fn panels(&self, columns: usize, height: f64, panels: Vec<Panel>) -> Option<String> {
-        let is_empty = panels.is_empty();
-        let panels = Panels { caption: self.caption.clone(), columns, height, panels };
-        (!is_empty).then(|| panels.svg())
+    pub(crate) fn panels(&self, panels: impl Iterator<Item = Panel>) -> Option<String> {
+        let panels = Panels { panels: panels.collect(), ..self.drawing()? };
+        (!panels.panels.is_empty()).then(|| panels.svg())
     }
 }
 
@@ -108,28 +121,28 @@ pub struct FigureMaker {
 impl FigureMaker {
     /// How a figure with a drawer is made.
     pub(crate) fn new(&(id, draw): &Drawer) -> Option<Self> {
-        let Described { label, needs, data, title, caption, description, .. } =
+        let Described { label, needs, data, title, caption: markdown, description, drawing, .. } =
             DESCRIBED.iter().find(|one| one.id == id)?;
         let needs = Need::ALL.iter().copied().filter(|need| needs.iter().any(|key| key == need.key()));
-        let words = Words {
-            caption: Caption::new(id, &cited(title), &cited(description)),
-            label: label.clone(),
-            markdown: cited(caption),
-        };
+        let caption = Caption::new(id, &cited(title), &cited(description));
+        let mut drawing = drawing.clone();
+        drawing.insert("caption".into(), toml::Value::try_from(&caption).ok()?);
+        let (label, markdown, drawing) = (label.clone(), cited(markdown), cited(&drawing.to_string()));
+        let words = Words { caption, label, markdown, drawing };
         Some(Self { id, needs: needs.collect(), data: data.clone(), words, draw })
     }
 
     /// The figure; `None` when the scenes do not hold what it shows.
     #[must_use]
     pub fn figure(&self, outcome: &Outcome) -> Option<Figure> {
-        let mut words = self.words.clone();
+        let mut words = self.words();
         let svg = (self.draw)(outcome, &mut words)?;
         Some(Figure::new(&words.caption, &words.label, &words.markdown, svg).with_data(&self.data))
     }
 
-    /// Id, title and description.
-    pub(crate) fn caption(&self) -> &Caption {
-        &self.words.caption
+    /// Its words.
+    pub(crate) fn words(&self) -> Words {
+        self.words.clone()
     }
 }
 
@@ -145,6 +158,8 @@ struct Described {
     title: String,
     caption: String,
     description: String,
+    #[serde(default)]
+    drawing: toml::Table,
 }
 
 static DESCRIBED: LazyLock<Vec<Described>> = LazyLock::new(|| list_in(include_str!("figures.toml")));
@@ -160,6 +175,23 @@ mod tests {
     use super::*;
     use crate::experiments::drawers;
     use crate::experiments::{figure_makers, table_makers};
+    use slipmode_plot::figure::{HeatMap, LineChart, RangeChart, ZoneMap};
+
+    #[test]
+    fn every_drawing_describes_a_chart_and_has_the_caption_of_its_figure() {
+        for maker in figure_makers() {
+            let words = maker.words();
+            let captions = [
+                words.drawing::<LineChart>().map(|chart| chart.caption),
+                words.drawing::<Panels>().map(|panels| panels.caption),
+                words.drawing::<HeatMap>().map(|map| map.caption),
+                words.drawing::<ZoneMap>().map(|map| map.caption),
+                words.drawing::<RangeChart>().map(|chart| chart.caption),
+            ];
+            let found: Vec<Caption> = captions.into_iter().flatten().collect();
+            assert!(found.first() == Some(&words.caption), "{}: {found:?}", maker.id);
+        }
+    }
 
     #[test]
     fn every_described_figure_is_drawn_and_names_computations_and_tables_that_exist() {

@@ -5,6 +5,7 @@
 pub mod boundary;
 pub mod certificates;
 mod context;
+pub mod described;
 pub mod effect_ratio_sweep;
 mod experiment;
 mod figures;

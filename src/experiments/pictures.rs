@@ -1,12 +1,13 @@
-//! Pictures that a command draws by itself: the boundary, the slip modes of a grid, and a trajectory.
+//! Pictures that a command draws by itself: the boundary, the slip modes of a grid, and a trajectory. `pictures.toml` describes them.
 
+use crate::experiments::described::{extent, over, picture};
 use crate::experiments::map::figures::zero_areas;
 use crate::experiments::shared::Grid;
 use crate::experiments::shared::axes::{
-    asymptote_lines, axes, boundary_lines, cusp_mark, pair_line, transition_line,
+    asymptote_lines, axes, boundary_lines, cusp_mark, pair_line, plane, transition_line,
 };
 use crate::experiments::shared::bands::{FINE, band_lines};
-use crate::experiments::trajectories::curves::{extent, linear_axis, stress_unit};
+use crate::experiments::trajectories::curves::stress_unit;
 use crate::experiments::trajectories::thinning::kept;
 use crate::experiments::trajectories::{DRAWING_TOLERANCE, Moment};
 use crate::experiments::zones::figures::present_zones;
@@ -14,12 +15,8 @@ use slipmode_core::friction::Slider;
 use slipmode_core::number::Rational;
 use slipmode_core::stability::boundary::BoundaryPoint;
 use slipmode_core::stability::{InertialThreshold, PairRatio, ParameterBox, SlipMode};
-use slipmode_plot::figure::{Axis, Caption, Line, Panel, Panels, Reference, Series, Zone, ZoneMap};
+use slipmode_plot::figure::{Axis, Line, Panels, Scale, Series, ZoneMap};
 
-/// Height of one chart of a trajectory, in canvas units.
-const CHART_HEIGHT: f64 = 150.0;
-/// Style of the areas without oscillation.
-const QUIET_STYLE: usize = 5;
 /// Below this velocity, relative to the largest, a logarithmic axis of velocity ends.
 const SLOWEST: f64 = 1e-30;
 
@@ -34,26 +31,14 @@ pub fn boundary_picture(
     velocity: (f64, f64),
     stress: (f64, f64),
 ) -> String {
-    let x = Axis::log10("Loading velocity *V*_0", "m/s", velocity.0, velocity.1);
-    let y = Axis::log10("Normal stress *σ*", "Pa", stress.0, stress.1);
-    let description = "Loading velocity and normal stress, with the areas in which no disturbance oscillates, their exact edges, the asymptotes of these edges, and the transition to unstable sliding.";
-    let quiet = Zone {
-        label: "max Im(*s*) = 0 exactly".into(),
-        outlines: zero_areas(points, &x, &y),
-        style: QUIET_STYLE,
-    };
+    let (x, y) = plane(velocity, stress);
     let bands = error_bars.map_or_else(Vec::new, |region| band_lines(region, &x, &y, FINE));
     let of_ratio = ratio.map(|ratio| pair_line(slider, ratio));
     let lines = bands.into_iter().chain(theory_lines(slider, points, &x, &y)).chain(of_ratio).collect();
-    let map = ZoneMap {
-        caption: Caption::new("boundary", "Exact boundary of oscillation", description),
-        zones: vec![quiet],
-        lines,
-        marks: cusp_mark(points),
-        labels: Vec::new(),
-        x,
-        y,
-    };
+    let mut map = ZoneMap { lines, marks: cusp_mark(points), x, y, ..picture("boundary") };
+    for zone in &mut map.zones {
+        zone.outlines = zero_areas(points, &map.x, &map.y);
+    }
     map.svg()
 }
 
@@ -66,18 +51,10 @@ pub fn mode_picture(
     threshold: &InertialThreshold,
 ) -> Option<String> {
     let (x, y) = axes(modes)?;
-    let description = "Slip modes over loading velocity and normal stress, with the exact boundary of oscillation, its asymptotes, the transition to unstable sliding, and the line between inertial and non-inertial oscillation.";
     let line = pair_line(slider, &PairRatio::Frequency(threshold.clone()));
     let zones = present_zones(modes.values.iter().copied(), modes.loading_velocity_m_per_s.len(), &x, &y);
-    let map = ZoneMap {
-        caption: Caption::new("slip-modes", "Slip modes", description),
-        zones,
-        lines: theory_lines(slider, points, &x, &y).into_iter().chain([line]).collect(),
-        marks: cusp_mark(points),
-        labels: Vec::new(),
-        x,
-        y,
-    };
+    let lines = theory_lines(slider, points, &x, &y).into_iter().chain([line]).collect();
+    let map = ZoneMap { zones, lines, marks: cusp_mark(points), x, y, ..picture("slip-modes") };
     Some(map.svg())
 }
 
@@ -99,34 +76,17 @@ pub fn trajectory_picture(moments: &[(Moment, f64)], loading_velocity_m_per_s: f
         .map(|(moment, slip)| [moment.time_s, velocity(moment), moment.stress_change_pa / size, *slip])
         .collect();
     let of = |index: usize| values.iter().map(move |value| value[index]);
-    let (slowest, fastest) = extent(of(1))?;
-    let y = [
-        Axis::log10("Velocity *V*", "m/s", (0.5 * slowest).max(SLOWEST * fastest), 2.0 * fastest),
-        linear_axis("Δ*τ*", unit, of(2))?,
-        linear_axis("Slip", "m", of(3))?,
-    ];
-    let panel = |(index, y): (usize, Axis)| Panel {
-        heading: vec![
-            ["**velocity**", "**shear stress** relative to steady sliding", "**slip** since the start"]
-                [index]
-                .into(),
-        ],
-        x: Axis::linear("Time", "s", 0.0, end),
-        series: vec![Series::line("", thinned(&values, index + 1, &y))],
-        references: if index == 1 {
-            vec![Reference::Horizontal { at: 0.0, label: String::new() }]
-        } else {
-            Vec::new()
-        },
-        y,
-    };
-    let description = "Three charts against time: the velocity of the slider on a logarithmic axis, the shear stress relative to steady sliding, and the slip since the start.";
-    let panels = Panels {
-        caption: Caption::new("trajectory", "Simulated run", description),
-        columns: 1,
-        height: CHART_HEIGHT,
-        panels: y.into_iter().enumerate().map(panel).collect(),
-    };
+    let mut panels: Panels = picture("trajectory");
+    for (panel, (index, unit)) in panels.panels.iter_mut().zip((1..).zip(["m/s", unit, "m"])) {
+        panel.x.max = end;
+        panel.y.unit = unit.into();
+        if panel.y.scale == Scale::Log10 {
+            let (slowest, fastest) = extent(of(index))?;
+            (panel.y.min, panel.y.max) = ((0.5 * slowest).max(SLOWEST * fastest), 2.0 * fastest);
+        }
+        panel.y = over(&panel.y, of(index))?;
+        panel.series = vec![Series::line("", thinned(&values, index, &panel.y))];
+    }
     (end > 0.0).then(|| panels.svg())
 }
 

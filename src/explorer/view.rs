@@ -3,7 +3,7 @@
 use crate::scene::cited;
 use serde::Serialize;
 
-use crate::experiments::shared::axes::{asymptote_lines, boundary_lines, transition_line};
+use crate::experiments::shared::axes::{asymptote_lines, boundary_lines, plane, transition_line};
 use crate::experiments::shared::bands::band_lines;
 use crate::explorer::formulas::{self, FORMULAS, FormulaRow, formula_values};
 use crate::explorer::tables::one_at_a_time;
@@ -149,8 +149,7 @@ fn controls(families: &Families) -> Vec<Control> {
 }
 
 fn map(families: &Families, window: Window) -> FamilyMap {
-    let x = Axis::log10("Loading velocity *V*_0", "m/s", window.velocity.0, window.velocity.1);
-    let y = Axis::log10("Normal stress *σ*", "Pa", window.stress.0, window.stress.1);
+    let (x, y) = plane(window.velocity, window.stress);
     let far = libm::exp10(f64::from(MARGIN));
     let wide = |axis: &Axis| Axis { min: axis.min / far, max: axis.max * far, ..axis.clone() };
     let (wide_x, wide_y) = (wide(&x), wide(&y));

@@ -2,19 +2,18 @@
 
 use slipmode::comparison::recording::Recording;
 use slipmode::comparison::{Observable, Reference};
+use slipmode::experiments::described::{extent, picture, with_points};
 use slipmode::report::FigureView;
 use slipmode_core::dynamics::Behaviour;
 use slipmode_core::number::format::round_digits;
 use slipmode_core::number::nearest_f64;
-use slipmode_plot::figure::{Axis, Caption, LineChart, Reference as Across, Series};
+use slipmode_plot::figure::{Caption, LineChart, Series};
 
 use crate::cli::compare::rows::ComparedRow;
 use crate::cli::simulate::run::{Settings, follow};
 
 /// Late cycles drawn, from the first rows that have one.
 const MOST_CYCLES: usize = 6;
-/// Where the axis of differences becomes linear, in units of the allowed difference.
-const SMALLEST: f64 = 1e-4;
 /// Periods after which our cycle is drawn.
 const PERIODS: f64 = 12.0;
 
@@ -41,14 +40,10 @@ fn differences(rows: &[ComparedRow]) -> Option<FigureView> {
         return None;
     }
     let end = libm::exp10(libm::log10(largest).floor() + 1.0);
-    let description = "One mark for each number of a run that was compared with a simulation: the difference divided by the difference that tolerance and errors allow. Marks between -1 and 1 agree.";
-    let chart = LineChart {
-        caption: Caption::new("differences", "Runs compared with our simulations", description),
-        x: Axis::linear("Row", "", first(rows) - 0.5, last(rows) + 0.5),
-        y: Axis::signed_log10("Difference / allowed difference", "", SMALLEST, -end, end),
-        series,
-        references: vec![Across::Band { from: -1.0, to: 1.0, label: "agreement".into() }],
-    };
+    let mut chart: LineChart = picture("differences");
+    (chart.x.min, chart.x.max) = (first(rows) - 0.5, last(rows) + 0.5);
+    (chart.y.min, chart.y.max) = (-end, end);
+    chart.series = series;
     let caption = "Relative differences between the runs' numbers and our simulation, in units of what the tolerance and the errors of both sides allow. Inside the strip they agree.";
     Some(FigureView::new(&chart.caption, "", caption, chart.svg()).with_data(&["findings"]))
 }
@@ -88,8 +83,7 @@ fn long_term_cycles(row: &ComparedRow) -> Option<FigureView> {
     let theirs = last_cycle(recording, level)?;
     let ours = last_cycle(&our_recording(row)?, level)?;
     let both = || theirs.iter().chain(&ours);
-    let lowest = both().map(|(_, v)| *v).fold(f64::INFINITY, f64::min);
-    let highest = both().map(|(_, v)| *v).fold(0.0, f64::max);
+    let (lowest, highest) = extent(both().map(|(_, v)| *v))?;
     let end = both().map(|(t, _)| *t).fold(0.0, f64::max);
     let (low, high) = (libm::log10(lowest).floor(), libm::log10(highest).ceil());
     let id = format!("late-cycle-row-{}", row.number);
@@ -97,13 +91,11 @@ fn long_term_cycles(row: &ComparedRow) -> Option<FigureView> {
         "Velocity over one late cycle of row {}, starting at the upward crossing of the loading velocity: the recorded trajectory, and our simulation.",
         row.number
     );
-    let chart = LineChart {
-        caption: Caption::new(&id, &format!("Late cycle of row {}", row.number), &description),
-        x: Axis::linear("Time since the upward crossing of *V*_0", "s", 0.0, end),
-        y: Axis::log10("Velocity", "m/s", libm::exp10(low), libm::exp10(high.max(low + 1.0))),
-        series: vec![Series::line("simulation", ours), Series::line("run", theirs)],
-        references: Vec::new(),
-    };
+    let mut chart: LineChart = picture("late-cycle");
+    chart.caption = Caption::new(&id, &format!("Late cycle of row {}", row.number), &description);
+    chart.x.max = end;
+    (chart.y.min, chart.y.max) = (libm::exp10(low), libm::exp10(high.max(low + 1.0)));
+    let chart = with_points(chart, [ours, theirs])?;
     let periods = round_digits(PERIODS, 2);
     let caption = format!(
         "The last cycle of the trajectory of row {}, and the last of {periods} periods of our simulation from its start. Both begin at the upward crossing of the loading velocity.",

@@ -1,27 +1,28 @@
 //! Figures of a fit: the record with its model and residuals, and the profiles of the values.
 
 use super::run::FitOutcome;
-use crate::experiments::trajectories::curves::{extent, linear_axis};
+use crate::experiments::described::{extent, over, with_points};
 use crate::experiments::{Drawer, Outcome, Words, figure_makers};
 use crate::fitting::{Estimate, Fit, Fits, Parameter, StepRecord, slider};
 use slipmode_core::dynamics::{DrivenControl, DrivenSlider, Piece, drive};
-use slipmode_plot::figure::{Axis, Caption, LineChart, Panel, Panels, Reference, Series};
+use slipmode_plot::figure::{LineChart, Panel, Panels, Reference};
 
 pub(crate) const FIGURES: &[Drawer] = &[
     ("fit-record", |outcome, words| {
         let (_, found) = fitted(outcome)?;
-        Some(record_panels(&found.record, found.fits.as_ref().ok()?, &words.caption).svg())
+        record_panels(&found.record, found.fits.as_ref().ok()?, words)
     }),
     ("fit-step", |outcome, words| {
         let (fit, found) = fitted(outcome)?;
-        Some(step_chart(fit, &found.record, words)?.svg())
+        step_chart(fit, &found.record, words)
     }),
-    ("fit-profiles", |outcome, words| Some(profile_panels(fitted(outcome)?.0, words).svg())),
+    ("fit-profiles", |outcome, words| {
+        let (fit, _) = fitted(outcome)?;
+        let quantile = fit.residuals.half_width();
+        words.panels(fit.estimates.iter().filter_map(|estimate| profile_panel(words, estimate, quantile)))
+    }),
 ];
 
-/// Height of the chart of the record, and of a profile.
-const HEIGHT: f64 = 190.0;
-const PROFILE_HEIGHT: f64 = 130.0;
 /// Places along the axis at which the least and the largest sample are drawn, where there are more samples.
 const PLACES: usize = 700;
 
@@ -33,48 +34,28 @@ fn fitted(outcome: &Outcome) -> Option<(&Fit, &FitOutcome)> {
 #[must_use]
 pub fn fit_picture(record: &StepRecord, fits: &Fits) -> String {
     let maker = figure_makers().find(|maker| maker.id == "fit-record");
-    maker.map_or_else(String::new, |maker| record_panels(record, fits, maker.caption()).svg())
+    maker.and_then(|maker| record_panels(record, fits, &mut maker.words())).unwrap_or_default()
 }
 
-fn record_panels(record: &StepRecord, fits: &Fits, caption: &Caption) -> Panels {
+fn record_panels(record: &StepRecord, fits: &Fits, words: &mut Words) -> Option<String> {
     let fit = &fits.best;
     let (unit, size) = length_unit(record.displacements_m.last().copied().unwrap_or_default());
     let ways = || record.displacements_m.iter().map(|way| way / size);
-    let of = |values: Vec<f64>| thinned(&ways().zip(values).collect::<Vec<_>>());
     let fitted: Vec<f64> = fit.fitted(record).collect();
     let residuals: Vec<f64> = fit.differences.iter().map(|difference| -difference).collect();
-    let (first, last) = extent(ways()).unwrap_or((0.0, 1.0));
-    let x = || Axis::linear("Displacement of the load point", unit, first, last);
-    let axis = |title: &str, values: &[f64]| {
-        linear_axis(title, "", values.iter().copied()).unwrap_or_else(|| Axis::linear(title, "", 0.0, 1.0))
-    };
-    let deviation = fit.residuals.standard_deviation;
-    Panels {
-        caption: caption.clone(),
-        columns: 1,
-        height: HEIGHT,
-        panels: vec![
-            Panel {
-                heading: vec!["**friction**".into()],
-                x: x(),
-                y: axis("*μ*", &record.frictions),
-                series: vec![
-                    Series::of_theory("measured", of(record.frictions.clone())),
-                    Series::line(format!("fitted, {} law", fit.given.law.as_str()), of(fitted)),
-                ],
-                references: Vec::new(),
-            },
-            Panel {
-                heading: vec!["**residuals**".into()],
-                x: x(),
-                y: axis("Δ*μ*", &residuals),
-                series: vec![Series::of_theory("measured", of(residuals))],
-                references: [-deviation, 0.0, deviation]
-                    .map(|at| Reference::Horizontal { at, label: String::new() })
-                    .into(),
-            },
-        ],
+    words.fill(&[("unit", unit), ("law", fit.given.law.as_str())]);
+    let mut panels: Panels = words.drawing()?;
+    for (panel, lines) in panels.panels.iter_mut().zip([vec![&record.frictions, &fitted], vec![&residuals]]) {
+        (panel.x.min, panel.x.max) = extent(ways())?;
+        panel.y = over(&panel.y, lines[0].iter().copied())?;
+        for (series, values) in panel.series.iter_mut().zip(lines) {
+            series.points = thinned(&ways().zip(values.iter().copied()).collect::<Vec<_>>());
+        }
     }
+    let deviation = fit.residuals.standard_deviation;
+    let across = [-deviation, 0.0, deviation].map(|at| Reference::Horizontal { at, label: String::new() });
+    panels.panels.last_mut()?.references = across.into();
+    Some(panels.svg())
 }
 
 /// The unit in which a displacement has few digits, and its size in m.
@@ -105,7 +86,7 @@ const STEP_SAMPLES: u32 = 400;
 const STIFF: f64 = 3e3;
 
 /// A step of velocity with what a, b and D_c do to the friction.
-fn step_chart(fit: &Fit, record: &StepRecord, words: &Words) -> Option<LineChart> {
+fn step_chart(fit: &Fit, record: &StepRecord, words: &mut Words) -> Option<String> {
     let fitted = slider(&fit.point, None, fit.given.law);
     let (a, b, distance) = (fitted.direct_effect, fitted.evolution_effect, fitted.critical_slip_distance_m);
     let stiffness_pa_per_m = STIFF * a * record.normal_stress_pa / distance;
@@ -139,42 +120,25 @@ fn step_chart(fit: &Fit, record: &StepRecord, words: &Words) -> Option<LineChart
     // Above the peak is room for its label.
     let heights = [0.0, 1.1 * a * decade, (a - b) * decade].map(|change| fitted.reference_friction + change);
     let along = Reference::Vertical { at: distance / size, label: "*D*_c".into() };
-    Some(LineChart {
-        caption: words.caption.clone(),
-        x: Axis::linear(
-            "Displacement since the step",
-            unit,
-            -SHOWN[0] * distance / size,
-            SHOWN[1] * distance / size,
-        ),
-        y: linear_axis("*μ*", "", heights.into_iter())?,
-        series: vec![Series::line(format!("{} law", fit.given.law.as_str()), points)],
-        references: levels.into_iter().chain([along]).collect(),
-    })
+    words.fill(&[("unit", unit), ("law", fit.given.law.as_str())]);
+    let mut chart: LineChart = words.drawing()?;
+    (chart.x.min, chart.x.max) = (-SHOWN[0] * distance / size, SHOWN[1] * distance / size);
+    chart.y = over(&chart.y, heights)?;
+    chart.references = levels.into_iter().chain([along]).collect();
+    Some(with_points(chart, [points])?.svg())
 }
 
-fn profile_panels(fit: &Fit, words: &Words) -> Panels {
-    let quantile = fit.residuals.half_width();
-    Panels {
-        caption: words.caption.clone(),
-        columns: 2,
-        height: PROFILE_HEIGHT,
-        panels: fit.estimates.iter().filter_map(|estimate| profile_panel(estimate, quantile)).collect(),
-    }
-}
-
-fn profile_panel(estimate: &Estimate, quantile: f64) -> Option<Panel> {
+fn profile_panel(words: &Words, estimate: &Estimate, quantile: f64) -> Option<Panel> {
     let (unit, size) = unit_of(estimate);
     let points: Vec<(f64, f64)> =
         estimate.profile.iter().map(|point| (point.value / size, point.distance)).collect();
-    let symbol = format!("*{}*", estimate.parameter.symbol());
-    Some(Panel {
-        heading: Vec::new(),
-        x: linear_axis(&symbol, unit, points.iter().map(|point| point.0))?,
-        y: linear_axis("Distance", "", points.iter().map(|point| point.1).chain([-quantile, quantile]))?,
-        series: vec![Series::marked("profile", points)],
-        references: [-quantile, quantile].map(|at| Reference::Horizontal { at, label: String::new() }).into(),
-    })
+    let mut panel = words.panel(&[("symbol", estimate.parameter.symbol()), ("unit", unit)])?;
+    panel.x = over(&panel.x, points.iter().map(|point| point.0))?;
+    panel.y = over(&panel.y, points.iter().map(|point| point.1).chain([-quantile, quantile]))?;
+    panel.series.iter_mut().for_each(|series| series.points.clone_from(&points));
+    panel.references =
+        [-quantile, quantile].map(|at| Reference::Horizontal { at, label: String::new() }).into();
+    Some(panel)
 }
 
 /// The unit in which a value has few digits, and its size in SI.

@@ -1,18 +1,14 @@
 //! The figure of a fit of peak velocities: the peaks with both laws, and their residuals.
 
-use crate::experiments::trajectories::curves::{extent, linear_axis};
+use crate::experiments::described::{extent, over, picture};
 use crate::fitting::{PeakFits, PeakRow};
-use slipmode_plot::figure::{Axis, Caption, Panel, Panels, Reference, Series};
-
-const DESCRIPTION: &str = "Two charts against the velocity of the load point on a logarithmic axis: the measured peak velocities with the curves of the fitted laws and of the ends of the 95 % interval, and the residuals.";
-const HEIGHT: f64 = 190.0;
+use slipmode_plot::figure::{Axis, Panels, Series};
 
 /// The peaks over the load velocity with the fitted laws and, for the better law, the ends of its interval from the noise.
 #[must_use]
 pub fn peak_picture(rows: &[PeakRow], fits: &PeakFits) -> String {
     let loads = || rows.iter().map(|row| row.load_m_per_s);
     let (first, last) = extent(loads()).unwrap_or((1e-6, 1.0));
-    let x = || Axis::log10("Load velocity *V*_l", "m/s", first / 1.2, last * 1.2);
     let is_one_stress = rows.iter().all(|row| row.stress == 1.0);
     let over_load = |values: &mut dyn Iterator<Item = f64>| {
         let mut points: Vec<(f64, f64)> = loads().zip(values).collect();
@@ -38,24 +34,14 @@ pub fn peak_picture(rows: &[PeakRow], fits: &PeakFits) -> String {
     let residuals: Vec<f64> =
         rows.iter().zip(best).map(|(row, peak)| 100.0 * (row.peak_m_per_s / peak - 1.0)).collect();
     let values = series.iter().flat_map(|series| &series.points).map(|point| point.1);
-    let y = linear_axis("Peak velocity *V*_{peak}", "m/s", values);
-    let below = linear_axis("Residual", "%", residuals.iter().copied().chain([0.0]));
-    let panel = |heading: &str, y: Option<Axis>, series, references| Panel {
-        heading: vec![heading.into()],
-        x: x(),
-        y: y.unwrap_or_else(|| Axis::linear("", "", 0.0, 1.0)),
-        series,
-        references,
-    };
-    let zero = Reference::Horizontal { at: 0.0, label: String::new() };
-    let panels = Panels {
-        caption: Caption::new("fit-peaks", "Peak velocities and fit", DESCRIPTION),
-        columns: 1,
-        height: HEIGHT,
-        panels: vec![
-            panel("**peak velocity**", y, series, Vec::new()),
-            panel("**residuals**", below, vec![measured(&mut residuals.into_iter())], vec![zero]),
-        ],
-    };
+    let heights: Vec<f64> = values.collect();
+    let below = residuals.iter().copied().chain([0.0]).collect();
+    let residuals = vec![measured(&mut residuals.into_iter())];
+    let mut panels: Panels = picture("fit-peaks");
+    for (panel, (values, series)) in panels.panels.iter_mut().zip([(heights, series), (below, residuals)]) {
+        (panel.x.min, panel.x.max) = (first / 1.2, last * 1.2);
+        panel.y = over(&panel.y, values).unwrap_or_else(|| Axis { max: 1.0, ..panel.y.clone() });
+        panel.series = series;
+    }
     panels.svg()
 }

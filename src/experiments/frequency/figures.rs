@@ -1,15 +1,14 @@
 //! Frequencies along lines of constant normal stress (fig 2).
 
+use crate::experiments::described::with_points;
 use crate::experiments::frequency::{FrequencyLine, FrequencyOutcome};
 use crate::experiments::shared::axes::{axes, boundary_lines, transition_line};
 use crate::experiments::{Drawer, SceneOutcome, Words};
-use crate::scene::cited;
 use std::cmp::Ordering;
 
-use slipmode_core::friction::Slider;
 use slipmode_core::number::format::rational_to_decimal;
 use slipmode_core::number::{Ball, Rational, nearest_f64};
-use slipmode_plot::figure::{Axis, Inset, LineChart, Reference, Series};
+use slipmode_plot::figure::{Inset, LineChart, Reference, Series};
 
 pub(crate) const FIGURES: &[Drawer] =
     &[("fig-2", |outcome, words| frequency_lines(outcome.potentially_unstable()?, words))];
@@ -20,15 +19,16 @@ fn frequency_lines(scene: &SceneOutcome, words: &Words) -> Option<String> {
     let (first, last) = (*velocities.first()?, *velocities.last()?);
     let natural = parameters.map(nearest_f64).natural_angular_frequency_per_s();
     let lines = in_the_order_of_the_paper(outcome);
-    let mut series: Vec<Series> = lines.iter().map(|line| line_series(outcome, line)).collect();
-    series.push(crossing_series(parameters, natural, first, last));
-    let chart = LineChart {
-        caption: words.caption.clone(),
-        x: Axis::log10("Loading velocity *V*_0", "m/s", first, last),
-        y: Axis::log10("max Im(*s*)", "1/s", natural * 1e-4, natural * 3.0),
-        series,
-        references: vec![Reference::Horizontal { at: natural, label: "*ω*_n = √(*K*/*M*)".into() }],
-    };
+    let mut chart: LineChart = words.drawing()?;
+    (chart.x.min, chart.x.max) = (first, last);
+    (chart.y.min, chart.y.max) = (natural * 1e-4, natural * 3.0);
+    let per_metre = parameters.map(|value| Ball::from_rational(value, 128));
+    let per_metre = per_metre.transition_angular_frequency_over_velocity_per_m().to_f64();
+    // Eq 23, drawn up to three times the natural frequency.
+    let ends = [first, last.min(chart.y.max / per_metre)].map(|velocity| (velocity, velocity * per_metre));
+    let mut chart = with_points(chart, [ends.to_vec()])?;
+    chart.series.splice(..0, lines.iter().map(|line| line_series(outcome, line)));
+    chart.references.push(Reference::Horizontal { at: natural, label: "*ω*_n = √(*K*/*M*)".into() });
     Some(chart.svg_with(inset(scene, &lines).as_ref()))
 }
 
@@ -71,12 +71,4 @@ fn line_series(outcome: &FrequencyOutcome, line: &FrequencyLine) -> Series {
         .map(|(velocity, imaginary)| (*velocity, imaginary.to_f64().unwrap_or(0.0)))
         .collect();
     Series::line(format!("*σ* = {label}"), points)
-}
-
-/// Eq 23, drawn up to three times the natural frequency.
-fn crossing_series(parameters: &Slider<Rational>, natural: f64, first: f64, last: f64) -> Series {
-    let enclosed = parameters.map(|value| Ball::from_rational(value, 128));
-    let per_metre = enclosed.transition_angular_frequency_over_velocity_per_m().to_f64();
-    let end = last.min(natural * 3.0 / per_metre);
-    Series::of_theory(cited("{frequency-limit}"), vec![(first, first * per_metre), (end, end * per_metre)])
 }

@@ -4,14 +4,16 @@ use crate::experiments::boundary::BoundaryOutcome;
 use crate::experiments::map::MapPoint;
 use crate::experiments::operating_point::mark::operating_point_mark;
 use crate::experiments::shared::Grid;
-use crate::experiments::shared::axes::{asymptote_lines, axes, boundary_lines, cusp_mark, transition_line};
+use crate::experiments::shared::axes::{
+    arc_points, asymptote_lines, axes, boundary_lines, cusp_mark, transition_line,
+};
 use crate::experiments::shared::bands::{FINE, band_lines};
 use crate::experiments::shared::map_readout::readout;
 use crate::experiments::{Drawer, SceneOutcome, Words};
 use slipmode_core::number::nearest_f64;
 use slipmode_core::stability::Arc;
 use slipmode_core::stability::boundary::BoundaryPoint;
-use slipmode_plot::figure::{Axis, ColourScale, HeatMap, Line, LineRole};
+use slipmode_plot::figure::{Axis, HeatMap, Line, LineRole};
 
 pub(crate) const FIGURES: &[Drawer] = &[
     ("fig-1", |outcome, words| frequency_map(outcome.potentially_unstable()?, words)),
@@ -57,37 +59,32 @@ fn error_bands(scene: &SceneOutcome, x: &Axis, y: &Axis) -> Vec<Line> {
     region.map_or_else(Vec::new, |region| band_lines(region, x, y, FINE))
 }
 
-fn frequency_map(scene: &SceneOutcome, words: &Words) -> Option<String> {
-    let (map, boundary) = (scene.map.as_ref()?, scene.boundary.as_ref()?);
-    let (x, y) = axes(map)?;
-    let parameters = scene.slider()?;
-    let natural = parameters.map(nearest_f64).natural_angular_frequency_per_s();
-    let heat_map = HeatMap {
-        caption: words.caption.clone(),
-        columns: map.loading_velocity_m_per_s.len(),
-        values: frequencies(map),
-        colours: ColourScale::new("max Im(*s*)", "1/s", (natural * 1e-4, natural), STEPS).with_contours(
-            "79, 90 and 99 % of √(*K*/*M*)",
-            NEARLY_NATURAL.map(|share| share * natural).to_vec(),
-        ),
-        zero_areas: zero_areas(&boundary.points, &x, &y),
-        zero_label: "max Im(*s*) = 0 exactly".into(),
-        lines: theory_lines(scene, boundary, &x, &y),
-        marks: cusp_mark(&boundary.points).into_iter().chain(operating_point_mark(scene, &x, &y)).collect(),
-        x,
-        y,
-    };
-    Some(heat_map.svg_with(Some(&readout(map, boundary))))
+/// The described map of the values of a grid, with the lines of theory over it.
+pub(crate) fn heat_map<T>(
+    scene: &SceneOutcome,
+    words: &Words,
+    grid: &Grid<T>,
+    value: impl Fn(f64, &T) -> f64,
+) -> Option<HeatMap> {
+    let (x, y) = axes(grid)?;
+    let values = grid.points().map(|(velocity, _, point)| value(velocity, point)).collect();
+    let lines = theory_lines(scene, scene.boundary.as_ref()?, &x, &y);
+    let columns = grid.loading_velocity_m_per_s.len();
+    Some(HeatMap { columns, values, lines, x, y, ..words.drawing()? })
 }
 
-/// Colour steps of the map: six a decade.
-const STEPS: usize = 24;
-
-/// Shares of the natural angular frequency at which the map has a line: all of the brightest colour or close to it.
-const NEARLY_NATURAL: [f64; 3] = [0.79, 0.9, 0.99];
-
-fn frequencies(map: &Grid<MapPoint>) -> Vec<f64> {
-    map.values.iter().map(|point| point.max_imaginary_per_s.to_f64().unwrap_or(0.0)).collect()
+fn frequency_map(scene: &SceneOutcome, words: &Words) -> Option<String> {
+    let (grid, boundary) = (scene.map.as_ref()?, scene.boundary.as_ref()?);
+    let frequency = |_, point: &MapPoint| point.max_imaginary_per_s.to_f64().unwrap_or(0.0);
+    let mut map = heat_map(scene, words, grid, frequency)?;
+    let natural = scene.slider()?.map(nearest_f64).natural_angular_frequency_per_s();
+    (map.colours.min, map.colours.max) = (natural * 1e-4, natural);
+    // They are described as shares of the natural angular frequency.
+    map.colours.contours.iter_mut().for_each(|level| *level *= natural);
+    map.zero_areas = zero_areas(&boundary.points, &map.x, &map.y);
+    map.marks = cusp_mark(&boundary.points);
+    map.marks.extend(operating_point_mark(scene, &map.x, &map.y));
+    Some(map.svg_with(Some(&readout(grid, boundary))))
 }
 
 /// The areas without oscillation, closed along the edges of the map.
@@ -95,11 +92,7 @@ pub(crate) fn zero_areas(points: &[BoundaryPoint], x: &Axis, y: &Axis) -> Vec<Ve
     [(Arc::Upper, y.max), (Arc::Lower, y.min)]
         .into_iter()
         .filter_map(|(arc, edge)| {
-            let mut outline: Vec<(f64, f64)> = points
-                .iter()
-                .filter(|point| point.arc == arc)
-                .map(|point| (point.loading_velocity_m_per_s.to_f64(), point.normal_stress_pa.to_f64()))
-                .collect();
+            let mut outline = arc_points(points, arc);
             let (first, last) = (*outline.first()?, *outline.last()?);
             // The arc runs from the slow (quasi-static) end to the inertial one; both ends go on along their asymptote.
             let outside = x.min.min(first.0);

@@ -1,14 +1,13 @@
 //! Figures of what happens close to K = K_c: sign of the coefficient, strip of bistability, amplitudes of cycles.
 
+use crate::experiments::described::with_points;
 use crate::experiments::near_transition::{CycleFamilyOutcome, Edge, FamilyCycle, NearTransitionOutcome};
 use crate::experiments::{Drawer, Outcome, SceneOutcome, Words};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::format::rational_to_decimal;
 use slipmode_core::number::{Rational, nearest_f64};
 use slipmode_core::theory::hopf::degenerate_inertial_parameter;
-use slipmode_plot::figure::{
-    Axis, Line, LineChart, LineRole, PointMark, Reference, RegionLabel, Series, Side, Zone, ZoneMap,
-};
+use slipmode_plot::figure::{Axis, LineChart, PointMark, Side, ZoneMap};
 
 pub(crate) const FIGURES: &[Drawer] = &[
     ("criticality", |outcome, words| criticality(outcome, words)),
@@ -22,29 +21,20 @@ pub(crate) const FIGURES: &[Drawer] = &[
 const VERTICES: u32 = 80;
 
 fn criticality(outcome: &Outcome, words: &Words) -> Option<String> {
-    let x = Axis::log10("*η*", "", 1e-3, 1e1);
-    let y = Axis::log10("*β* − 1", "", 1e-2, 1e3);
-    let (low, high) = (libm::log10(y.min), libm::log10(y.max));
+    let mut map: ZoneMap = words.drawing()?;
+    let (low, high) = (libm::log10(map.y.min), libm::log10(map.y.max));
     let curve: Vec<(f64, f64)> = (0..=VERTICES)
         .map(|index| libm::exp10(low + (high - low) * f64::from(index) / f64::from(VERTICES)))
         .map(|above| (degenerate_inertial_parameter(1.0 + above), above))
         .collect();
-    let closed = |edge: f64| [curve.clone(), vec![(edge, y.max), (edge, y.min)]].concat();
-    let zone = |label: &str, edge, style| Zone { label: label.into(), outlines: vec![closed(edge)], style };
+    let edges = [map.x.min, map.x.max].map(|edge| vec![(edge, map.y.max), (edge, map.y.min)]);
+    for (zone, edge) in map.zones.iter_mut().zip(edges) {
+        zone.outlines = vec![[curve.clone(), edge].concat()];
+    }
     let paper = nearest_f64(&outcome.potentially_unstable()?.slider()?.effect_ratio());
-    let map = ZoneMap {
-        zones: vec![
-            zone("aging law subcritical, slip law supercritical", x.min, 2),
-            zone("both laws supercritical", x.max, 0),
-        ],
-        lines: vec![Line::new("*l*_1 = 0 with the aging law", LineRole::Boundary, curve.clone())],
-        marks: vec![PointMark::new(
-            "*β* of the simulations",
-            (degenerate_inertial_parameter(paper), paper - 1.0),
-            Side::Right,
-        )],
-        ..words.zone_map(x.clone(), y.clone())
-    };
+    let place = (degenerate_inertial_parameter(paper), paper - 1.0);
+    map.lines.iter_mut().for_each(|line| line.points.clone_from(&curve));
+    map.marks.push(PointMark::new("*β* of the simulations", place, Side::Right));
     Some(map.svg())
 }
 
@@ -60,28 +50,16 @@ fn strip(scene: &SceneOutcome, words: &Words) -> Option<String> {
     let least = points.iter().map(|(_, excess)| *excess).fold(f64::INFINITY, f64::min);
     let (first, _) = *points.first()?;
     let limit = degenerate_inertial_parameter(nearest_f64(&scene.slider()?.effect_ratio()));
-    let x = Axis::log10("*η*", "", first, 1.0);
-    let y = Axis::log10("*K*/*K*_c − 1", "", libm::exp10(libm::log10(0.1 * least).floor()), 1e-1);
-    let outline = [points.clone(), vec![(limit, y.min), (first, y.min)]].concat();
-    let label =
-        |lines: &[&str], x, y| RegionLabel { lines: lines.iter().map(|&line| line.into()).collect(), x, y };
-    let map = ZoneMap {
-        zones: vec![Zone {
-            label: "stable cycle and stable sliding".into(),
-            outlines: vec![outline],
-            style: 2,
-        }],
-        lines: vec![
-            Line::new("limit: fold of cycles", LineRole::Boundary, points.clone()),
-            Line::new("*η*_0, where *l*_1 = 0", LineRole::Guide, vec![(limit, y.min), (limit, y.max)]),
-        ],
-        marks: points.iter().map(|&(x, y)| PointMark::new("", (x, y), Side::Above)).collect(),
-        labels: vec![
-            label(&["two long-term behaviours:", "the start decides"], 1e-3, 2e-6),
-            label(&["stable sliding only"], 1e-4, 1e-2),
-        ],
-        ..words.zone_map(x, y)
-    };
+    let mut map: ZoneMap = words.drawing()?;
+    (map.x.min, map.y.min) = (first, libm::exp10(libm::log10(0.1 * least).floor()));
+    let (low, high) = (map.y.min, map.y.max);
+    for zone in &mut map.zones {
+        zone.outlines = vec![[points.clone(), vec![(limit, low), (first, low)]].concat()];
+    }
+    map.marks = points.iter().map(|&place| PointMark::new("", place, Side::Above)).collect();
+    for (line, points) in map.lines.iter_mut().zip([points, vec![(limit, low), (limit, high)]]) {
+        line.points = points;
+    }
     Some(map.svg())
 }
 
@@ -108,24 +86,18 @@ fn amplitudes(near: &NearTransitionOutcome, words: &mut Words) -> Option<String>
     let place = |cycle: &FamilyCycle| (cycle.excess, cycle.log_peak);
     let lower: Vec<(f64, f64)> = aging.cycles.iter().filter(unstable).map(place).collect();
     let upper: Vec<(f64, f64)> = aging.cycles.iter().filter(|cycle| !unstable(cycle)).map(place).collect();
-    let x = Axis::linear("*K*/*K*_c − 1", "", -0.01, 0.01);
-    let highest = near_peak(&upper, x.min);
-    let chart = LineChart {
-        caption: words.caption.clone(),
-        y: Axis::linear("ln(*V*_{peak}/*V*_l)", "", 0.0, 1.1 * highest),
-        series: vec![
-            Series::points("aging, stable", [vec![fold], upper].concat()),
-            Series::points("aging, unstable", lower),
-            Series::points("slip, stable", slip.cycles.iter().map(place).collect()),
-            Series::points("aging, runs from *V*_l/10", run_peaks(near, aging)),
-            Series::points("slip, runs from *V*_l/10", run_peaks(near, slip)),
-            theory(aging, &x),
-            Series { label: String::new(), ..theory(slip, &x) },
-        ],
-        references: vec![Reference::Vertical { at: 0.0, label: "*K* = *K*_c".into() }],
-        x,
-    };
-    Some(chart.svg())
+    let mut chart: LineChart = words.drawing()?;
+    chart.y.max = 1.1 * near_peak(&upper, chart.x.min);
+    let lines = [
+        [vec![fold], upper].concat(),
+        lower,
+        slip.cycles.iter().map(place).collect(),
+        run_peaks(near, aging),
+        run_peaks(near, slip),
+        theory(aging, &chart.x),
+        theory(slip, &chart.x),
+    ];
+    Some(with_points(chart, lines)?.svg())
 }
 
 /// The peak of the stable branch where it leaves the chart.
@@ -145,11 +117,10 @@ fn run_peaks(near: &NearTransitionOutcome, family: &CycleFamilyOutcome) -> Vec<(
 }
 
 /// A = √(A²/(K/K_c − 1) (K/K_c − 1)), on the side where it exists.
-fn theory(family: &CycleFamilyOutcome, x: &Axis) -> Series {
-    let points = (0..=VERTICES)
+fn theory(family: &CycleFamilyOutcome, x: &Axis) -> Vec<(f64, f64)> {
+    (0..=VERTICES)
         .map(|index| f64::from(index) / f64::from(VERTICES))
         .flat_map(|share| [x.min * share * share, x.max * share * share])
         .filter_map(|excess| Some((excess, family.predicted_amplitude(excess)?)))
-        .collect();
-    Series::of_theory("first Lyapunov coefficient", points)
+        .collect()
 }

@@ -5,15 +5,12 @@ use crate::experiments::{Drawer, Outcome, Words};
 use slipmode_core::number::format::round_digits;
 use slipmode_core::number::nearest_f64;
 use slipmode_core::stability::Asymptote;
-use slipmode_plot::figure::{Axis, LineChart, Reference, Series};
+use slipmode_plot::figure::{LineChart, Series};
 
 pub(crate) const FIGURES: &[Drawer] = &[
     ("fig-4a", |outcome, words| runs(outcome, 0, words)),
     ("fig-4b", |outcome, words| runs(outcome, 1, words)),
 ];
-
-/// The lowest velocity shown, in units of V_l; the highest is that of the runs.
-const LOWEST: f64 = 0.6;
 
 fn runs(outcome: &Outcome, index: usize, words: &mut Words) -> Option<String> {
     let scene = outcome.potentially_unstable()?;
@@ -32,13 +29,10 @@ fn runs(outcome: &Outcome, index: usize, words: &mut Words) -> Option<String> {
     let (count, visible) = (line.shown.len().to_string(), round_digits(nearest_f64(&found.visible), 3));
     words.fill(&[("stress", &stress), ("law", law), ("count", &count), ("exact", &exact), ("seen", &seen)]);
     words.fill(&[("visible", &visible)]);
-    let chart = LineChart {
-        caption: words.caption.clone(),
-        x: Axis::linear("Loaded distance *V*_l *t*/*D*_c", "", 0.0, until),
-        y: Axis::linear("*V*/*V*_l", "", LOWEST, (5.0 * highest).ceil() / 5.0),
-        series: line.shown.iter().map(series).chain(line.at_boundary.as_ref().map(boundary_series)).collect(),
-        references: vec![Reference::Horizontal { at: 1.0, label: String::new() }],
-    };
+    let mut chart: LineChart = words.drawing()?;
+    (chart.x.max, chart.y.max) = (until, (5.0 * highest).ceil() / 5.0);
+    chart.series =
+        line.shown.iter().map(series).chain(line.at_boundary.as_ref().map(boundary_series)).collect();
     (!line.shown.is_empty()).then(|| chart.svg())
 }
 

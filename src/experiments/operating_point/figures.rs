@@ -19,11 +19,8 @@ fn operating_map(outcome: &Outcome, words: &Words) -> Option<String> {
     let runs = point_marks(scene, "", |id| id.replace('-', " "), Side::Right);
     let marks =
         if runs.is_empty() { operating_point_mark(scene, &x, &y).into_iter().collect() } else { runs };
-    let zones = ZoneMap {
-        zones: present_zones(modes, map.loading_velocity_m_per_s.len(), &x, &y),
-        lines: known_lines(scene, boundary, &x, &y),
-        marks,
-        ..words.zone_map(x, y)
-    };
-    Some(zones.svg_with(Some(&readout(map, boundary))))
+    let zones = present_zones(modes, map.loading_velocity_m_per_s.len(), &x, &y);
+    let lines = known_lines(scene, boundary, &x, &y);
+    let drawn = ZoneMap { zones, lines, marks, x, y, ..words.drawing()? };
+    Some(drawn.svg_with(Some(&readout(map, boundary))))
 }

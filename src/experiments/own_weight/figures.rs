@@ -5,7 +5,7 @@ use crate::experiments::zones::figures::present_zones;
 use crate::experiments::{Drawer, SceneOutcome, Words};
 use slipmode_core::number::nearest_f64;
 use slipmode_core::stability::Arc;
-use slipmode_plot::figure::{Axis, Line, LineRole, ZoneMap};
+use slipmode_plot::figure::{Line, LineRole, ZoneMap};
 
 pub(crate) const FIGURES: &[Drawer] =
     &[("own-weight", |outcome, words| outcome.scenes.iter().find_map(|scene| plane(scene, words)))];
@@ -13,13 +13,11 @@ pub(crate) const FIGURES: &[Drawer] =
 fn plane(scene: &SceneOutcome, words: &Words) -> Option<String> {
     let (found, boundary) = (scene.own_weight.as_ref()?, scene.boundary.as_ref()?);
     let (velocities, ratios) = (&found.loading_velocity_m_per_s, &found.stiffness_over_mass_per_s2);
-    let x = Axis::log10("Loading velocity *V*_0", "m/s", *velocities.first()?, *velocities.last()?);
-    let y = Axis::log10("*K*/*M*", "1/s²", *ratios.first()?, *ratios.last()?);
-    let map = ZoneMap {
-        zones: present_zones(found.slip_modes.iter().copied(), velocities.len(), &x, &y),
-        lines: lines(scene, boundary, [x.min, x.max])?,
-        ..words.zone_map(x, y)
-    };
+    let mut map: ZoneMap = words.drawing()?;
+    (map.x.min, map.x.max) = (*velocities.first()?, *velocities.last()?);
+    (map.y.min, map.y.max) = (*ratios.first()?, *ratios.last()?);
+    map.zones = present_zones(found.slip_modes.iter().copied(), velocities.len(), &map.x, &map.y);
+    map.lines = lines(scene, boundary, [map.x.min, map.x.max])?;
     Some(map.svg())
 }
 

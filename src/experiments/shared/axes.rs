@@ -14,13 +14,16 @@ use slipmode_plot::figure::{Axis, Line, LineRole, PointMark, Side};
 const LINE_POINTS: usize = 400;
 const LINE_DIGITS: u32 = 10;
 
+/// The axes of the plane over these loading velocities and normal stresses.
+pub(crate) fn plane(velocity: (f64, f64), stress: (f64, f64)) -> (Axis, Axis) {
+    let x = Axis::log10("Loading velocity *V*_0", "m/s", velocity.0, velocity.1);
+    (x, Axis::log10("Normal stress *σ*", "Pa", stress.0, stress.1))
+}
+
 /// The two axes of a grid.
 pub(crate) fn axes<T>(grid: &Grid<T>) -> Option<(Axis, Axis)> {
-    let (velocities, stresses) = (&grid.loading_velocity_m_per_s, &grid.normal_stress_pa);
-    Some((
-        Axis::log10("Loading velocity *V*_0", "m/s", *velocities.first()?, *velocities.last()?),
-        Axis::log10("Normal stress *σ*", "Pa", *stresses.first()?, *stresses.last()?),
-    ))
+    let ends = |values: &[f64]| Some((*values.first()?, *values.last()?));
+    Some(plane(ends(&grid.loading_velocity_m_per_s)?, ends(&grid.normal_stress_pa)?))
 }
 
 /// The exact boundary as lines, arc by arc, in drawing order.
@@ -32,12 +35,14 @@ pub(crate) fn boundary_lines(points: &[BoundaryPoint]) -> Vec<Line> {
         .collect()
 }
 
-fn arc_points(points: &[BoundaryPoint], arc: Arc) -> Vec<(f64, f64)> {
-    points
-        .iter()
-        .filter(|point| point.arc == arc)
-        .map(|point| (point.loading_velocity_m_per_s.to_f64(), point.normal_stress_pa.to_f64()))
-        .collect()
+/// The points of one arc, in drawing order.
+pub(crate) fn arc_points(points: &[BoundaryPoint], arc: Arc) -> Vec<(f64, f64)> {
+    points.iter().filter(|point| point.arc == arc).map(place).collect()
+}
+
+/// Where a point of the boundary lies.
+pub(crate) fn place(point: &BoundaryPoint) -> (f64, f64) {
+    (point.loading_velocity_m_per_s.to_f64(), point.normal_stress_pa.to_f64())
 }
 
 /// The line of a given ω/ω_n or damping ratio; points beyond the map draw no more of it.
@@ -56,17 +61,8 @@ pub(crate) fn pair_line(slider: &Slider<Rational>, ratio: &PairRatio) -> Line {
 
 /// The cusp as a marked point.
 pub(crate) fn cusp_mark(points: &[BoundaryPoint]) -> Vec<PointMark> {
-    points
-        .iter()
-        .filter(|point| point.mark == Some(Mark::Cusp))
-        .map(|point| {
-            PointMark::new(
-                "cusp",
-                (point.loading_velocity_m_per_s.to_f64(), point.normal_stress_pa.to_f64()),
-                Side::Right,
-            )
-        })
-        .collect()
+    let cusps = points.iter().filter(|point| point.mark == Some(Mark::Cusp));
+    cusps.map(|point| PointMark::new("cusp", place(point), Side::Right)).collect()
 }
 
 /// Eqs 15, 16, 18 and 20, each from the edge of the map to its corner.

@@ -6,6 +6,7 @@ use std::borrow::Borrow;
 use crate::experiments::boundary::BoundaryOutcome;
 use crate::experiments::map::run::MapPoint;
 use crate::experiments::shared::Grid;
+use crate::experiments::shared::axes::place;
 use crate::experiments::simulations::run::SimulatedPoint;
 use slipmode_core::dynamics::Behaviour;
 use slipmode_core::stability::SlipMode;
@@ -93,7 +94,7 @@ struct BoundaryPlace<'b> {
 
 impl<'b> BoundaryPlace<'b> {
     fn of(point: &'b BoundaryPoint) -> Self {
-        let (velocity, stress) = (point.loading_velocity_m_per_s.to_f64(), point.normal_stress_pa.to_f64());
+        let (velocity, stress) = place(point);
         Self { point, logarithms: (libm::log10(velocity), libm::log10(stress)) }
     }
 }

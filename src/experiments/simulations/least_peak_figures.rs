@@ -1,9 +1,10 @@
 //! Normalised peak velocities and their minimum (fig 5).
 
+use crate::experiments::described::{extent, with_points};
 use crate::experiments::shared::Grid;
 use crate::experiments::shared::axes::axes;
 use crate::experiments::shared::map_readout::simulated_readout;
-use crate::experiments::simulations::map_figure::{least_peak_line, peak_velocity};
+use crate::experiments::simulations::map_figures::{least_peak_line, peak_velocity};
 use crate::experiments::simulations::{LeastPeak, SimulatedPoint};
 use crate::experiments::{Drawer, SceneOutcome, Words};
 use crate::scene::cited;
@@ -11,7 +12,7 @@ use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::format::round_digits;
 use slipmode_core::number::nearest_f64;
 use slipmode_core::stability::Asymptote;
-use slipmode_plot::figure::{Axis, ColourScale, HeatMap, Line, LineChart, LineRole, Reference, Series};
+use slipmode_plot::figure::{HeatMap, Line, LineRole, Series};
 
 pub(crate) const FIGURES: &[Drawer] = &[
     ("fig-5a", |outcome, words| map(outcome.potentially_unstable()?, words)),
@@ -53,7 +54,6 @@ fn map(scene: &SceneOutcome, words: &mut Words) -> Option<String> {
         values: grid.values[first * columns..].iter().collect::<Vec<_>>(),
     };
     let said = scene.boundary.as_ref().map(|boundary| simulated_readout(&shown, boundary));
-    let low = values.iter().copied().filter(|value| *value > 0.0).fold(f64::INFINITY, f64::min);
     words.fill(&[("law", law.as_str())]);
     let eq18 = |stress: f64| {
         let slider = scene.slider()?.map(nearest_f64);
@@ -69,41 +69,18 @@ fn map(scene: &SceneOutcome, words: &mut Words) -> Option<String> {
         let stress = least.normal_stress_pa;
         Line::new("normal stresses of fig 5b", LineRole::Section, vec![(from, stress), (to, stress)])
     });
-    let map = HeatMap {
-        caption: words.caption.clone(),
-        columns,
-        colours: ColourScale::new(
-            "Normalised peak",
-            "",
-            (libm::exp10((5.0 * libm::log10(low)).floor() / 5.0), BRIGHTEST),
-            STEPS,
-        ),
-        values,
-        zero_areas: Vec::new(),
-        zero_label: String::new(),
-        lines: sections.chain([asymptote, least_peak_line(outcome, *law)]).collect(),
-        marks: Vec::new(),
-        x,
-        y,
-    };
+    let lines = sections.chain([asymptote, least_peak_line(outcome, *law)]).collect();
+    let mut map = HeatMap { columns, values, lines, x, y, ..words.drawing()? };
+    let (low, _) = extent(map.values.iter().copied().filter(|value| *value > 0.0))?;
+    map.colours.min = libm::exp10((5.0 * libm::log10(low)).floor() / 5.0);
     Some(map.svg_with(said.as_ref()))
 }
-
-/// Normalised peak that takes the brightest colour, with all above it: the valley is what the figure is about.
-const BRIGHTEST: f64 = 2.0;
-
-/// Colour steps of the map.
-const STEPS: usize = 30;
 
 /// Normal stresses drawn as curves: every second of the grid's, counted down from the highest.
 const EVERY: usize = 2;
 
 /// The most curves of one chart: the styles that can be distinguished, less one for the minima.
 const CURVES: usize = 5;
-
-/// Range of the chart in units of the velocity of eq 18.
-const LOWEST: f64 = 1e-2;
-const HIGHEST: f64 = 10.0;
 
 fn curves(scene: &SceneOutcome, law: EvolutionLaw, words: &Words) -> Option<String> {
     let outcome = scene.simulations.as_ref()?;
@@ -114,17 +91,13 @@ fn curves(scene: &SceneOutcome, law: EvolutionLaw, words: &Words) -> Option<Stri
     let minima = of_law.iter().filter_map(|least| {
         Some((libm::exp10(least.offset_dex), least.least_m_per_s / unit_peak(grid, least.normal_stress_pa)?))
     });
-    series.push(Series::points("minima at all normal stresses", minima.collect()));
-    let heights = || series.iter().flat_map(|line| &line.points).filter(|p| p.0 > LOWEST && p.0 < HIGHEST);
-    let (low, high) =
-        (heights().map(|p| p.1).fold(f64::INFINITY, f64::min), heights().map(|p| p.1).fold(0.0, f64::max));
-    let chart = LineChart {
-        caption: words.caption.clone(),
-        x: Axis::log10(&cited("*V*_l / velocity of {inertial-upper}"), "", LOWEST, HIGHEST),
-        y: Axis::linear("Peak velocity / that at 10^{−5.5} m/s", "", 0.8 * low, 1.25 * high),
-        series,
-        references: vec![Reference::Vertical { at: 1.0, label: cited("{inertial-upper}") }],
-    };
+    let mut chart = with_points(words.drawing()?, [minima.collect()])?;
+    series.append(&mut chart.series);
+    let inside =
+        series.iter().flat_map(|line| &line.points).filter(|at| at.0 > chart.x.min && at.0 < chart.x.max);
+    let (low, high) = extent(inside.map(|at| at.1))?;
+    (chart.y.min, chart.y.max) = (0.8 * low, 1.25 * high);
+    chart.series = series;
     (!chosen.is_empty()).then(|| chart.svg())
 }
 

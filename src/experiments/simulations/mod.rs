@@ -3,8 +3,7 @@
 mod deep_stick_slip;
 pub(crate) mod least_peak;
 pub(crate) mod least_peak_figures;
-pub(crate) mod map_figure;
-pub(crate) mod overshoot_figure;
+pub(crate) mod map_figures;
 pub(crate) mod run;
 mod run_tables;
 pub(crate) mod section;
@@ -29,8 +28,7 @@ impl Experiment for SimulationsSection {
     type Outcome = SimulationsOutcome;
     const TABLES: &'static [&'static [TableMaker]] =
         &[tables::TABLES, deep_stick_slip::TABLES, run_tables::TABLES];
-    const FIGURES: &'static [&'static [Drawer]] =
-        &[least_peak_figures::FIGURES, map_figure::FIGURES, overshoot_figure::FIGURES];
+    const FIGURES: &'static [&'static [Drawer]] = &[least_peak_figures::FIGURES, map_figures::FIGURES];
 
     fn work(&self) -> Work {
         let runs = rectangle_points(&self.rectangle) * self.laws.len() as f64;

@@ -1,15 +1,14 @@
 //! Figures of sweeps that ran elsewhere: what both laws do on a fine grid, and the asymptotes' worst errors in many points.
 
-use crate::experiments::map::figures::theory_lines;
+use crate::experiments::map::figures::heat_map;
+use crate::experiments::shared::Grid;
 use crate::experiments::swept::Swept;
 use crate::experiments::{Drawer, Outcome, SceneOutcome, Words};
-use crate::scene::cited;
 use crate::sweep::{SummarySection, SweepWork};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::Rational;
 use slipmode_core::stability::SlipMode;
 use slipmode_core::stability::deviation::{CornerErrors, corner_errors};
-use slipmode_plot::figure::{Axis, ColourScale, HeatMap, LineChart, Reference, Series};
 
 pub(crate) const FIGURES: &[Drawer] = &[
     ("swept-laws", |outcome, words| laws_map(outcome.potentially_unstable()?, simulated(outcome)?, words)),
@@ -49,50 +48,25 @@ pub(crate) fn value_place(kept: &SummarySection, name: &str) -> Option<usize> {
     names.into_iter().position(|found| found == name)
 }
 
-/// The excess that the runs' tolerance of 1e-2 lets be seen.
-const LEAST_EXCESS: f64 = 0.01;
-/// Colour steps of the map.
-const STEPS: usize = 20;
-
 fn laws_map(scene: &SceneOutcome, swept: &Swept, words: &Words) -> Option<String> {
     let kept = swept.kept()?;
     let places = [bin_place(kept, "loading_velocity_m_per_s")?, bin_place(kept, "normal_stress_pa")?];
     let edges = places.map(|place| kept.bins[place].edges.coordinates());
     let [columns, rows] = [edges[0].len() - 1, edges[1].len() - 1];
-    let means = law_means(swept, kept, places, columns, rows)?;
-    let excess = |[slip, aging]: &[f64; 2]| {
+    let centres = |edges: &Vec<f64>| edges.windows(2).map(|ends| (ends[0] * ends[1]).sqrt()).collect();
+    let grid = Grid {
+        loading_velocity_m_per_s: centres(&edges[0]),
+        normal_stress_pa: centres(&edges[1]),
+        values: law_means(swept, kept, places, columns, rows)?,
+    };
+    let excess = |_, [slip, aging]: &[f64; 2]| {
         // Equal peaks are a limit cycle too: coloured like every excess below the scale.
         if *slip > 0.0 { (aging / slip - 1.0).max(f64::MIN_POSITIVE) } else { 0.0 }
     };
-    let values: Vec<f64> = means.iter().map(excess).collect();
-    let highest = values.iter().copied().fold(0.0, f64::max);
-    if !highest.is_normal() {
-        return None;
-    }
-    let centre = |edges: &[f64], cell: usize| (edges[cell] * edges[cell + 1]).sqrt();
-    let axis = |title, unit, edges: &[f64], cells: usize| {
-        Axis::log10(title, unit, centre(edges, 0), centre(edges, cells - 1))
-    };
-    let x = axis("Loading velocity *V*_0", "m/s", &edges[0], columns);
-    let y = axis("Normal stress *σ*", "Pa", &edges[1], rows);
-    let map = HeatMap {
-        caption: words.caption.clone(),
-        columns,
-        values,
-        colours: ColourScale::new(
-            "*V*_{peak}, aging law/slip law − 1",
-            "",
-            (LEAST_EXCESS, libm::exp10((libm::log10(highest) * 2.0).ceil().max(-3.0) / 2.0)),
-            STEPS,
-        ),
-        zero_areas: Vec::new(),
-        zero_label: "no limit cycles".into(),
-        lines: theory_lines(scene, scene.boundary.as_ref()?, &x, &y),
-        marks: Vec::new(),
-        x,
-        y,
-    };
-    Some(map.svg())
+    let mut map = heat_map(scene, words, &grid, excess)?;
+    let highest = map.values.iter().copied().fold(0.0, f64::max);
+    map.colours.max = libm::exp10((libm::log10(highest) * 2.0).ceil().max(-3.0) / 2.0);
+    highest.is_normal().then(|| map.svg())
 }
 
 /// The mean peak velocity of limit cycles of either law, cell by cell, σ by σ; 0 where there are none.
@@ -179,40 +153,18 @@ fn derived_worst(effect_ratio: f64) -> [Option<f64>; 2] {
 const DERIVED_A_BIN: i32 = 6;
 
 fn worst_errors(worst: &[WorstOfBin], words: &Words) -> Option<String> {
-    let (first, last) = (worst.first()?, worst.last()?);
     let derived: Vec<(f64, [Option<f64>; 2])> = worst
         .iter()
         .flat_map(|bin| within(bin.effect_ratio))
         .map(|beta| (beta, derived_worst(beta)))
         .collect();
-    let line = |arc: usize, label: &str| {
-        Series::of_theory(
-            format!("{label}, derived"),
-            derived.iter().map(|(beta, worst)| (*beta, worst[arc].unwrap_or(f64::NAN))).collect(),
-        )
+    let line = |arc: usize| {
+        derived.iter().map(|(beta, worst)| (*beta, worst[arc].unwrap_or(f64::NAN))).collect::<Vec<_>>()
     };
-    let stairs = |arc: usize, label: &str| {
-        Series::line(
-            format!("{label}, largest in the sweep"),
-            worst.iter().flat_map(|bin| bin.effect_ratio.map(|end| (end, bin.sampled[arc]))).collect(),
-        )
+    let stairs = |arc: usize| {
+        worst.iter().flat_map(|bin| bin.effect_ratio.map(|end| (end, bin.sampled[arc]))).collect()
     };
-    let names = [
-        (0, "upper arc ({quasi-static-upper, inertial-upper})"),
-        (1, "lower arc ({quasi-static-lower, inertial-lower})"),
-    ];
-    let chart = LineChart {
-        caption: words.caption.clone(),
-        x: Axis::log10("*β* = *b*/*a*", "", first.effect_ratio[0], last.effect_ratio[1]),
-        y: Axis::linear("Largest log10 distance from the nearer asymptote", "", 0.0, 0.5),
-        series: names
-            .into_iter()
-            .map(|(arc, label)| (arc, cited(label)))
-            .flat_map(|(arc, label)| [line(arc, &label), stairs(arc, &label)])
-            .collect(),
-        references: vec![Reference::Vertical { at: 1.0, label: "*a* = *b*".into() }],
-    };
-    Some(chart.svg())
+    words.line_chart([line(0), stairs(0), line(1), stairs(1)])
 }
 
 /// Places from one end of a bin to the other, evenly in the logarithm.

@@ -1,7 +1,6 @@
 //! How far off the asymptotes are, in one sentence.
 
 use crate::experiments::Outcome;
-use crate::experiments::boundary::figures::equation_label;
 use crate::experiments::tolerance::tables::place_of_limit;
 use crate::experiments::tolerance::{ToleranceOutcome, ToleranceRow};
 use slipmode_core::number::format::{Side, rational_to_decimal, round_digits, rounded};
@@ -34,7 +33,7 @@ pub fn accuracy_of_asymptotes(outcome: &Outcome) -> Option<String> {
 
 fn row_words(row: &ToleranceRow) -> String {
     let limit = &row.limit;
-    let equation = equation_label(limit.asymptote);
+    let equation = limit.asymptote.as_str().replace("eq", "eq ");
     if limit.whole_branch {
         return format!("{equation} for {}", place_of_limit(limit.asymptote, limit.whole_branch));
     }

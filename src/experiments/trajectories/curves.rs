@@ -1,10 +1,10 @@
-//! From runs to curves: series, axes that fit them, and the words for a point of the plane.
+//! Which runs a figure shows, the unit of their stress, and the words and marks for a point of the plane.
 
 use crate::experiments::SceneOutcome;
-use crate::experiments::trajectories::{Moment, TrajectoryRun};
+use crate::experiments::trajectories::TrajectoryRun;
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::nearest_f64;
-use slipmode_plot::figure::{Axis, PointMark, Series, Side};
+use slipmode_plot::figure::{PointMark, Side};
 
 /// The runs of one law whose point's id starts so, in the scene's order.
 pub(crate) fn runs_of<'s>(
@@ -14,32 +14,6 @@ pub(crate) fn runs_of<'s>(
 ) -> Vec<&'s TrajectoryRun> {
     let all = scene.trajectories.iter().flatten();
     all.filter(|run| run.law == law && run.point.id.starts_with(prefix)).collect()
-}
-
-/// A run as a line; empty where it failed.
-pub(crate) fn series(label: String, run: &TrajectoryRun, place: impl Fn(&Moment) -> (f64, f64)) -> Series {
-    let moments = run.course.iter().flat_map(|course| &course.moments);
-    Series::line(label, moments.map(place).collect())
-}
-
-/// V/V_l; zero, which a logarithmic axis leaves out, below the range of 64-bit numbers.
-pub(crate) fn velocity_ratio(moment: &Moment) -> f64 {
-    libm::exp(moment.log_velocity_ratio)
-}
-
-/// The least and the largest of some values.
-pub(crate) fn extent(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
-    values.filter(|value| value.is_finite()).fold(None, |found, value| match found {
-        None => Some((value, value)),
-        Some((least, most)) => Some((value.min(least), value.max(most))),
-    })
-}
-
-/// A linear axis a twentieth wider on either side than the values on it.
-pub(crate) fn linear_axis(title: &str, unit: &str, values: impl Iterator<Item = f64>) -> Option<Axis> {
-    let (least, most) = extent(values)?;
-    let room = if most > least { 0.05 * (most - least) } else { 0.5 };
-    Some(Axis::linear(title, unit, least - room, most + room))
 }
 
 /// Above this many Pa a stress axis counts in kPa.
@@ -58,17 +32,6 @@ pub(crate) fn power_markup(value: f64) -> String {
     let sign = if exponent < 0.0 { "−" } else { "" };
     let power = format!("10^{{{sign}{}}}", exponent.abs());
     if digits == 1.0 { power } else { format!("{digits}·{power}") }
-}
-
-/// The slip modes of theory and simulation as a heading says them.
-pub(crate) fn mode_words(run: &TrajectoryRun) -> [String; 2] {
-    let theory = run.theory.slip_mode;
-    let second = match &run.simulation {
-        Ok(found) if found.slip_mode == theory => "by theory and by simulation".into(),
-        Ok(found) => format!("by theory; simulated: {}", found.slip_mode.words()),
-        Err(_) => "by theory; not simulated".into(),
-    };
-    [theory.words().into(), second]
 }
 
 /// The points of a scene whose id starts so, as marks over a map; `label` names them, or some of them.

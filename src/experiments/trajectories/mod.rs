@@ -3,7 +3,6 @@
 pub(crate) mod curves;
 pub(crate) mod figures;
 pub(crate) mod own_runs;
-pub(crate) mod phase_portraits;
 pub(crate) mod run;
 pub(crate) mod section;
 pub(crate) mod tables;
@@ -19,8 +18,7 @@ use slipmode_core::number::nearest_f64;
 impl Experiment for TrajectoriesSection {
     type Outcome = Vec<TrajectoryRun>;
     const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES, own_runs::TABLES];
-    const FIGURES: &'static [&'static [Drawer]] =
-        &[figures::FIGURES, phase_portraits::FIGURES, own_runs::FIGURES];
+    const FIGURES: &'static [&'static [Drawer]] = &[figures::FIGURES];
 
     fn work(&self) -> Work {
         let runs = self.points.iter().map(|point| point.laws.len()).sum::<usize>();

@@ -1,34 +1,26 @@
-//! The runs of a laboratory's own points, each with both laws: a table, a figure and a sentence.
+//! The runs of a laboratory's own points, each with both laws: a table and a sentence.
 
 use crate::experiments::operating_point::reach::{in_words, is_within_reach};
 use crate::experiments::tables::table_of;
 use crate::experiments::trajectories::TrajectoryRun;
-use crate::experiments::trajectories::curves::{linear_axis, runs_of, series, stress_unit};
-use crate::experiments::trajectories::figures::place_words;
+use crate::experiments::trajectories::curves::runs_of;
 use crate::experiments::trajectories::tables::certain;
-use crate::experiments::{Context, Drawer, Need, Outcome, SceneOutcome, TableMaker, Words};
+use crate::experiments::{Context, Need, Outcome, SceneOutcome, TableMaker};
 use crate::scene::Quantity;
 use slipmode_core::dynamics::{Behaviour, Simulation};
 use slipmode_core::friction::EvolutionLaw;
-use slipmode_plot::figure::{Axis, Panel, Reference};
 use slipmode_plot::table::Table;
 
 pub(crate) const TABLES: &[TableMaker] =
     &[TableMaker { id: "own-runs", needs: &[Need::Trajectories], make: runs }];
 
-pub(crate) const FIGURES: &[Drawer] = &[("own-runs", |outcome, words| {
-    panels(outcome.scenes.iter().find(|scene| scene.trajectories.is_some())?, words)
-})];
-
 /// The laws in the order in which scenes name them.
-const LAWS: [EvolutionLaw; 2] = [EvolutionLaw::Slip, EvolutionLaw::Aging];
+pub(crate) const LAWS: [EvolutionLaw; 2] = [EvolutionLaw::Slip, EvolutionLaw::Aging];
 /// Digits of a result, at most.
 const DIGITS: usize = 3;
-/// Height of a panel.
-const HEIGHT: f64 = 120.0;
 
 /// The runs of every point of a scene, the laws of a point together.
-fn by_point(scene: &SceneOutcome) -> Vec<&[TrajectoryRun]> {
+pub(crate) fn by_point(scene: &SceneOutcome) -> Vec<&[TrajectoryRun]> {
     let all = scene.trajectories.as_deref().unwrap_or_default();
     all.chunk_by(|one, next| one.point.id == next.point.id).collect()
 }
@@ -61,29 +53,6 @@ fn runs(context: &Context) -> Option<Table> {
             });
     }
     table.table()
-}
-
-fn panels(scene: &SceneOutcome, words: &Words) -> Option<String> {
-    words.panels(2, HEIGHT, by_point(scene).into_iter().filter_map(panel).collect())
-}
-
-fn panel(runs: &[TrajectoryRun]) -> Option<Panel> {
-    let moments = || runs.iter().flat_map(|run| run.course.iter().flat_map(|course| &course.moments));
-    let (unit, size) = stress_unit(moments().map(|moment| moment.stress_change_pa));
-    let last = moments().map(|moment| moment.time_s).reduce(f64::max)?;
-    let line = |run: &TrajectoryRun| {
-        series(format!("{} law", run.law.as_str()), run, |moment| {
-            (moment.time_s, moment.stress_change_pa / size)
-        })
-    };
-    let name = runs[0].point.id.replace('-', " ");
-    Some(Panel {
-        heading: vec![format!("**{name}**"), runs[0].theory.slip_mode.words().into(), place_words(&runs[0])],
-        x: Axis::linear("Time", "s", 0.0, last),
-        y: linear_axis("Δ*τ*", unit, moments().map(|moment| moment.stress_change_pa / size))?,
-        series: runs.iter().map(line).collect(),
-        references: vec![Reference::Horizontal { at: 0.0, label: String::new() }],
-    })
 }
 
 /// What the runs at the first scene's own operating point do; `None` when none is there.

@@ -22,11 +22,10 @@ fn zone_map(scene: &SceneOutcome, words: &Words, frequencies: &str) -> Option<St
     let same_axes =
         |map: &Grid<MapPoint>| axes(map).is_some_and(|(other_x, other_y)| (&other_x, &other_y) == (&x, &y));
     let said = scene.map.as_ref().filter(|map| same_axes(map)).map(|_| Readout::SameAs(frequencies.into()));
-    let map = |grid: &Grid<SlipMode>, lines: Vec<Line>, marks: Vec<PointMark>| ZoneMap {
-        zones: present_zones(grid.values.iter().copied(), grid.loading_velocity_m_per_s.len(), &x, &y),
-        lines,
-        marks,
-        ..words.zone_map(x.clone(), y.clone())
+    let drawing: ZoneMap = words.drawing()?;
+    let map = |grid: &Grid<SlipMode>, lines: Vec<Line>, marks: Vec<PointMark>| {
+        let zones = present_zones(grid.values.iter().copied(), grid.loading_velocity_m_per_s.len(), &x, &y);
+        ZoneMap { zones, lines, marks, x: x.clone(), y: y.clone(), ..drawing.clone() }
     };
     let parameters = scene.slider()?;
     let straight = asymptote_lines(parameters, &x, &y).into_iter().chain(transition_line(parameters, &x, &y));

@@ -11,7 +11,8 @@ use super::svg::{Svg, number};
 use super::{Axis, Caption, Line, PointMark, Readout, palette, rich_text};
 
 /// The colour bar of a heat map: logarithmic, in even steps.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default, serde::Deserialize)]
+#[serde(default, deny_unknown_fields)]
 pub struct ColourScale {
     /// Title with figure markup, such as `max Im(*s*)`.
     pub title: String,
@@ -29,23 +30,9 @@ pub struct ColourScale {
     pub contour_label: String,
 }
 
-impl ColourScale {
-    /// A scale between two values, in equal steps of the logarithm.
-    #[must_use]
-    pub fn new(title: &str, unit: &str, (min, max): (f64, f64), steps: usize) -> Self {
-        let (title, unit) = (title.into(), unit.into());
-        Self { title, unit, min, max, steps, contours: Vec::new(), contour_label: String::new() }
-    }
-
-    /// The same with thin lines at these values.
-    #[must_use]
-    pub fn with_contours(self, label: &str, contours: Vec<f64>) -> Self {
-        Self { contours, contour_label: label.into(), ..self }
-    }
-}
-
 /// A map of a positive quantity over two axes.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default, serde::Deserialize)]
+#[serde(default, deny_unknown_fields)]
 pub struct HeatMap {
     /// Id, title and description.
     pub caption: Caption,
@@ -67,6 +54,7 @@ pub struct HeatMap {
     /// Lines over the map.
     pub lines: Vec<Line>,
     /// Marked points.
+    #[serde(skip)]
     pub marks: Vec<PointMark>,
 }
 

@@ -10,7 +10,8 @@ use super::svg::Svg;
 use super::{Axis, Caption, Line, palette};
 
 /// One line of a chart. Dash, marker and colour follow from its place in the list.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default, serde::Deserialize)]
+#[serde(default, deny_unknown_fields)]
 pub struct Series {
     /// Legend entry in figure markup.
     pub label: String,
@@ -51,7 +52,8 @@ impl Series {
 }
 
 /// What stands across the chart: a straight line at one value, or a shaded strip.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Reference {
     /// Across at a value of the vertical axis.
     Horizontal {
@@ -79,7 +81,8 @@ pub enum Reference {
 }
 
 /// A chart of lines.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default, serde::Deserialize)]
+#[serde(default, deny_unknown_fields)]
 pub struct LineChart {
     /// Id, title and description.
     pub caption: Caption,

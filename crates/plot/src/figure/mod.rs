@@ -67,7 +67,7 @@ pub use zone_map::{Zone, ZoneMap, zone_fill};
 pub use zones::zones_of_grid;
 
 /// What names a figure: its id and the words read out instead of it.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
 pub struct Caption {
     /// Name of the file and prefix of every id inside the SVG, `[A-Za-z0-9._-]{1,100}`.
     pub id: String,

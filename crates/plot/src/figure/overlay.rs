@@ -8,7 +8,8 @@ use super::svg::{Svg, number};
 use super::{palette, rich_text};
 
 /// What a line means; it decides colour, width and dash, the same in every figure.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum LineRole {
     /// The exact boundary max Im(s) = 0: solid, dark.
     Boundary,
@@ -29,13 +30,15 @@ pub enum LineRole {
 }
 
 /// A line over a map.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Line {
     /// Legend entry in figure markup; lines with equal labels share one entry, an empty label has none.
     pub label: String,
     /// What the line means.
     pub role: LineRole,
     /// Vertices in axis values; a vertex without a place on the axes interrupts the line.
+    #[serde(default)]
     pub points: Vec<(f64, f64)>,
 }
 
@@ -80,7 +83,7 @@ impl PointMark {
 }
 
 /// The name of a region or line, centred at a place and set with a halo.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, serde::Deserialize)]
 pub struct RegionLabel {
     /// Lines of text in figure markup, from top to bottom.
     pub lines: Vec<String>,

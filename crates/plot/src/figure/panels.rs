@@ -8,7 +8,8 @@ use super::svg::{Svg, number};
 use super::{Axis, Caption, Reference, Series, palette, rich_text};
 
 /// One small chart.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default, serde::Deserialize)]
+#[serde(default, deny_unknown_fields)]
 pub struct Panel {
     /// Lines of text above the chart in figure markup; the first is its name, such as `**b** stick-slip`.
     pub heading: Vec<String>,
@@ -23,7 +24,8 @@ pub struct Panel {
 }
 
 /// Small charts in rows.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default, serde::Deserialize)]
+#[serde(default, deny_unknown_fields)]
 pub struct Panels {
     /// Id, title and description.
     pub caption: Caption,

@@ -7,7 +7,7 @@ use super::svg::{Svg, number};
 use super::{Axis, Caption, palette, rich_text};
 
 /// A stretch of the axis.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, serde::Deserialize)]
 pub struct Span {
     /// Value at one end; values beyond the axis are cut off at its edge.
     pub from: f64,
@@ -18,7 +18,8 @@ pub struct Span {
 }
 
 /// A row of the chart.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default, serde::Deserialize)]
+#[serde(default, deny_unknown_fields)]
 pub struct RangeRow {
     /// Name of the row in figure markup, such as `eq. 15`.
     pub label: String,
@@ -29,7 +30,8 @@ pub struct RangeRow {
 }
 
 /// Where something is good enough: rows of nested bars along one axis.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default, serde::Deserialize)]
+#[serde(default, deny_unknown_fields)]
 pub struct RangeChart {
     /// Id, title and description.
     pub caption: Caption,

@@ -49,7 +49,6 @@ fn arcs() -> [Vec<(f64, f64)>; 2] {
 fn theory_lines() -> Vec<Line> {
     let [a, b, d_c, k, m] = PAPER;
     let (root_a, root_b) = (a.sqrt(), b.sqrt());
-    let line = |label: &str, role, points: Vec<(f64, f64)>| Line { label: label.into(), role, points };
     let eq15 = k * d_c / ((root_b - root_a) * (root_b - root_a));
     let eq16 = k * d_c / ((root_b + root_a) * (root_b + root_a));
     let corner18 = (b - a) * eq15 / (2.0 * (m * k).sqrt());
@@ -62,13 +61,13 @@ fn theory_lines() -> Vec<Line> {
     let asymptotes = "asymptotes, eqs 15, 16, 18 and 20";
     let [upper, lower] = arcs();
     vec![
-        line("exact boundary max Im(*s*) = 0", LineRole::Boundary, upper),
-        line("exact boundary max Im(*s*) = 0", LineRole::Boundary, lower),
-        line("transition *K* = *K*_c", LineRole::Transition, transition.collect()),
-        line(asymptotes, LineRole::Asymptote, vec![(1e-6, eq15), (corner18, eq15)]),
-        line(asymptotes, LineRole::Asymptote, vec![(1e-6, eq16), (corner20, eq16)]),
-        line(asymptotes, LineRole::Asymptote, vec![(corner18, eq15), (corner18 * 1e3, eq15 * 1e3)]),
-        line(asymptotes, LineRole::Asymptote, vec![(corner20, eq16), (corner20 * 1e-3, eq16 * 1e-3)]),
+        Line::new("exact boundary max Im(*s*) = 0", LineRole::Boundary, upper),
+        Line::new("exact boundary max Im(*s*) = 0", LineRole::Boundary, lower),
+        Line::new("transition *K* = *K*_c", LineRole::Transition, transition.collect()),
+        Line::new(asymptotes, LineRole::Asymptote, vec![(1e-6, eq15), (corner18, eq15)]),
+        Line::new(asymptotes, LineRole::Asymptote, vec![(1e-6, eq16), (corner20, eq16)]),
+        Line::new(asymptotes, LineRole::Asymptote, vec![(corner18, eq15), (corner18 * 1e3, eq15 * 1e3)]),
+        Line::new(asymptotes, LineRole::Asymptote, vec![(corner20, eq16), (corner20 * 1e-3, eq16 * 1e-3)]),
     ]
 }
 
@@ -97,27 +96,29 @@ pub(crate) fn heat_map(size: usize) -> HeatMap {
         y,
         columns: size,
         values,
-        colours: ColourScale::new("max Im(*s*)", "1/s", (0.01, 100.0), 20)
-            .with_contours("80 and 95 /s", vec![80.0, 95.0]),
+        colours: ColourScale {
+            title: "max Im(*s*)".into(),
+            unit: "1/s".into(),
+            min: 0.01,
+            max: 100.0,
+            steps: 20,
+            contours: vec![80.0, 95.0],
+            contour_label: "80 and 95 /s".into(),
+        },
         zero_areas: vec![upper, lower],
         zero_label: "max Im(*s*) = 0 exactly".into(),
         lines: theory_lines(),
-        marks: vec![PointMark { label: "cusp".into(), x: 1.5964e-4, y: 5857.9, side: Side::Right }],
+        marks: vec![PointMark::new("cusp", (1.5964e-4, 5857.9), Side::Right)],
     }
 }
 
 /// A chart like figure 2.
 pub(crate) fn frequency_chart() -> LineChart {
-    let series = |label: &str, stress: f64| Series {
-        label: label.into(),
-        points: (0..=250)
-            .map(|i| libm::exp10(-6.0 + f64::from(i) / 50.0))
-            .map(|v| (v, max_imaginary_per_s(v, stress)))
-            .collect(),
-        marked: false,
-        joined: true,
-        theory: false,
+    let velocities = || (0..=250).map(|i| libm::exp10(-6.0 + f64::from(i) / 50.0));
+    let series = |label: &str, stress: f64| {
+        Series::line(label, velocities().map(|v| (v, max_imaginary_per_s(v, stress))).collect())
     };
+    let ends = [1e-6, 1e-2].map(|v| (v, 0.5_f64.sqrt() * v * 1e5));
     LineChart {
         caption: Caption::new(
             "fig-2",
@@ -130,13 +131,7 @@ pub(crate) fn frequency_chart() -> LineChart {
             series("*σ* = *σ*_c", 5e4),
             series("*σ* = 3 *σ*_c", 1.5e5),
             series("*σ* = *σ*_c / 3", 5e4 / 3.0),
-            Series {
-                label: "eq. 23".into(),
-                points: vec![(1e-6, 0.5_f64.sqrt() * 0.1), (1e-2, 0.5_f64.sqrt() * 1e3)],
-                marked: false,
-                joined: true,
-                theory: true,
-            },
+            Series::of_theory("eq. 23", ends.to_vec()),
         ],
         references: vec![
             Reference::Horizontal { at: 100.0, label: "*ω*_n = 100 /s".into() },
@@ -147,15 +142,11 @@ pub(crate) fn frequency_chart() -> LineChart {
 
 /// A chart like that of an asymptote's signed error along its arc.
 pub(crate) fn error_chart() -> LineChart {
+    let scale = Scale::SignedLog10 { smallest: 1e-6 };
+    let velocities = || (0..=40).map(|i| libm::exp10(-6.0 + f64::from(i) / 10.0));
     let series = |label: &str, factor: f64| Series {
-        label: label.into(),
-        joined: true,
-        points: (0..=40)
-            .map(|i| libm::exp10(-6.0 + f64::from(i) / 10.0))
-            .map(|v| (v, factor * v * v * 1e5))
-            .collect(),
         marked: factor > 0.0,
-        theory: false,
+        ..Series::line(label, velocities().map(|v| (v, factor * v * v * 1e5)).collect())
     };
     LineChart {
         caption: Caption::new(
@@ -164,7 +155,7 @@ pub(crate) fn error_chart() -> LineChart {
             "Both grow with the square of the velocity.",
         ),
         x: axes().0,
-        y: Axis::signed_log10("*σ*_{exact}/*σ*_{15} − 1", "", 1e-6, -10.0, 10.0),
+        y: Axis { scale, ..Axis::linear("*σ*_{exact}/*σ*_{15} − 1", "", -10.0, 10.0) },
         series: vec![series("eq. 15", 1.0), series("eq. 18", -0.3)],
         references: vec![
             Reference::Band { from: -0.1, to: 0.1, label: "within 10 %".into() },

@@ -1,9 +1,11 @@
 //! How values are spread along an axis.
 
 /// How values are spread along an axis.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Scale {
     /// Evenly.
+    #[default]
     Linear,
     /// By log10; only positive values have a place.
     Log10,

@@ -9,7 +9,8 @@ use super::svg::Svg;
 use super::{Axis, Caption, Line, PointMark, Readout, RegionLabel, palette};
 
 /// A region of the plane.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default, serde::Deserialize)]
+#[serde(default, deny_unknown_fields)]
 pub struct Zone {
     /// Legend entry in figure markup.
     pub label: String,
@@ -20,7 +21,8 @@ pub struct Zone {
 }
 
 /// A plane divided into zones.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default, serde::Deserialize)]
+#[serde(default, deny_unknown_fields)]
 pub struct ZoneMap {
     /// Id, title and description.
     pub caption: Caption,
@@ -33,6 +35,7 @@ pub struct ZoneMap {
     /// Lines over the zones.
     pub lines: Vec<Line>,
     /// Marked points.
+    #[serde(skip)]
     pub marks: Vec<PointMark>,
     /// Names of zones.
     pub labels: Vec<RegionLabel>,
@@ -65,16 +68,12 @@ impl ZoneMap {
         let mut svg = Svg::new(&self.caption, CANVAS_WIDTH, below + legend.height());
         define_patterns(&mut svg, self.zones.iter());
         frame.draw_panel(&mut svg, "panel-map");
-        for zone in &self.zones {
-            draw_zone(&mut svg, &frame, zone);
-        }
+        self.zones.iter().for_each(|zone| draw_zone(&mut svg, &frame, zone));
         draw_lines(&mut svg, &frame, &self.lines);
         draw_labels(&mut svg, &frame, &self.labels);
         draw_marks(&mut svg, &frame, &self.marks);
         frame.draw_axes(&mut svg);
-        if let Some(readout) = readout {
-            readout.draw(&mut svg, &frame);
-        }
+        readout.iter().for_each(|readout| readout.draw(&mut svg, &frame));
         legend.draw(&mut svg, (CORNER.0, below));
         svg.finish()
     }
@@ -96,8 +95,7 @@ impl ZoneMap {
             draw_named_lines(&mut svg, &frame, &map.lines, ["left-", "right-"][index]);
             draw_marks(&mut svg, &frame, &map.marks);
             frame.draw_axes(&mut svg);
-            let attributes = [("class", "ink"), ("fill", palette::INK), ("font-size", "13")];
-            svg.open("g", &attributes);
+            svg.open("g", &[("class", "ink"), ("fill", palette::INK), ("font-size", "13")]);
             svg.words((corner.0, PAIR_TOP - 9.0), headings[index], SMALL);
             svg.close();
             if let Some(readout) = readout.filter(|_| index == 0) {

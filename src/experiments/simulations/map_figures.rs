@@ -1,8 +1,8 @@
-//! The map of simulated peak velocities with the theory's lines over it (fig 3a).
+//! Maps of simulations with the theory's lines over them: peak velocities (fig 3a), and overshoots for a > b (fig 6a).
 
-use crate::experiments::map::figures::theory_lines;
+use crate::experiments::described::extent;
+use crate::experiments::map::figures::heat_map;
 use crate::experiments::onset::{Onset, ShownRun};
-use crate::experiments::shared::axes::axes;
 use crate::experiments::shared::map_readout::simulated_readout;
 use crate::experiments::simulations::{LeastPeak, SimulatedPoint, SimulationsOutcome};
 use crate::experiments::trajectories::curves::point_marks;
@@ -10,10 +10,12 @@ use crate::experiments::{Drawer, SceneOutcome, Words};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::nearest_f64;
 use slipmode_core::stability::Asymptote;
-use slipmode_plot::figure::{ColourScale, HeatMap, Line, LineRole, PointMark, Side};
+use slipmode_plot::figure::{HeatMap, Line, LineRole, PointMark, Side};
 
-pub(crate) const FIGURES: &[Drawer] =
-    &[("fig-3a", |outcome, words| peak_map(outcome.potentially_unstable()?, words))];
+pub(crate) const FIGURES: &[Drawer] = &[
+    ("fig-3a", |outcome, words| peak_map(outcome.potentially_unstable()?, words)),
+    ("fig-6a-simulated", |outcome, words| overshoot_map(outcome.never_unstable()?, words)),
+];
 
 const LETTERS: &str = " Letters mark the points of figs 3b to 3g, and 4a and 4b their runs.";
 
@@ -21,36 +23,15 @@ fn peak_map(scene: &SceneOutcome, words: &mut Words) -> Option<String> {
     words.fill(&[("letters", if scene.trajectories.is_some() { LETTERS } else { "" })]);
     let outcome = scene.simulations.as_ref()?;
     let (_, grid) = outcome.grids.iter().find(|(law, _)| *law == LAW)?;
-    let (x, y) = axes(grid)?;
-    let values: Vec<f64> = grid.values.iter().map(peak_velocity).collect();
-    let positive = || values.iter().copied().filter(|value| *value > 0.0);
-    let lowest = positive().fold(f64::INFINITY, f64::min);
-    let highest = positive().fold(0.0, f64::max);
-    let boundary = scene.boundary.as_ref()?;
-    let mut lines = theory_lines(scene, boundary, &x, &y);
-    lines.push(least_peak_line(outcome, LAW));
-    let map = HeatMap {
-        caption: words.caption.clone(),
-        columns: grid.loading_velocity_m_per_s.len(),
-        colours: ColourScale::new(
-            "Peak velocity",
-            "m/s",
-            (libm::exp10(libm::log10(lowest).floor()), libm::exp10(libm::log10(highest).ceil())),
-            STEPS,
-        ),
-        values,
-        zero_areas: Vec::new(),
-        zero_label: "ends in steady sliding".into(),
-        lines,
-        marks: [
-            point_marks(scene, "3", |id| format!("**{}**", id.trim_start_matches('3')), Side::Right),
-            onset_marks(scene),
-        ]
-        .concat(),
-        x,
-        y,
-    };
-    highest.is_normal().then(|| map.svg_with(Some(&simulated_readout(grid, boundary))))
+    let mut map = heat_map(scene, words, grid, |_, point| peak_velocity(point))?;
+    let positive = map.values.iter().copied().filter(|value| *value > 0.0);
+    let (lowest, highest) = extent(positive)?;
+    map.colours.min = libm::exp10(libm::log10(lowest).floor());
+    map.colours.max = libm::exp10(libm::log10(highest).ceil());
+    map.lines.push(least_peak_line(outcome, LAW));
+    let letter = |id: &str| format!("**{}**", id.trim_start_matches('3'));
+    map.marks = [point_marks(scene, "3", letter, Side::Right), onset_marks(scene)].concat();
+    Some(map.svg_with(Some(&simulated_readout(grid, scene.boundary.as_ref()?))))
 }
 
 /// The runs of figs 4a and 4b; the fastest of each has the name of its figure.
@@ -68,11 +49,8 @@ fn onset_marks(scene: &SceneOutcome) -> Vec<PointMark> {
     lines.filter(|line| line.asymptote == Asymptote::InertialLower).zip('a'..).flat_map(mark).collect()
 }
 
-/// The law of the paper's figure.
+/// The law of the paper's figures.
 const LAW: EvolutionLaw = EvolutionLaw::Slip;
-
-/// Colour steps of the map.
-const STEPS: usize = 30;
 
 /// The minima of the peak velocity with one law.
 pub(crate) fn least_peak_line(outcome: &SimulationsOutcome, law: EvolutionLaw) -> Line {
@@ -92,4 +70,25 @@ pub(crate) fn peak_velocity(point: &SimulatedPoint) -> f64 {
         (Ok(simulation), Some(true)) => simulation.peak_velocity_m_per_s,
         _ => 0.0,
     }
+}
+
+fn overshoot_map(scene: &SceneOutcome, words: &Words) -> Option<String> {
+    let outcome = scene.simulations.as_ref()?;
+    let (_, grid) = outcome.grids.iter().find(|(law, _)| *law == LAW)?;
+    let marks = point_marks(scene, "6", first_of_a_panel, Side::Left);
+    let map = HeatMap { marks, ..heat_map(scene, words, grid, overshoot)? };
+    Some(map.svg_with(Some(&simulated_readout(grid, scene.boundary.as_ref()?))))
+}
+
+/// The panel's letter at its first point: `b` for `6b-1`.
+fn first_of_a_panel(id: &str) -> String {
+    id.strip_suffix("-1").map_or_else(String::new, |name| format!("**{}**", name.trim_start_matches('6')))
+}
+
+/// V_peak/V_l − 1 of a decay; 0, which a map leaves uncoloured, within its error, and where there is no result.
+fn overshoot(velocity: f64, point: &SimulatedPoint) -> f64 {
+    let Ok(simulation) = &point.simulation else { return 0.0 };
+    let overshoot = simulation.peak_velocity_m_per_s / velocity - 1.0;
+    let seen = point.periodic() == Some(false) && overshoot > simulation.peak_relative_error;
+    if seen { overshoot } else { 0.0 }
 }
