@@ -7,7 +7,7 @@ use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::{PyByteArray, PyBytes, PyFloat, PyString};
 use rayon::prelude::*;
-use slipmode::scene::{AllowedRange, Fault, Faults, Problem, Quantity, Uncertain, with_unit};
+use slipmode::scene::{AllowedRange, Fault, Faults, Problem, Quantity, Uncertain, parse_value, with_unit};
 use slipmode_core::friction::Parameters;
 use slipmode_core::number::{Dd, Rational, parse_decimal_to_dd};
 
@@ -149,7 +149,7 @@ impl Column {
                 self.binary(*value).map(Some).map_err(|problem| (format!("{value:e}"), problem))
             }
             Values::Text(text) => {
-                self.quantity.parse(text).map(Some).map_err(|problem| (text.clone(), problem))
+                parse_value(self.quantity, text).map(Some).map_err(|problem| (text.clone(), problem))
             }
             Values::Floats(bytes) => {
                 let value = float(bytes, row);
@@ -158,7 +158,7 @@ impl Column {
             }
             Values::Texts(texts) => {
                 let text = texts.get(row).map_or("", String::as_str);
-                let exact = (!text.is_empty()).then(|| self.quantity.parse(text)).transpose();
+                let exact = (!text.is_empty()).then(|| parse_value(self.quantity, text)).transpose();
                 exact.map_err(|problem| (text.to_string(), problem))
             }
         }

@@ -180,17 +180,14 @@ fn write(cells: &mut [&mut [u8]; 7], row: usize, (transition, boundary, class, m
 pub fn exact_values(names: Vec<String>, texts: Vec<String>, first: usize) -> PyResult<Vec<String>> {
     let mut faults = Faults::new();
     let quantities = &Quantity::ALL[first.min(Quantity::ALL.len())..];
-    let read =
-        |((quantity, name), text): ((&Quantity, String), String)| match Uncertain::parse(&text, |number| {
-            quantity.parse(number)
-        }) {
-            Ok(value) if value.is_certain() => exact_text(&value.lower),
-            Ok(Uncertain { lower, upper }) => format!("[{}, {}]", exact_text(&lower), exact_text(&upper)),
-            Err(problem) => {
-                faults.push(crate::fault(name, text, problem));
-                String::new()
-            }
-        };
+    let read = |((of, name), text): ((&Quantity, String), String)| match Uncertain::of(*of, &text) {
+        Ok(value) if value.is_certain() => exact_text(&value.lower),
+        Ok(Uncertain { lower, upper }) => format!("[{}, {}]", exact_text(&lower), exact_text(&upper)),
+        Err(problem) => {
+            faults.push(crate::fault(name, text, problem));
+            String::new()
+        }
+    };
     let values = quantities.iter().zip(names).zip(texts).map(read).collect();
     if faults.is_empty() { Ok(values) } else { Err(input_error(&faults)) }
 }

@@ -30,5 +30,5 @@ pub fn table_rows(py: Python<'_>, csv: Vec<u8>, unused: Vec<String>) -> PyResult
 }
 
 fn quantities(keys: &[String]) -> Vec<Quantity> {
-    Quantity::ALL.into_iter().filter(|quantity| keys.iter().any(|key| key == quantity.key())).collect()
+    Quantity::ALL.into_iter().filter(|quantity| keys.iter().any(|key| key == quantity.as_str())).collect()
 }

@@ -9,7 +9,7 @@ use clap::Args;
 use serde_json::Value;
 use slipmode::experiments::boundary::{END_ERROR, LinePoint, Stated, vanishes};
 use slipmode::experiments::pictures::boundary_picture;
-use slipmode::scene::{Limits, Problem, Quantity};
+use slipmode::scene::{Limits, Problem, Quantity, unit_of};
 use slipmode_core::friction::Slider;
 use slipmode_core::number::format::exact_text;
 use slipmode_core::number::{Ball, Rational, parse_decimal};
@@ -173,7 +173,7 @@ fn coordinates(options: &Options, arguments: &mut Arguments) -> Option<[Option<R
         ("--at-normal-stress", Quantity::NormalStress, &options.at_normal_stress),
     ];
     let [velocity, stress] = given.map(|(option, quantity, text)| match text {
-        Some(text) => arguments.measured(option, text, quantity.unit()).map(Some),
+        Some(text) => arguments.measured(option, text, unit_of(quantity)).map(Some),
         None => Some(None),
     });
     Some([velocity?, stress?])

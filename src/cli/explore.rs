@@ -98,7 +98,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
 /// σ and V0 under their names.
 fn point_json(stress: &Rational, velocity: &Rational) -> Value {
     let [stress, velocity] = [stress, velocity].map(nearest_f64);
-    json!({ Quantity::NormalStress.key(): stress, Quantity::LoadingVelocity.key(): velocity })
+    json!({ Quantity::NormalStress.as_str(): stress, Quantity::LoadingVelocity.as_str(): velocity })
 }
 
 /// The file to write: inside a folder that is named, it has the scene's name.

@@ -10,7 +10,7 @@ use clap::Args;
 use slipmode::csv::{read_peak_table, read_step_record};
 use slipmode::experiments::fit::{fit_picture, peak_picture};
 use slipmode::fitting::{FitGiven, Fits, StepRecord, fit_peaks};
-use slipmode::scene::{CsvProblem, Quantity, of_word};
+use slipmode::scene::{CsvProblem, Quantity, of_word, unit_of};
 use slipmode_core::friction::{EvolutionLaw, OperatingPoint};
 use slipmode_core::number::format::shortest;
 use slipmode_core::number::{Rational, nearest_f64, parse_decimal};
@@ -133,7 +133,7 @@ impl Options {
             [EvolutionLaw::Slip, EvolutionLaw::Aging].into_iter().filter(is_meant).collect();
         let mut number = |text: &Option<String>, quantity: Quantity| {
             let Some(text) = text else { return Some(None) };
-            let value = arguments.measured(&option_of(quantity), text, quantity.unit());
+            let value = arguments.measured(&option_of(quantity), text, unit_of(quantity));
             value.map(|value| Some(nearest_f64(&value)))
         };
         let values = [

@@ -54,12 +54,12 @@ pub fn slider_json(slider: &Slider<Rational>) -> Value {
 /// The numbers that were given, valid, under their names: a value, or the ends of its error bar.
 pub fn given_json(slider: &SliderOptions) -> Answer {
     let given = |quantity: Quantity| {
-        let ends = Uncertain::parse(slider.text(quantity)?, |number| quantity.parse(number)).ok()?;
+        let ends = Uncertain::of(quantity, slider.text(quantity)?).ok()?;
         let [lower, upper] = [&ends.lower, &ends.upper].map(nearest_f64);
         Some((quantity, if ends.is_certain() { json!(lower) } else { json!([lower, upper]) }))
     };
     let given = Quantity::ALL.into_iter().filter_map(given);
-    given.fold(Answer::default(), |answer, (quantity, value)| answer.with(quantity.key(), value))
+    given.fold(Answer::default(), |answer, (quantity, value)| answer.with(quantity.as_str(), value))
 }
 
 /// Values under their names.
@@ -68,5 +68,5 @@ pub fn quantities_json(values: impl Iterator<Item = (Quantity, Rational)>) -> Va
 }
 
 fn object(values: impl Iterator<Item = (Quantity, Value)>) -> Value {
-    values.map(|(quantity, value)| (quantity.key().to_string(), value)).collect::<Map<_, _>>().into()
+    values.map(|(quantity, value)| (quantity.as_str().to_string(), value)).collect::<Map<_, _>>().into()
 }

@@ -270,7 +270,7 @@ fn unit_apart(arguments: &[OsString]) -> Option<String> {
     words.windows(3).find_map(|three| {
         let [option, number, unit] = *three else { return None };
         let value = format!("{number}{unit}");
-        let is_number = |quantity: Quantity, text: &str| Uncertain::parse(text, |text| quantity.parse(text)).is_ok();
+        let is_number = |quantity: Quantity, text: &str| Uncertain::of(quantity, text).is_ok();
         let is_apart = option.starts_with('-')
             && unit.starts_with(char::is_alphabetic)
             && is_number(Quantity::DirectEffect, number)

@@ -228,8 +228,7 @@ fn own_ranges(
     let mut range = |index: usize, at: &Rational| {
         let (option, text, quantity) = given[index];
         let Some(text) = text else { return Some(usual(at, USUAL[index])) };
-        let read = |text: &str| Uncertain::parse(text, |number| quantity.parse(number));
-        let ends = arguments.number(option, text, read)?;
+        let ends = arguments.number(option, text, |text| Uncertain::of(quantity, text))?;
         if ends.lower < ends.upper && (&ends.lower..=&ends.upper).contains(&at) {
             return Some([ends.lower, at.clone(), ends.upper]);
         }

@@ -1,12 +1,14 @@
 //! Options that commands share, and the reading of their values: exact, checked, all faults at once.
 
-use slipmode::scene::cited;
 use std::ops::RangeInclusive;
 use std::path::Path;
 
 use clap::{Arg, ArgGroup, ArgMatches, Args, Command};
 
-use slipmode::scene::{AllowedRange, Fault, Faults, Problem, Quantity, Uncertain, all_of, parse_whole};
+use slipmode::scene::{
+    AllowedRange, Fault, Faults, Problem, Quantity, Uncertain, all_of, cited, parse_value, parse_whole,
+    unit_of,
+};
 use slipmode_core::friction::{OperatingPoint, Parameters, Slider};
 use slipmode_core::number::format::exact_text;
 use slipmode_core::number::{Rational, nearest_f64, parse_quotient};
@@ -168,8 +170,7 @@ impl SliderOptions {
 
 /// A value with or without an error bar, which must be given.
 fn uncertain(quantity: Quantity, text: Option<&str>, arguments: &mut Arguments) -> Option<Uncertain> {
-    let read = |number: &str| quantity.parse(number);
-    let ends = required_as(quantity, text, arguments, |text| Uncertain::parse(text, read))?;
+    let ends = required_as(quantity, text, arguments, |text| Uncertain::of(quantity, text))?;
     let values = [&ends.lower, &ends.upper];
     arguments.note_unit(quantity, text, if ends.is_certain() { &values[..1] } else { &values });
     Some(ends)
@@ -199,7 +200,7 @@ const WITHOUT_ERROR_BAR: &str = "a value without an error bar; ranges over error
 fn required(quantity: Quantity, text: Option<&str>, arguments: &mut Arguments) -> Option<Rational> {
     let value = required_as(quantity, text, arguments, |text| match Uncertain::is_meant(text) {
         true => Err(Problem::Needs(WITHOUT_ERROR_BAR.into())),
-        false => quantity.parse(text),
+        false => parse_value(quantity, text),
     })?;
     arguments.note_unit(quantity, text, &[&value]);
     Some(value)
@@ -218,7 +219,7 @@ fn required_as<T>(
 
 /// `--normal-stress-pa` for σ, and so on.
 pub fn option_of(quantity: Quantity) -> String {
-    format!("--{}", quantity.key().replace('_', "-"))
+    format!("--{}", quantity.as_str().replace('_', "-"))
 }
 
 /// The thresholds that are allowed where values have error bars.
@@ -347,7 +348,7 @@ impl Arguments {
     /// Notes the value of a quantity, or the ends of its error bar, if it was given with a unit.
     fn note_unit(&mut self, quantity: Quantity, text: Option<&str>, values: &[&Rational]) {
         let Some(text) = text.filter(|text| has_unit(text)) else { return };
-        self.note_converted(&option_of(quantity), text, values, quantity.unit());
+        self.note_converted(&option_of(quantity), text, values, unit_of(quantity));
         self.with_unit.push(quantity);
     }
 

@@ -28,7 +28,7 @@ pub fn unit_warnings(values: [Option<f64>; 7], with_unit: &[Quantity]) -> Vec<St
     let mass = values[Quantity::MassPerArea as usize];
     let warning = |(quantity, value): (Quantity, Option<f64>)| {
         let looks = looks_like(quantity, value?, mass)?;
-        Some(format!("{} = {}: {looks}", quantity.key(), round_digits(value?, 6)))
+        Some(format!("{} = {}: {looks}", quantity.as_str(), round_digits(value?, 6)))
     };
     let is_in_doubt = |(quantity, _): &(Quantity, Option<f64>)| !with_unit.contains(quantity);
     Quantity::ALL.into_iter().zip(values).filter(is_in_doubt).filter_map(warning).collect()

@@ -138,14 +138,14 @@ fn in_unit(quantity: Quantity, cell: &str, unit: Option<&Rational>) -> Result<Ra
     let range = AllowedRange::PHYSICAL;
     match unit.filter(|_| with_unit(cell).is_none()) {
         Some(size) => range.check(range.parse(cell)? * size),
-        None => range.parse_measured(cell, quantity.unit()),
+        None => range.parse_measured(cell, crate::scene::unit_of(quantity)),
     }
 }
 
 impl Header<[Option<usize>; 7]> {
     /// How the columns of a quantity and of its errors are read.
     fn remarks_on(&self, quantity: Quantity) -> Vec<String> {
-        let (key, size) = (quantity.key(), self.unit(quantity as usize));
+        let (key, size) = (quantity.as_str(), self.unit(quantity as usize));
         let name = self.positions[quantity as usize].map(|position| self.names[position].trim());
         let name = name.filter(|name| *name != key);
         let values = name.map(|name| format!("column {name}: {key}{}", times(size)));

@@ -3,7 +3,7 @@
 use slipmode_core::number::Rational;
 
 use crate::csv::name::{MOST_WORDS, Reading, Unit, Wanted, is_named, of_what, readings, words};
-use crate::scene::{CsvProblem, Quantity, nearest, stem_of_key, unit_of_key};
+use crate::scene::{CsvProblem, Quantity, nearest, stem_of_key, symbols, unit_of_key};
 
 /// Where a column of values stands, and the size of its unit in SI, unless it is that of SI.
 pub type ColumnPlace = (usize, Option<Rational>);
@@ -43,7 +43,7 @@ enum Meaning {
 impl Wanted {
     /// The column of a quantity.
     pub fn quantity(quantity: Quantity, is_optional: bool) -> Self {
-        Self { key: quantity.key(), symbols: quantity.symbols(), is_optional }
+        Self { key: quantity.as_str(), symbols: symbols(quantity), is_optional }
     }
 
     /// The names that the column may have.

@@ -1,90 +1,22 @@
-//! The seven physical inputs: their names in scenes, CSV files and on the command line.
+//! The seven physical inputs in a scene.
 
 use crate::scene::section::Section;
-use crate::scene::units::{stem_of_key, unit_of_key};
-use crate::scene::{AllowedRange, Problem, Uncertain};
-use slipmode_core::friction::{OperatingPoint, Parameters, Slider};
+use crate::scene::{AllowedRange, Uncertain};
+use slipmode_core::friction::{OperatingPoint, Parameters, Quantity, Slider};
 use slipmode_core::number::Rational;
 use slipmode_core::stability::ParameterBox;
-use slipmode_core::stability::inverse::Unknown;
 
-slipmode_algebra::named! {
-    /// One of the seven inputs of the spring-slider, in the order of columns and options.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-    pub enum Quantity {
-        /// a, dimensionless.
-        DirectEffect = "direct_effect",
-        /// b, dimensionless.
-        EvolutionEffect = "evolution_effect",
-        /// D_c, m.
-        CriticalSlipDistance = "critical_slip_distance_m",
-        /// K, Pa/m.
-        Stiffness = "stiffness_pa_per_m",
-        /// M, kg/m².
-        MassPerArea = "mass_per_area_kg_per_m2",
-        /// σ, Pa.
-        NormalStress = "normal_stress_pa",
-        /// V0, m/s.
-        LoadingVelocity = "loading_velocity_m_per_s",
-    }
-}
-
-impl From<Unknown> for Quantity {
-    fn from(unknown: Unknown) -> Self {
-        match unknown {
-            Unknown::NormalStress => Self::NormalStress,
-            Unknown::LoadingVelocity => Self::LoadingVelocity,
-            Unknown::Stiffness => Self::Stiffness,
-            Unknown::MassPerArea => Self::MassPerArea,
-        }
-    }
-}
-
-impl Quantity {
-    /// Those of the material and the machine.
-    pub const OF_THE_SLIDER: [Self; 5] = {
-        let [a, b, d, k, m, ..] = Self::ALL;
-        [a, b, d, k, m]
-    };
-
-    /// The name with its SI unit, as scene key and CSV column.
-    #[must_use]
-    pub fn key(self) -> &'static str {
-        self.as_str()
-    }
-
-    /// Its symbols in formulas, as columns spell them in any case; a longer one before one with which it begins.
-    #[must_use]
-    pub fn symbols(self) -> &'static [&'static str] {
-        match self {
-            Self::DirectEffect => &["a"],
-            Self::EvolutionEffect => &["b"],
-            Self::CriticalSlipDistance => &["d_c", "dc"],
-            Self::Stiffness => &["k"],
-            Self::MassPerArea => &["m"],
-            Self::NormalStress => &["sigma_n", "sigma"],
-            Self::LoadingVelocity => &["v_0", "v0", "v"],
-        }
-    }
-
-    /// The unit of SI.
-    #[must_use]
-    pub fn unit(self) -> &'static str {
-        unit_of_key(self.key())
-    }
-
-    /// The value of a text: a number in SI, a fraction such as `1/3`, or a number with a unit, such as `8um`.
-    ///
-    /// # Errors
-    /// When it is no number, not in the allowed range, or in a unit of another dimension.
-    pub fn parse(self, text: &str) -> Result<Rational, Problem> {
-        AllowedRange::PHYSICAL.parse_given(text, self.unit())
-    }
-
-    /// The key without its unit: what a column in other units still starts with.
-    #[must_use]
-    pub fn stem(self) -> &'static str {
-        stem_of_key(self.key())
+/// Its symbols in formulas, as columns spell them in any case; a longer one before one with which it begins.
+#[must_use]
+pub(crate) fn symbols(quantity: Quantity) -> &'static [&'static str] {
+    match quantity {
+        Quantity::DirectEffect => &["a"],
+        Quantity::EvolutionEffect => &["b"],
+        Quantity::CriticalSlipDistance => &["d_c", "dc"],
+        Quantity::Stiffness => &["k"],
+        Quantity::MassPerArea => &["m"],
+        Quantity::NormalStress => &["sigma_n", "sigma"],
+        Quantity::LoadingVelocity => &["v_0", "v0", "v"],
     }
 }
 
@@ -106,13 +38,9 @@ impl ParametersSection {
     #[must_use]
     pub fn value(&self, quantity: Quantity) -> Option<&Rational> {
         match quantity {
-            Quantity::DirectEffect => Some(&self.slider.direct_effect),
-            Quantity::EvolutionEffect => Some(&self.slider.evolution_effect),
-            Quantity::CriticalSlipDistance => Some(&self.slider.critical_slip_distance_m),
-            Quantity::Stiffness => Some(&self.slider.stiffness_pa_per_m),
-            Quantity::MassPerArea => Some(&self.slider.mass_per_area_kg_per_m2),
             Quantity::NormalStress => self.normal_stress_pa.as_ref(),
             Quantity::LoadingVelocity => self.loading_velocity_m_per_s.as_ref(),
+            of_the_slider => self.slider.value(of_the_slider),
         }
     }
 
@@ -147,9 +75,9 @@ pub fn all_of<T, const N: usize>(values: [Option<T>; N]) -> Option<[T; N]> {
 pub(crate) fn read_parameters(section: &mut Section<'_>) -> Option<ParametersSection> {
     let range = AllowedRange::PHYSICAL;
     let material = Quantity::OF_THE_SLIDER
-        .map(|quantity| section.required(quantity.key(), &range.wanted())?.uncertain(range));
+        .map(|quantity| section.required(quantity.as_str(), &range.wanted())?.uncertain(range));
     let [stress, velocity] = [Quantity::NormalStress, Quantity::LoadingVelocity]
-        .map(|quantity| section.optionally(quantity.key(), |entry| entry.uncertain(range)));
+        .map(|quantity| section.optionally(quantity.as_str(), |entry| entry.uncertain(range)));
     let material = all_of(material)?;
     let middle = |value: &Option<Uncertain>| value.as_ref().map(Uncertain::middle);
     Some(ParametersSection {

@@ -3,8 +3,8 @@
 use std::ops::RangeInclusive;
 
 use crate::scene::Problem;
-use crate::scene::units::{unit_for, with_unit};
-use slipmode_core::friction::{LEAST, MOST};
+use crate::scene::units::{unit_for, unit_of, with_unit};
+use slipmode_core::friction::{LEAST, MOST, Quantity};
 use slipmode_core::number::{DecimalError, Rational, parse_decimal};
 
 /// A range of numbers; its ends are decimals, so that messages and checks cannot differ.
@@ -105,6 +105,14 @@ impl AllowedRange {
         });
         if inside { Ok(value) } else { Err(Problem::OutOfRange { allowed }) }
     }
+}
+
+/// The value of a quantity from a text: a number in SI, a fraction such as `1/3`, or a number with a unit, such as `8um`.
+///
+/// # Errors
+/// When it is no number, not in the allowed range, or in a unit of another dimension.
+pub fn parse_value(quantity: Quantity, text: &str) -> Result<Rational, Problem> {
+    AllowedRange::PHYSICAL.parse_given(text, unit_of(quantity))
 }
 
 /// The fault of a text that is no number.

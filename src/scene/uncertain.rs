@@ -3,7 +3,7 @@
 //! A unit stands behind each number, `8um±1um`, or once behind both, `8±1 um`, `8(1) um` and `[7, 9] um`.
 
 use crate::scene::units::split_unit;
-use crate::scene::{AllowedRange, Problem};
+use crate::scene::{AllowedRange, Problem, Quantity, parse_value};
 use slipmode_core::friction::ParameterBox;
 use slipmode_core::number::Rational;
 
@@ -29,6 +29,14 @@ impl Uncertain {
         text.trim_start().starts_with('[')
             || text.contains('(')
             || SEPARATORS.iter().any(|separator| text.contains(separator))
+    }
+
+    /// The value of a quantity, with or without an error bar.
+    ///
+    /// # Errors
+    /// As [`Self::parse`].
+    pub fn of(quantity: Quantity, text: &str) -> Result<Self, Problem> {
+        Self::parse(text, |number| parse_value(quantity, number))
     }
 
     /// A value without an error bar.

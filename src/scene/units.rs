@@ -3,6 +3,7 @@
 //! No two units of the table differ in case only. `MPa` is megapascal, and millipascal is no unit here, so that m and M cannot be
 //! confused; a name of a column may write a unit in lower case.
 
+use slipmode_core::friction::Quantity;
 use slipmode_core::number::{Rational, parse_decimal};
 use slipmode_core::theory::Dimension;
 
@@ -82,6 +83,12 @@ pub fn unit_of_key(key: &str) -> &'static str {
     let key = [".from", ".to"].into_iter().find_map(|end| key.strip_suffix(end)).unwrap_or(key);
     let key = key.strip_suffix(']').and_then(|list| list.rsplit_once('[')).map_or(key, |(list, _)| list);
     ENDINGS.iter().find(|(ending, _)| key.ends_with(ending)).map_or("1", |(_, unit)| unit)
+}
+
+/// The unit of SI of a quantity.
+#[must_use]
+pub fn unit_of(quantity: Quantity) -> &'static str {
+    unit_of_key(quantity.as_str())
 }
 
 /// A key without its unit, behind which another one may stand: `loading_velocity` of `loading_velocity_m_per_s`.

@@ -39,7 +39,7 @@ fn zeros(value: f64) -> String {
 fn appended(write: fn(f64) -> String) -> Vec<String> {
     let lines = rows().iter().map(|row| row.map(write).join(",") + "\n").collect::<String>();
     let place = Workplace::new();
-    place.write("points.csv", &(Quantity::ALL.map(Quantity::key).join(",") + "\n" + &lines));
+    place.write("points.csv", &(Quantity::ALL.map(Quantity::as_str).join(",") + "\n" + &lines));
     let text = place.run(["classify", "--points", "points.csv"]).expect_warnings();
     text.lines().map(|line| line.splitn(8, ',').last().unwrap_or_default().to_string()).collect()
 }

@@ -25,7 +25,7 @@ const REPETITIONS: usize = 3;
 const STEPS: [f64; 2] = [0.754_877_666_246_692_7, 0.569_840_290_998_053_2];
 
 fn file() -> String {
-    let mut text = Quantity::ALL.map(Quantity::key).join(",") + "\n";
+    let mut text = Quantity::ALL.map(Quantity::as_str).join(",") + "\n";
     for index in 0..ROWS {
         let [x, y] = STEPS.map(|step| (step * index as f64).fract());
         let (stress, velocity) = (libm::exp10(2.0 + 7.0 * y), libm::exp10(-9.0 + 10.0 * x));
@@ -73,7 +73,7 @@ fn split(bytes: &[u8]) -> (Vec<u8>, Vec<[usize; 7]>) {
 }
 
 fn parse(cells: &[u8], rows: &[[usize; 7]]) -> Vec<Parameters<Dd>> {
-    let mut start = rows.first().map_or(0, |_| Quantity::ALL.map(Quantity::key).concat().len());
+    let mut start = rows.first().map_or(0, |_| Quantity::ALL.map(Quantity::as_str).concat().len());
     let row = |ends: &[usize; 7]| {
         Parameters::from(ends.map(|end| {
             let text = std::str::from_utf8(&cells[start..end]).unwrap();

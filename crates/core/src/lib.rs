@@ -70,8 +70,8 @@ pub mod theory;
 
 pub use checked::{
     Boundary, BoundaryPoint, Classification, Enclosed, Exact, InputError, InputErrors, NumberError,
-    OperatingPoint, Quantity, QuantityError, Root, Slider,
+    OperatingPoint, QuantityError, Root, Slider,
 };
 pub use dynamics::{Behaviour, Failure as SimulationError, Simulation};
-pub use friction::{EvolutionLaw, SlipMode};
+pub use friction::{EvolutionLaw, Quantity, SlipMode};
 pub use stability::{Arc, Asymptote, SpectralClass};

@@ -146,7 +146,7 @@ impl Row {
 
     /// The names of the coordinate that is known and of the other one.
     fn keys(&self) -> [&'static str; 2] {
-        let [stress, velocity] = [Quantity::NormalStress.key(), Quantity::LoadingVelocity.key()];
+        let [stress, velocity] = [Quantity::NormalStress.as_str(), Quantity::LoadingVelocity.as_str()];
         if self.unknown == Unknown::NormalStress { [velocity, stress] } else { [stress, velocity] }
     }
 }

@@ -1,8 +1,7 @@
 //! The answer of `classify` for values with error bars.
 
 use serde_json::{Value, json};
-use slipmode::scene::Quantity;
-use slipmode::scene::cited;
+use slipmode::scene::{Quantity, cited};
 use slipmode_core::friction::Parameters;
 use slipmode_core::number::format::rational_to_decimal;
 use slipmode_core::number::{Rational, nearest_f64};
@@ -85,7 +84,7 @@ fn place(region: &ParameterBox, point: &Parameters<Rational>) -> String {
     let [lower, upper]: [[Rational; 7]; 2] = [region.lower().into(), region.upper().into()];
     let is_uncertain =
         |(quantity, _): &(Quantity, Rational)| lower[*quantity as usize] != upper[*quantity as usize];
-    let of = |(quantity, value): (Quantity, Rational)| format!("{} = {}", quantity.key(), shown(&value));
+    let of = |(quantity, value): (Quantity, Rational)| format!("{} = {}", quantity.as_str(), shown(&value));
     let uncertain: Vec<String> = exact_values(point, None).filter(is_uncertain).map(of).collect();
     if uncertain.is_empty() { "the given values".to_string() } else { uncertain.join(", ") }
 }

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use slipmode::scene::{Limits, LogAxis, LogCoordinates, Problem, Quantity};
+use slipmode::scene::{Limits, LogAxis, LogCoordinates, Problem, Quantity, stem_of_key, unit_of};
 use slipmode_core::friction::Slider;
 use slipmode_core::number::Rational;
 use slipmode_core::stability::batch::{GridAxis, StreamedGrid, Tally};
@@ -107,7 +107,7 @@ impl GridOptions {
 /// Reads `FROM:TO:N`.
 fn axis(quantity: Quantity, text: Option<&str>, arguments: &mut Arguments) -> Option<LogAxis> {
     let wanted = "FROM:TO:N, such as 1e2:1e9:1000";
-    let option = &format!("--grid-{}", quantity.stem().replace('_', "-"));
+    let option = &format!("--grid-{}", stem_of_key(quantity.as_str()).replace('_', "-"));
     let Some(text) = text else {
         return arguments.fault(option, None, Problem::Missing { allowed: wanted.into() });
     };
@@ -117,7 +117,7 @@ fn axis(quantity: Quantity, text: Option<&str>, arguments: &mut Arguments) -> Op
         return arguments.fault(option, Some(text), problem);
     };
     let mut end =
-        |name: &str, text: &str| arguments.measured(&format!("{option}, {name}"), text, quantity.unit());
+        |name: &str, text: &str| arguments.measured(&format!("{option}, {name}"), text, unit_of(quantity));
     let (from, to) = (end("FROM", from), end("TO", to));
     let points = arguments.whole(&format!("{option}, N"), Some(count), 2..=MOST_COORDINATES);
     let (from, to, points) = (from?, to?, u32::try_from(points?).ok()?);

@@ -82,7 +82,7 @@ impl RowWork for CompareRows {
     fn header_faults(&self, names: &[String]) -> Vec<(String, Problem)> {
         let has = |key: &str| names.iter().any(|name| is_named(name, key));
         // A column that is known by its own name is no misspelling of another.
-        let is_unknown = |name: &&str| !Quantity::ALL.iter().any(|quantity| quantity.key() == *name);
+        let is_unknown = |name: &&str| !Quantity::ALL.iter().any(|quantity| quantity.as_str() == *name);
         let unknown: Vec<&str> = names.iter().map(String::as_str).filter(is_unknown).collect();
         let mut faults = Vec::new();
         if has(LAW_COLUMN) && self.law.is_some() {

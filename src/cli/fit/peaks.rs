@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 use slipmode::csv::PeakTable;
 use slipmode::experiments::fit::estimate_words;
 use slipmode::fitting::{EFFECT_RATIOS, PeakComparison, PeakFit, PeakFits, PeakGiven, hidden_part};
-use slipmode::scene::{AllowedRange, Problem, Quantity, Uncertain};
+use slipmode::scene::{AllowedRange, Problem, Quantity, Uncertain, parse_value};
 use slipmode_core::number::format::{round_digits, shortest};
 use slipmode_core::number::{Rational, nearest_f64};
 
@@ -91,7 +91,7 @@ impl PeakOptions {
             range("--effect-ratio", &self.effect_ratio, &|text| AllowedRange::EFFECT_RATIO.parse(text));
         let distance = Quantity::CriticalSlipDistance;
         let distance =
-            range(&option_of(distance), &self.critical_slip_distance_m, &|text| distance.parse(text));
+            range(&option_of(distance), &self.critical_slip_distance_m, &|text| parse_value(distance, text));
         let bandwidth =
             self.bandwidth_hz.as_deref().map(|text| arguments.measured("--bandwidth-hz", text, "Hz"));
         let (Some(ratio), Some(slip_distance_m)) = (ratio, distance) else { return arguments.finish(None) };

@@ -1,7 +1,6 @@
 //! The scene of a new report: the slider as it was typed, and what is computed for it.
 
-use slipmode::scene::cited;
-use slipmode::scene::{Quantity, Uncertain, with_unit};
+use slipmode::scene::{Quantity, Uncertain, cited, parse_value, with_unit};
 use slipmode_core::friction::Slider;
 use slipmode_core::number::format::{exact_text, round_digits};
 use slipmode_core::number::{Rational, nearest_f64};
@@ -45,12 +44,12 @@ impl Typed {
         let text = self.text(quantity);
         let has_unit = text.contains(|letter: char| letter.is_alphabetic() && !"eE".contains(letter));
         if Uncertain::is_meant(text) {
-            let ends = Uncertain::parse(text, |number| quantity.parse(number)).ok().filter(|_| has_unit);
+            let ends = Uncertain::of(quantity, text).ok().filter(|_| has_unit);
             let range =
                 ends.map(|ends| format!("{} to {}", exact_text(&ends.lower), exact_text(&ends.upper)));
             return range.unwrap_or_else(|| text.to_string());
         }
-        let converted = with_unit(text).and_then(|_| quantity.parse(text).ok());
+        let converted = with_unit(text).and_then(|_| parse_value(quantity, text).ok());
         converted.map_or_else(|| text.to_string(), |value| exact_text(&value))
     }
 }
@@ -126,7 +125,7 @@ fn parameters(typed: &Typed) -> String {
     ];
     let line = |(quantity, meaning): (Quantity, &str)| {
         let text = typed.slider.text(quantity)?;
-        Some(format!("{} = {}  # {meaning}\n", quantity.key(), toml_number(text)))
+        Some(format!("{} = {}  # {meaning}\n", quantity.as_str(), toml_number(text)))
     };
     let lines: String = Quantity::ALL.into_iter().zip(meaning).filter_map(line).collect();
     format!("{source}[parameters]\n{lines}")

@@ -2,8 +2,7 @@
 //! the slider is stable at all values within them.
 
 use serde_json::{Value, json};
-use slipmode::scene::Quantity;
-use slipmode::scene::cited;
+use slipmode::scene::{Quantity, cited, stem_of_key, unit_of};
 use slipmode_core::number::format::{certain_digits, exact_text, rational_to_decimal, round_digits};
 use slipmode_core::number::{Rational, parse_decimal};
 use slipmode_core::stability::inverse::{
@@ -44,7 +43,7 @@ impl Question {
         let part = |solution: &Solution| {
             let (value, is_exact) = self.printed(solution);
             let exact = if is_exact { " exactly" } else { "" };
-            Answer::line(&format!("{value} {}{exact}  ({})", self.quantity().unit(), meaning(solution)))
+            Answer::line(&format!("{value} {}{exact}  ({})", unit_of(self.quantity()), meaning(solution)))
                 .with("value", value)
                 .with("is_exact", is_exact)
                 .with("transition_sign", solution.transition_sign)
@@ -58,7 +57,7 @@ impl Question {
     /// Encloses all solutions over a box; an end without bound is null.
     fn over_box(&self, target: &Target, region: &ParameterBox) -> Answer {
         let shown = |value: f64| round_digits(value, SHOWN_DIGITS);
-        let unit = self.quantity().unit();
+        let unit = unit_of(self.quantity());
         let part = |SolutionRange { enclosure: [low, high], certain }: &SolutionRange| {
             let ends = match (*low > 0.0, high.is_finite()) {
                 (true, true) => format!("{} to {} {unit}", shown(*low), shown(*high)),
@@ -83,7 +82,7 @@ impl Question {
 
     /// Heads the answer; `words` are where it holds when there is no solution, where otherwise, and what is counted.
     fn about(&self, of: &Target, inputs: Value, words: [&str; 3], solutions: Vec<Answer>) -> Answer {
-        let name = self.quantity().stem().replace('_', " ");
+        let name = stem_of_key(self.quantity().as_str()).replace('_', " ");
         let (target, target_words) = target(of);
         let [where_none, where_some, thing] = words;
         let heading = match solutions.len() {
@@ -94,7 +93,7 @@ impl Question {
     }
 
     fn answered(&self, inputs: Value, target: Value) -> Answer {
-        Answer::to(inputs).with("solved_for", self.quantity().key()).with("target", target)
+        Answer::to(inputs).with("solved_for", self.quantity().as_str()).with("target", target)
     }
 
     /// Finds the stiffness above which the slider is stable at all values. A point is stable where K > K_c, and K_c is largest at a
@@ -110,7 +109,7 @@ impl Question {
             || format!("every stiffness: {STABLE}, because b <= a (exact)"),
             |witness| {
                 let values = exact_values(witness, Some(Quantity::Stiffness));
-                let place = values.map(|(of, value)| format!("{} = {}", of.key(), exact_text(&value)));
+                let place = values.map(|(of, value)| format!("{} = {}", of.as_str(), exact_text(&value)));
                 let place = place.collect::<Vec<_>>().join(", ");
                 cited(&format!("{ABOVE} {value} Pa/m {exact}\nlargest K_c ({{transition}}): at {place}"))
             },

@@ -93,7 +93,7 @@ impl<W: PointWork> MadePoints for Made<W> {
     }
 
     fn columns(&self) -> Vec<u8> {
-        let varying = self.source.varying().into_iter().map(|index| Quantity::ALL[index].key());
+        let varying = self.source.varying().into_iter().map(|index| Quantity::ALL[index].as_str());
         let law = (!self.laws.is_empty()).then_some(LAW_COLUMN);
         let names: Vec<&str> = varying.chain(law).chain(W::APPENDED.iter().copied()).collect();
         format!("{}\n", names.join(",")).into_bytes()

@@ -112,7 +112,7 @@ impl Grid {
         for ((text, wanted), quantity) in inputs {
             if parse_decimal(text) != parse_decimal(wanted) {
                 let problem = off_grid(format!("another slider's (the scene has {wanted})"));
-                return Some((quantity.key().into(), Some(text.clone()), problem));
+                return Some((quantity.as_str().into(), Some(text.clone()), problem));
             }
         }
         let here = match index < self.points() {

@@ -48,7 +48,7 @@ const NONE: &str = "none: ";
 
 /// The header: the seven inputs, the law, the kind of certificate, the bounds and the proof.
 fn columns() -> Vec<&'static str> {
-    let inputs = Quantity::ALL.map(Quantity::key);
+    let inputs = Quantity::ALL.map(Quantity::as_str);
     [&inputs[..], &["law", "certificate"], &BOUNDS, &PROOF].concat()
 }
 

@@ -27,8 +27,8 @@ impl ReadSection for FitSection {
         Self {
             record: section.name("record", "the name of the record NAME.csv"),
             laws: section.laws(),
-            stiffness_pa_per_m: section.optionally(Quantity::Stiffness.key(), given),
-            mass_per_area_kg_per_m2: section.optionally(Quantity::MassPerArea.key(), given),
+            stiffness_pa_per_m: section.optionally(Quantity::Stiffness.as_str(), given),
+            mass_per_area_kg_per_m2: section.optionally(Quantity::MassPerArea.as_str(), given),
             has_drift: section.optionally("drift", Entry::truth).unwrap_or_default(),
         }
     }

@@ -39,7 +39,7 @@ pub(super) fn bars(
         let [low, high] = ends(region, quantity);
         let scaled = |share: &Rational| {
             let (middle, half) = ((low.clone() + &high) / 2u32, (high.clone() - &low) / 2u32 * share);
-            region.clone().with_ends(quantity as usize, [middle.clone() - &half, middle + half])
+            region.clone().with_ends(quantity, [middle.clone() - &half, middle + half])
         };
         let modes_if_exact = modes(&scaled(&Rational::new())?, threshold);
         let settles =
@@ -78,8 +78,7 @@ fn width(region: &ParameterBox, quantity: Quantity, (target, band): &(Target, [f
     if quantity == Quantity::NormalStress {
         return decades(ends.each_ref().map(nearest_f64));
     }
-    let alone =
-        ParameterBox::of(region.middle()).and_then(|middle| middle.with_ends(quantity as usize, ends));
+    let alone = ParameterBox::of(region.middle()).and_then(|middle| middle.with_ends(quantity, ends));
     let bands = alone.map_or_else(Vec::new, |alone| solve_over_box(&alone, Unknown::NormalStress, target));
     let bands = bands.into_iter().map(|range| range.enclosure);
     // Those of other arcs are left out.

@@ -1,6 +1,6 @@
 //! What can be reached, and numbers in the units of a laboratory: a number out of reach is replaced by words.
 
-use crate::scene::Quantity;
+use crate::scene::{Quantity, unit_of};
 use slipmode_core::number::format::{Side, round_digits, rounded};
 
 /// The least and the greatest value that an experiment or a fault can have, in SI; all seven limits are wide.
@@ -62,10 +62,10 @@ pub(crate) fn in_words(value: f64, unit: &str) -> String {
 /// A range, rounded outward: `3.71 to 5.47 MPa`; one number where its ends agree, and words where an end is out of reach.
 pub(crate) fn range_in_words(quantity: Quantity, [low, high]: [f64; 2]) -> String {
     let ends = [(low, Side::Below), (high, Side::Above)].map(|(value, side)| {
-        is_within_reach(quantity, value).then(|| parts(value, quantity.unit(), Some(side)))
+        is_within_reach(quantity, value).then(|| parts(value, unit_of(quantity), Some(side)))
     });
     if high <= low * (1.0 + 1e-6) && ends[0].is_some() {
-        return in_words(low, quantity.unit());
+        return in_words(low, unit_of(quantity));
     }
     match ends {
         [Some((low, of_low)), Some((high, of_high))] if of_low == of_high => {

@@ -133,7 +133,7 @@ impl Point<'_> {
     fn certain_from(&self, quantity: Quantity, now: f64, change: f64) -> Option<f64> {
         let present = self.mode(quantity, now);
         let has_left = |value: f64| {
-            let region = self.region.clone().with_ends(quantity as usize, [exactly(value), exactly(value)]);
+            let region = self.region.clone().with_ends(quantity, [exactly(value), exactly(value)]);
             region.is_some_and(|region| !modes(&region, self.threshold).contains(&present))
         };
         let [low, high] = reach(quantity);

@@ -6,6 +6,7 @@ use super::words::{error_bars, mode_list, name, settling};
 use crate::experiments::shared::cells::Digits;
 use crate::experiments::tables::table_of;
 use crate::experiments::{Context, Need, TableMaker};
+use crate::scene::unit_of;
 use slipmode_plot::table::{Cell, Table};
 
 const NEEDS: &[Need] = &[Need::OperatingPoint];
@@ -26,7 +27,7 @@ fn changes(context: &Context) -> Option<Table> {
     let of_all = " In the last column no values within the error bars have the present slip mode (exact).";
     let is_uncertain = context.outcome.scenes.iter().any(|scene| error_bars(scene).is_some());
     let or_none = |text: Option<String>| text.unwrap_or_else(|| "none within reach".into());
-    let shown = |change: &Change, value: f64| in_words(value, change.quantity.unit());
+    let shown = |change: &Change, value: f64| in_words(value, unit_of(change.quantity));
     let table = table_of("changes", rows())
         .fill("reach", &reach)
         .fill("certain", if is_uncertain { of_all } else { "" })

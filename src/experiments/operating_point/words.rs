@@ -5,7 +5,7 @@ use super::error_bars::Bar;
 use super::reach::{DIGITS, digits_of_factor, in_words, range_in_words, reach};
 use super::run::{Change, OperatingPointOutcome};
 use crate::experiments::{Outcome, SceneOutcome};
-use crate::scene::Quantity;
+use crate::scene::{Quantity, unit_of};
 use slipmode_core::friction::{OperatingPoint, Parameters};
 use slipmode_core::number::format::{Side, round_digits, rounded};
 use slipmode_core::number::{Rational, nearest_f64};
@@ -161,7 +161,7 @@ pub fn what_leaves_words(outcome: &Outcome) -> Option<String> {
     let Some((to, mode)) = change.to else {
         return Some("No single change within reach leaves this mode.".into());
     };
-    let shown = |value: f64| in_words(value, change.quantity.unit());
+    let shown = |value: f64| in_words(value, unit_of(change.quantity));
     let certain = match (found.bars.is_empty(), change.certain_from) {
         (true, _) => String::new(),
         (false, Some(value)) => format!(", and at {} for all values within the error bars", shown(value)),
@@ -182,7 +182,7 @@ pub fn what_leaves_words(outcome: &Outcome) -> Option<String> {
 pub(super) fn settling(bar: &Bar) -> Option<String> {
     let [low, high] = bar.ends;
     let error = rounded(0.5 * (high - low) * bar.settling_share?, 2, Side::Below).parse().ok()?;
-    let [middle, error] = [0.5 * (low + high), error].map(|value| in_words(value, bar.quantity.unit()));
+    let [middle, error] = [0.5 * (low + high), error].map(|value| in_words(value, unit_of(bar.quantity)));
     Some(format!("{middle} ± {error}"))
 }
 

@@ -56,15 +56,15 @@ pub fn ranges_at(
         Unknown::NormalStress => Quantity::LoadingVelocity,
         _ => Quantity::NormalStress,
     };
-    let region = region.clone().with_ends(other as usize, [known.clone(), known.clone()]);
+    let region = region.clone().with_ends(other, [known.clone(), known.clone()]);
     region.map_or_else(Vec::new, |region| solve_over_box(&region, unknown, target))
 }
 
 /// The box with V0 and σ from the first pair to the second one.
 fn over(region: &ParameterBox, [from, to]: [[Rational; 2]; 2]) -> Option<ParameterBox> {
     let ([slow, low], [fast, high]) = (from, to);
-    let region = region.clone().with_ends(Quantity::LoadingVelocity as usize, [slow, fast])?;
-    region.with_ends(Quantity::NormalStress as usize, [low, high])
+    let region = region.clone().with_ends(Quantity::LoadingVelocity, [slow, fast])?;
+    region.with_ends(Quantity::NormalStress, [low, high])
 }
 
 /// The bands as areas of a map with so many columns and rows of cells.

@@ -56,7 +56,7 @@ fn read_points(entry: &Entry<'_>) -> Option<Vec<TrajectoryPoint>> {
 
 impl TrajectoryPoint {
     fn read(section: &mut Section<'_>) -> Self {
-        let [stress, velocity] = [Quantity::NormalStress, Quantity::LoadingVelocity].map(Quantity::key);
+        let [stress, velocity] = [Quantity::NormalStress, Quantity::LoadingVelocity].map(Quantity::as_str);
         Self {
             id: section.name("id", "the name of the point"),
             normal_stress_pa: section.decimal(stress, AllowedRange::PHYSICAL),

@@ -90,7 +90,7 @@ fn all_seven(
     parameters: ReadParameters<'_>,
     from_table: FromTable,
 ) -> Option<[Coordinate; 7]> {
-    let read = Quantity::ALL.map(|quantity| match section.optional(quantity.key()) {
+    let read = Quantity::ALL.map(|quantity| match section.optional(quantity.as_str()) {
         Some(entry) if entry.is_table() => entry.table(|section| coordinate_of_table(section, from_table)),
         Some(entry) => entry.uncertain(AllowedRange::PHYSICAL).map(Coordinate::Fixed),
         // What is wrong with the parameters is reported already.
@@ -101,7 +101,7 @@ fn all_seven(
                     "a number from {}, {{ from = …, to = …, … }}, or its value in [parameters]",
                     AllowedRange::PHYSICAL.text()
                 );
-                section.required(quantity.key(), &allowed).and(None)
+                section.required(quantity.as_str(), &allowed).and(None)
             }
         },
     });

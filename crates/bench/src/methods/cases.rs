@@ -92,7 +92,7 @@ fn fault(file: &str, line: usize, key: &str, value: Option<&str>, problem: Probl
 }
 
 fn column_names() -> impl Iterator<Item = &'static str> {
-    Quantity::ALL.into_iter().map(Quantity::key).chain(ANSWERS)
+    Quantity::ALL.into_iter().map(Quantity::as_str).chain(ANSWERS)
 }
 
 fn find_columns(file: &str, line: usize, header: &str) -> Result<Vec<usize>, Fault> {

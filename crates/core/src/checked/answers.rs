@@ -2,8 +2,8 @@
 
 use super::enclosed::Enclosed;
 use super::exact::{Exact, NumberError};
-use super::quantity::{InputError, Quantity};
-use crate::friction::{self, SlipMode};
+use super::input_error::InputError;
+use crate::friction::{self, Quantity, SlipMode};
 use crate::number::Rational;
 use crate::roots::CertifiedRoot;
 use crate::stability::{self, Arc, Asymptote, BoundaryCurve, Section, SpectralClass};

@@ -6,13 +6,13 @@
 mod answers;
 mod enclosed;
 mod exact;
-mod quantity;
+mod input_error;
 mod slider;
 
 pub use answers::{Boundary, BoundaryPoint, Classification, Root};
 pub use enclosed::Enclosed;
 pub use exact::{Exact, NumberError};
-pub use quantity::{InputError, InputErrors, Quantity, QuantityError};
+pub use input_error::{InputError, InputErrors, QuantityError};
 pub use slider::{OperatingPoint, Slider};
 
 #[cfg(test)]

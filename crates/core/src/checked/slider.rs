@@ -2,9 +2,9 @@
 
 use super::answers::{Boundary, Classification, Root};
 use super::exact::{Exact, NumberError};
-use super::quantity::{InputError, InputErrors, Quantity};
+use super::input_error::{InputError, InputErrors};
 use crate::dynamics::{Failure, Options, Simulation, simulate};
-use crate::friction::{self, EvolutionLaw, Parameters};
+use crate::friction::{self, EvolutionLaw, Parameters, Quantity};
 use crate::number::Rational;
 use crate::roots::certified_roots;
 use crate::stability::{InertialThreshold, classify};
@@ -84,16 +84,7 @@ impl Slider {
     /// One of the five values; none of the operating point.
     #[must_use]
     pub fn value(&self, quantity: Quantity) -> Option<Exact> {
-        let slider = &self.0;
-        let value = match quantity {
-            Quantity::DirectEffect => &slider.direct_effect,
-            Quantity::EvolutionEffect => &slider.evolution_effect,
-            Quantity::CriticalSlipDistance => &slider.critical_slip_distance_m,
-            Quantity::Stiffness => &slider.stiffness_pa_per_m,
-            Quantity::MassPerArea => &slider.mass_per_area_kg_per_m2,
-            Quantity::NormalStress | Quantity::LoadingVelocity => return None,
-        };
-        Some(Exact(value.clone()))
+        self.0.value(quantity).cloned().map(Exact)
     }
 
     /// Stability, oscillation and slip mode of steady sliding. Signs and names are exact; rates have a relative error of at most 1e-14.

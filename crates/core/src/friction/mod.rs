@@ -16,6 +16,7 @@ mod evolution;
 mod groups;
 mod parameter_box;
 mod parameters;
+mod quantity;
 mod slider;
 mod slip_mode;
 
@@ -24,6 +25,7 @@ pub(crate) use groups::cubic_of_terms;
 pub use groups::{Groups, critical_stiffness_group};
 pub use parameter_box::ParameterBox;
 pub use parameters::{OperatingPoint, Parameters};
+pub use quantity::Quantity;
 pub use slider::Slider;
 pub use slip_mode::SlipMode;
 

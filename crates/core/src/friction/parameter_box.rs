@@ -1,6 +1,6 @@
 //! All values within error bars.
 
-use super::Parameters;
+use super::{Parameters, Quantity};
 use crate::number::Rational;
 
 /// All parameters between two exact ends, ends included.
@@ -37,11 +37,11 @@ impl ParameterBox {
         Self::new(point.clone(), point)
     }
 
-    /// The box with other ends of a parameter, by its place in a, b, D_c, K, M, σ, V0; `None` unless 0 < lower ≤ upper.
+    /// The box with other ends of a quantity; `None` unless 0 < lower ≤ upper.
     #[must_use]
-    pub fn with_ends(mut self, parameter: usize, [lower, upper]: [Rational; 2]) -> Option<Self> {
+    pub fn with_ends(mut self, quantity: Quantity, [lower, upper]: [Rational; 2]) -> Option<Self> {
         let is_valid = lower > 0 && lower <= upper;
-        (self.lower[parameter], self.upper[parameter]) = (lower, upper);
+        (self.lower[quantity as usize], self.upper[quantity as usize]) = (lower, upper);
         is_valid.then_some(self)
     }
 

@@ -1,5 +1,6 @@
 //! Material and machine: the five inputs of the spring-slider that do not say how it is driven, in SI.
 
+use super::Quantity;
 use crate::number::{Field, Real};
 
 /// Rate-and-state friction on a spring and a mass; every value is positive.
@@ -63,6 +64,19 @@ impl<R> Slider<R> {
             critical_slip_distance_m: convert(&self.critical_slip_distance_m),
             stiffness_pa_per_m: convert(&self.stiffness_pa_per_m),
             mass_per_area_kg_per_m2: convert(&self.mass_per_area_kg_per_m2),
+        }
+    }
+
+    /// The value of a quantity; none of the operating point.
+    #[must_use]
+    pub const fn value(&self, quantity: Quantity) -> Option<&R> {
+        match quantity {
+            Quantity::DirectEffect => Some(&self.direct_effect),
+            Quantity::EvolutionEffect => Some(&self.evolution_effect),
+            Quantity::CriticalSlipDistance => Some(&self.critical_slip_distance_m),
+            Quantity::Stiffness => Some(&self.stiffness_pa_per_m),
+            Quantity::MassPerArea => Some(&self.mass_per_area_kg_per_m2),
+            Quantity::NormalStress | Quantity::LoadingVelocity => None,
         }
     }
 }

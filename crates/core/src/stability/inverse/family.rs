@@ -2,7 +2,7 @@
 
 use rug::Rational;
 
-use crate::friction::Parameters;
+use crate::friction::{Parameters, Quantity};
 use crate::number::Field;
 use crate::stability::inverse::Unknown;
 use slipmode_algebra::UnivariatePolynomial;
@@ -51,20 +51,10 @@ impl Family {
 }
 
 /// The parameters with another value of the unknown.
-pub(super) fn at(
-    parameters: &Parameters<Rational>,
-    unknown: Unknown,
-    value: &Rational,
-) -> Parameters<Rational> {
-    let mut changed = parameters.clone();
-    let place = match unknown {
-        Unknown::NormalStress => &mut changed.point.normal_stress_pa,
-        Unknown::LoadingVelocity => &mut changed.point.loading_velocity_m_per_s,
-        Unknown::Stiffness => &mut changed.slider.stiffness_pa_per_m,
-        Unknown::MassPerArea => &mut changed.slider.mass_per_area_kg_per_m2,
-    };
-    place.clone_from(value);
-    changed
+pub(super) fn at(point: &Parameters<Rational>, unknown: Unknown, value: &Rational) -> Parameters<Rational> {
+    let mut values: [Rational; 7] = point.clone().into();
+    values[Quantity::from(unknown) as usize].clone_from(value);
+    values.into()
 }
 
 /// The coefficients of the cubic in h = s − `origin`.

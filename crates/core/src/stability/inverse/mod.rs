@@ -19,7 +19,7 @@ use std::cmp::Ordering;
 use rug::Rational;
 use thiserror::Error;
 
-use crate::friction::Parameters;
+use crate::friction::{Parameters, Quantity};
 use crate::number::{Ball, Field, bits_for_digits};
 use crate::roots::{MOST_BITS, discriminant};
 use crate::stability::{Arc, DampingRatio, InertialThreshold};
@@ -44,14 +44,13 @@ slipmode_algebra::named! {
     }
 }
 
-impl Unknown {
-    /// Its place among the seven parameters.
-    const fn parameter(self) -> usize {
-        match self {
-            Self::Stiffness => 3,
-            Self::MassPerArea => 4,
-            Self::NormalStress => 5,
-            Self::LoadingVelocity => 6,
+impl From<Unknown> for Quantity {
+    fn from(unknown: Unknown) -> Self {
+        match unknown {
+            Unknown::NormalStress => Self::NormalStress,
+            Unknown::LoadingVelocity => Self::LoadingVelocity,
+            Unknown::Stiffness => Self::Stiffness,
+            Unknown::MassPerArea => Self::MassPerArea,
         }
     }
 }

@@ -12,7 +12,7 @@ use super::tails::{Tails, tails};
 use super::{Target, Unknown};
 use crate::number::Interval;
 use crate::stability::over_box::{
-    ParameterBox, Quantity, Sought, boundary_sought, sought_in, threshold_sought, transition_sought,
+    ParameterBox, RootPart, Sought, boundary_sought, sought_in, threshold_sought, transition_sought,
 };
 
 /// Parts of the axis are halved until their ends have this ratio.
@@ -74,10 +74,10 @@ pub fn is_nowhere(region: &ParameterBox, target: &Target) -> bool {
 fn sought_over(region: &ParameterBox, target: &Target) -> Sought {
     match target {
         Target::GrowthRate(rate) if rate.is_zero() => transition_sought(region),
-        Target::GrowthRate(rate) => sought_in(region, Quantity::Real, Interval::enclosing(rate)),
+        Target::GrowthRate(rate) => sought_in(region, RootPart::Real, Interval::enclosing(rate)),
         Target::Boundary => boundary_sought(region),
         Target::FrequencyRatio(threshold) => threshold_sought(region, threshold),
-        target => sought_in(region, Quantity::Imaginary, angular_frequency(target)),
+        target => sought_in(region, RootPart::Imaginary, angular_frequency(target)),
     }
 }
 
@@ -99,7 +99,7 @@ impl Axis<'_> {
     fn sought(&self, [low, high]: [f64; 2]) -> Sought {
         let region = Rational::from_f64(low)
             .zip(Rational::from_f64(high))
-            .and_then(|(low, high)| self.region.clone().with_ends(self.unknown.parameter(), [low, high]));
+            .and_then(|(low, high)| self.region.clone().with_ends(self.unknown.into(), [low, high]));
         region.map_or(Sought::Unknown, |region| sought_over(&region, self.target))
     }
 

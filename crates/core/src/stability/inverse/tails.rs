@@ -2,6 +2,7 @@
 
 use super::frequency::angular_frequency;
 use super::{Target, Unknown};
+use crate::friction::Quantity;
 use crate::number::Interval;
 use crate::stability::over_box::{ParameterBox, Scaled, Values};
 
@@ -21,7 +22,7 @@ const ROOM: f64 = 1e-9;
 /// The part of the axis outside of which no point of the box has a solution, as far as that is decided.
 pub(super) fn tails(region: &ParameterBox, unknown: Unknown, target: &Target, octaves: i32) -> Tails {
     let scaled = Scaled::new(region);
-    let parameter = unknown.parameter();
+    let parameter = Quantity::from(unknown) as usize;
     let unit = Interval::enclosing(&Scaled::units(region)[parameter]);
     let values = scaled.values();
     let question = |values: &Values| polynomials(values, parameter, target, scaled.rate);

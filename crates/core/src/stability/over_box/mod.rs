@@ -38,7 +38,7 @@ pub use crate::friction::ParameterBox;
 pub(super) use pair_search::Sought;
 pub use ranges::{Ranges, ValueRange, ranges_over_box};
 pub(super) use ranges::{Scaled, sought_in};
-pub(super) use root_discs::{Quantity, Values};
+pub(super) use root_discs::{RootPart, Values};
 pub use shares::{Distribution, SampledShare, sampled_shares};
 
 use std::cell::LazyCell;

@@ -18,7 +18,7 @@ use super::extreme_point::Known;
 use super::pair_conditions::{CONDITIONS, Slopes, Terms, TwoRoots, VARIABLES};
 use super::pair_point::point_with;
 use super::ranked::Ranked;
-use super::root_discs::{Quantity, RootDiscs, Values, cubic};
+use super::root_discs::{RootDiscs, RootPart, Values, cubic};
 use crate::number::Interval;
 
 /// How often the end of a place is cut.
@@ -49,7 +49,7 @@ pub(super) struct PairSearch<'v> {
     pub lower: &'v Values,
     pub upper: &'v Values,
     /// Which quantity.
-    pub quantity: Quantity,
+    pub quantity: RootPart,
     /// Whether its greatest value is sought.
     pub is_greatest: bool,
     /// Points with a largest real part above it are left out.
@@ -129,7 +129,7 @@ impl PairSearch<'_> {
         let value = place.value.or_else(|| {
             let middle = place.values.map(Interval::middle);
             let point = point_with(&place.parameters, place.kind, &middle, self.ceiling)?;
-            Some(RootDiscs::of(&point.map(Interval::point))?.largest(Quantity::Real))
+            Some(RootDiscs::of(&point.map(Interval::point))?.largest(RootPart::Real))
         });
         value.is_some_and(|value| value.high <= self.ceiling)
     }
@@ -174,7 +174,7 @@ impl PairSearch<'_> {
 
     /// The variable with which the quantity changes most.
     const fn leading(&self) -> usize {
-        if matches!(self.quantity, Quantity::Real) { FIRST } else { SECOND }
+        if matches!(self.quantity, RootPart::Real) { FIRST } else { SECOND }
     }
 
     /// The end of that variable at which the search looks.
@@ -190,9 +190,9 @@ impl PairSearch<'_> {
         }
         let [first, second, rate] = place.values;
         let value = match (self.quantity, place.kind) {
-            (Quantity::Imaginary, _) => second.square_root(),
-            (Quantity::Real, TwoRoots::Real) => first,
-            (Quantity::Real, TwoRoots::Pair) => {
+            (RootPart::Imaginary, _) => second.square_root(),
+            (RootPart::Real, TwoRoots::Real) => first,
+            (RootPart::Real, TwoRoots::Pair) => {
                 let sum_and_product = place.kind.sum_and_product(&place.values);
                 let machine = place.delta().and_then(|delta| self.machine(place, sum_and_product, delta));
                 let third = machine.map_or(Interval::LINE, |[.., share]| -(rate / share));
@@ -221,7 +221,7 @@ impl PairSearch<'_> {
         let slowest = common(Interval { low: -0.5 * size(c2), high: reach }, half_sum);
         let pair = slowest.zip(common(Interval { low: 0.0, high: (k / m).high }, -square));
         let pair = pair.map(|(x, w)| of_kind(TwoRoots::Pair, [x, w]));
-        let has_real = self.quantity == Quantity::Real && square.high >= 0.0;
+        let has_real = self.quantity == RootPart::Real && square.high >= 0.0;
         let real = has_real.then(|| of_kind(TwoRoots::Real, [within; 2]));
         [pair, real].map(|place| self.reduced(place?))
     }
@@ -267,9 +267,9 @@ impl PairSearch<'_> {
         let ([first, second], third) = (known.roots, known.third());
         let may_be_double = !self.is_greatest && second.low <= 0.0;
         match (self.quantity, kind) {
-            (Quantity::Imaginary, _) => [Some(known.effects_on_imaginary_part()), None, None],
-            (Quantity::Real, TwoRoots::Real) => [Some(known.effects_on_real_root(first)), None, None],
-            (Quantity::Real, TwoRoots::Pair) => {
+            (RootPart::Imaginary, _) => [Some(known.effects_on_imaginary_part()), None, None],
+            (RootPart::Real, TwoRoots::Real) => [Some(known.effects_on_real_root(first)), None, None],
+            (RootPart::Real, TwoRoots::Pair) => {
                 let (may_be_pair, may_be_third) = (third.low <= first.high, third.high >= first.low);
                 [
                     may_be_pair.then(|| known.effects_on_real_part()),

@@ -7,7 +7,7 @@ use std::cmp::Ordering;
 
 use super::corners::{A, B, D, K, M, Point, S, V};
 use super::pair_search::{FEW, PairSearch, Sought};
-use super::root_discs::{Quantity, RootDiscs, Values};
+use super::root_discs::{RootDiscs, RootPart, Values};
 use super::summit::Summit;
 use super::{OverBox, ParameterBox, boundary_signs};
 use crate::number::{Interval, Rational};
@@ -64,14 +64,14 @@ pub fn ranges_over_box(region: &ParameterBox, found: &OverBox) -> Ranges {
     // Growth has the sign of K_c − K, and where a point does not oscillate, the least frequency is zero.
     let [nearest, farthest] = found.transition_signs;
     let [least, greatest] = found.boundary_signs;
-    let real = scaled.range(Quantity::Real, [farthest == 0, nearest == 0]).map(|mut range| {
+    let real = scaled.range(RootPart::Real, [farthest == 0, nearest == 0]).map(|mut range| {
         let [low, high] = &mut range.enclosure;
         *low = if farthest <= 0 { low.max(0.0) } else { *low };
         *high = if nearest >= 0 { high.min(0.0) } else { *high };
         range.consistent()
     });
     let imaginary =
-        scaled.range(Quantity::Imaginary, [greatest >= 0, least >= 0]).map(ValueRange::consistent);
+        scaled.range(RootPart::Imaginary, [greatest >= 0, least >= 0]).map(ValueRange::consistent);
     Ranges { max_real_per_s: real, max_imaginary_per_s: imaginary }
 }
 
@@ -84,11 +84,11 @@ impl ValueRange {
 }
 
 /// Whether a point of the box has a value of the quantity in an interval, 1/s.
-pub(in crate::stability) fn sought_in(region: &ParameterBox, quantity: Quantity, values: Interval) -> Sought {
+pub(in crate::stability) fn sought_in(region: &ParameterBox, quantity: RootPart, values: Interval) -> Sought {
     let scaled = Scaled::new(region);
     let goal = values / scaled.rate;
     // Where a point does not oscillate, the least frequency is zero.
-    let is_below_goal = quantity == Quantity::Imaginary && goal.low >= 0.0 && boundary_signs(region)[1] >= 0;
+    let is_below_goal = quantity == RootPart::Imaginary && goal.low >= 0.0 && boundary_signs(region)[1] >= 0;
     let least = if is_below_goal { Sought::Somewhere } else { scaled.beyond(quantity, Side::Least, goal) };
     match [scaled.beyond(quantity, Side::Greatest, goal), least] {
         [Sought::Nowhere, _] | [_, Sought::Nowhere] => Sought::Nowhere,
@@ -143,7 +143,7 @@ impl Scaled {
     }
 
     /// The range of a quantity, 1/s, of which some ends are known to be zero; none beyond the range of 64-bit numbers.
-    fn range(&self, quantity: Quantity, is_zero: [bool; 2]) -> Option<ValueRange> {
+    fn range(&self, quantity: RootPart, is_zero: [bool; 2]) -> Option<ValueRange> {
         let sides = [(Side::Least, is_zero[0]), (Side::Greatest, is_zero[1])];
         let mut attained = [0.0; 2];
         for (attained, (side, is_zero)) in attained.iter_mut().zip(sides) {
@@ -177,13 +177,13 @@ impl Scaled {
     /// A bound that no value passes, and a value that is attained.
     fn extreme(
         &self,
-        quantity: Quantity,
+        quantity: RootPart,
         side: Side,
         attained: f64,
         [near, far]: [f64; 2],
     ) -> Option<[f64; 2]> {
         let search = |ceiling, most| self.search(quantity, side, ceiling, most);
-        if quantity == Quantity::Imaginary || side == Side::Greatest {
+        if quantity == RootPart::Imaginary || side == Side::Greatest {
             return Some(search(f64::INFINITY, MOST_PLACES).bound(attained, [near, far]));
         }
         // For the least value of the largest of three, no point is below a level, or some point is. The first level is next to the
@@ -216,7 +216,7 @@ impl Scaled {
     }
 
     /// Whether a point has a value as far out as some.
-    fn beyond(&self, quantity: Quantity, side: Side, goal: Interval) -> Sought {
+    fn beyond(&self, quantity: RootPart, side: Side, goal: Interval) -> Sought {
         let summit = self.summit(quantity, side);
         let is_reached = |point: &[f64; 7]| {
             self.value_at(quantity, point).is_some_and(|value| match side {
@@ -233,7 +233,7 @@ impl Scaled {
             Side::Greatest => (goal.low.next_down(), goal.high),
             Side::Least => (goal.high.next_up(), goal.low),
         };
-        let found = if quantity == Quantity::Real && side == Side::Least {
+        let found = if quantity == RootPart::Real && side == Side::Least {
             search(goal.high).has_points()
         } else if goal.sign().is_none_or(Ordering::is_eq) {
             Sought::Unknown
@@ -248,12 +248,12 @@ impl Scaled {
         if is_found { Sought::Somewhere } else { found }
     }
 
-    fn search(&self, quantity: Quantity, side: Side, ceiling: f64, most: usize) -> PairSearch<'_> {
+    fn search(&self, quantity: RootPart, side: Side, ceiling: f64, most: usize) -> PairSearch<'_> {
         let is_greatest = side == Side::Greatest;
         PairSearch { lower: &self.lower, upper: &self.upper, quantity, is_greatest, ceiling, most }
     }
 
-    fn summit(&self, quantity: Quantity, side: Side) -> Summit {
+    fn summit(&self, quantity: RootPart, side: Side) -> Summit {
         let (lower, upper) = (&self.lower, &self.upper);
         Summit {
             lower: lower.map(|lower| lower.high),
@@ -264,7 +264,7 @@ impl Scaled {
     }
 
     /// The value at a point, which has the enclosures of the ends where it is at one.
-    fn value_at(&self, quantity: Quantity, point: &[f64; 7]) -> Option<Interval> {
+    fn value_at(&self, quantity: RootPart, point: &[f64; 7]) -> Option<Interval> {
         let values = std::array::from_fn(|i| match point[i] {
             value if value <= self.lower[i].high => self.lower[i],
             value if value >= self.upper[i].low => self.upper[i],

@@ -19,7 +19,7 @@ const POLISHING_STEPS: u32 = 2;
 
 /// Which part of the roots.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(in crate::stability) enum Quantity {
+pub(in crate::stability) enum RootPart {
     /// The largest real part.
     Real,
     /// The largest imaginary part.
@@ -95,7 +95,7 @@ impl RootDiscs {
     }
 
     /// The largest value of the three roots.
-    pub(super) fn largest(&self, quantity: Quantity) -> Interval {
+    pub(super) fn largest(&self, quantity: RootPart) -> Interval {
         let all: [Interval; 3] = std::array::from_fn(|i| self.rectangle(i).part(quantity));
         let high = all.iter().fold(f64::NEG_INFINITY, |high, values| high.max(values.high));
         // A union of discs holds a root, which is not below all of its discs.
@@ -107,12 +107,12 @@ impl RootDiscs {
         let low = (0..3).map(least_of_union).fold(f64::NEG_INFINITY, f64::max);
         let by_discs = Interval { low, high };
         match (quantity, self.others) {
-            (Quantity::Real, None) => by_discs,
-            (Quantity::Real, Some([half_sum, square])) => {
+            (RootPart::Real, None) => by_discs,
+            (RootPart::Real, Some([half_sum, square])) => {
                 let highest = (half_sum + square.square_root()).high.max(all[0].high);
                 by_discs.intersection(Interval { low: half_sum.low, high: highest })
             }
-            (Quantity::Imaginary, others) => {
+            (RootPart::Imaginary, others) => {
                 let by_discs = Interval { low: low.max(0.0), high: high.max(0.0) };
                 others.map_or(by_discs, |[_, square]| by_discs.intersection((-square).square_root()))
             }
@@ -132,8 +132,8 @@ fn other_two([c0, c1, c2, c3]: &[Interval; 4], real: Interval) -> [Interval; 2] 
 }
 
 impl Rectangle {
-    fn part(self, quantity: Quantity) -> Interval {
-        if quantity == Quantity::Real { self.re } else { self.im }
+    fn part(self, quantity: RootPart) -> Interval {
+        if quantity == RootPart::Real { self.re } else { self.im }
     }
 }
 

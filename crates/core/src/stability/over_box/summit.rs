@@ -4,7 +4,7 @@
 //! one real part, or roots meet. No single parameter leads along such a place; differences of other points do (differential evolution,
 //! Storn and Price 1997).
 
-use super::root_discs::{Quantity, cubic};
+use super::root_discs::{RootPart, cubic};
 use crate::number::search::golden_section;
 use crate::number::split_mix::SplitMix64;
 use crate::roots::{Pair, Spectrum, bounded_roots};
@@ -28,7 +28,7 @@ pub(super) struct Summit {
     pub lower: Point,
     pub upper: Point,
     /// Of what the value is sought.
-    pub quantity: Quantity,
+    pub quantity: RootPart,
     /// Whether the greatest value is sought.
     pub is_greatest: bool,
 }
@@ -103,7 +103,7 @@ impl Summit {
             Pair::Complex { re, im } => [re.value, im.value * im.value],
             Pair::NotSeparated => [-0.5 * (cubic[2] / cubic[3] + real.value), 0.0],
         };
-        let value = if self.quantity == Quantity::Real { largest.max(real.value) } else { square };
+        let value = if self.quantity == RootPart::Real { largest.max(real.value) } else { square };
         (if self.is_greatest { value } else { -value }, point)
     }
 }
@@ -132,7 +132,7 @@ mod tests {
         for round in 0..40 {
             let [lower, upper] = any_box(&mut random);
             for (quantity, is_greatest) in
-                [Quantity::Real, Quantity::Imaginary].into_iter().flat_map(|q| [(q, false), (q, true)])
+                [RootPart::Real, RootPart::Imaginary].into_iter().flat_map(|q| [(q, false), (q, true)])
             {
                 let summit = Summit { lower, upper, quantity, is_greatest };
                 let near = summit.near_a_corner();
@@ -150,7 +150,7 @@ mod tests {
                     );
                     let roots = RootDiscs::of(&point.map(Interval::point)).unwrap().largest(quantity);
                     let value = if is_greatest { value } else { -value };
-                    let value = if quantity == Quantity::Real { value } else { value.max(0.0).sqrt() };
+                    let value = if quantity == RootPart::Real { value } else { value.max(0.0).sqrt() };
                     assert!(
                         roots.low - 1e-6 * value.abs() <= value && value <= roots.high + 1e-6 * value.abs()
                     );

@@ -1,34 +1,12 @@
-//! The seven inputs of a slider, and what is wrong with a value of one of them.
+//! What is wrong with a value of one of the seven inputs.
 
 use std::fmt;
 
 use thiserror::Error;
 
 use super::exact::{Exact, NumberError};
-use crate::friction::{LEAST, MOST};
+use crate::friction::{LEAST, MOST, Quantity};
 use crate::number::{Rational, parse_decimal};
-
-slipmode_algebra::named! {
-    /// An input of the slider, by its name with its unit.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-    #[non_exhaustive]
-    pub enum Quantity {
-        /// a of eq 1.
-        DirectEffect = "direct_effect",
-        /// b of eq 1.
-        EvolutionEffect = "evolution_effect",
-        /// D_c, m.
-        CriticalSlipDistance = "critical_slip_distance_m",
-        /// K, Pa/m.
-        Stiffness = "stiffness_pa_per_m",
-        /// M, kg/m².
-        MassPerArea = "mass_per_area_kg_per_m2",
-        /// σ, Pa.
-        NormalStress = "normal_stress_pa",
-        /// V0, m/s.
-        LoadingVelocity = "loading_velocity_m_per_s",
-    }
-}
 
 /// What is wrong with the value of one input.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
@@ -97,10 +75,8 @@ impl Quantity {
         if exact.0 <= 0 {
             return Err(refused(QuantityError::NotPositive(exact)));
         }
-        let is_inside = |[least, most]: [Rational; 2]| least <= exact.0 && exact.0 <= most;
-        match [LEAST, MOST].map(|end| parse_decimal(end).unwrap_or_default()) {
-            ends if is_inside(ends.clone()) => Ok(exact.0),
-            _ => Err(refused(QuantityError::OutOfRange)),
-        }
+        let [least, most] = [LEAST, MOST].map(|end| parse_decimal(end).unwrap_or_default());
+        let is_inside = (least..=most).contains(&exact.0);
+        if is_inside { Ok(exact.0) } else { Err(refused(QuantityError::OutOfRange)) }
     }
 }
