@@ -39,13 +39,12 @@ struct Deep<'c> {
 
 /// The cycles of one evolution law at one normal stress, by the loading velocity.
 struct Row<'c> {
+    scene: &'c str,
     law: EvolutionLaw,
     stress_pa: f64,
     /// K/K_c without inertia.
     softness: f64,
-    effect_ratio: f64,
-    /// √(KM), Pa s/m.
-    impedance: f64,
+    slider: Slider<f64>,
     cycles: Vec<Deep<'c>>,
 }
 
@@ -89,11 +88,9 @@ fn rows<'c>(context: &Context<'c>) -> Vec<Row<'c>> {
 fn of_scene<'c>(equations: &Equations, scene: &'c SceneOutcome) -> Vec<Row<'c>> {
     let Some(exact) = scene.slider().filter(|slider| slider.has_transition()) else { return Vec::new() };
     let slider = exact.map(nearest_f64);
-    let (effect_ratio, impedance) =
-        (slider.effect_ratio(), (slider.stiffness_pa_per_m * slider.mass_per_area_kg_per_m2).sqrt());
     let mut found = Vec::new();
     for (law, grid) in scene.simulations.iter().flat_map(|found| &found.grids) {
-        let peak_law = PeakLaw::new(*law, effect_ratio);
+        let peak_law = PeakLaw::new(*law, slider.effect_ratio());
         let points: Vec<(f64, f64, &SimulatedPoint)> = grid.points().collect();
         for points in points.chunk_by(|one, other| one.1 == other.1) {
             let stress_pa = points[0].1;
@@ -109,7 +106,8 @@ fn of_scene<'c>(equations: &Equations, scene: &'c SceneOutcome) -> Vec<Row<'c>> 
                 is_deep.then_some(Deep { law: peak_law, run, load_m_per_s, twice_eq18_m_per_s: scale, cycle })
             };
             let cycles = points.iter().filter_map(cycle).collect();
-            found.push(Row { law: *law, stress_pa, softness, effect_ratio, impedance, cycles });
+            let (law, slider) = (*law, slider.clone());
+            found.push(Row { scene: &scene.scene.name, law, stress_pa, softness, slider, cycles });
         }
     }
     found
@@ -118,10 +116,9 @@ fn of_scene<'c>(equations: &Equations, scene: &'c SceneOutcome) -> Vec<Row<'c>> 
 impl Deep<'_> {
     /// What the error of the peak changes of a value of the cycle.
     fn change(&self, value: impl Fn(&DeepCycle) -> f64) -> f64 {
-        let factor = 1.0 + self.run.peak_relative_error;
-        let DeepCycle { peak, loading, stiffness_group } = self.cycle;
-        let moved = DeepCycle { peak: peak * factor, loading: loading / factor, stiffness_group };
-        (value(&moved) - value(&self.cycle)).abs()
+        let (cycle, factor) = (self.cycle, 1.0 + self.run.peak_relative_error);
+        let moved = DeepCycle { peak: cycle.peak * factor, loading: cycle.loading / factor, ..cycle };
+        (value(&moved) - value(&cycle)).abs()
     }
 }
 
@@ -129,7 +126,8 @@ fn cycles(context: &Context) -> Option<Table> {
     let rows = rows(context);
     let each = rows.iter().flat_map(|row| row.cycles.iter().map(move |deep| (row, deep)));
     table_of("deep-stick-slip", each)
-        .text("law", |(row, _): (&Row, &Deep)| row.law.as_str())
+        .text("scene", |(row, _): (&Row, &Deep)| row.scene.to_owned())
+        .text("law", |(row, _)| row.law.as_str())
         .digits("normal_stress_pa", DIGITS, |(row, _)| Rounded(row.stress_pa))
         .digits("loading_velocity_m_per_s", DIGITS, |(_, deep)| Rounded(deep.load_m_per_s))
         .named()
@@ -137,7 +135,8 @@ fn cycles(context: &Context) -> Option<Table> {
         .digits("peak_over_twice_eq18", DIGITS, |(_, deep)| deep.cycle.peak)
         .digits("peak_relative_error", 2, |(_, deep)| deep.run.peak_relative_error)
         .digits("stress_drop_over_impedance", DIGITS, |(row, deep)| {
-            deep.run.stress_drop_pa / (2.0 * row.impedance * deep.run.peak_velocity_m_per_s)
+            let impedance = (row.slider.stiffness_pa_per_m * row.slider.mass_per_area_kg_per_m2).sqrt();
+            deep.run.stress_drop_pa / (2.0 * impedance * deep.run.peak_velocity_m_per_s)
         })
         .digits("stress_drop_relative_error", 2, |(_, deep)| {
             deep.run.stress_drop_relative_error + deep.run.peak_relative_error
@@ -161,7 +160,8 @@ fn steps(context: &Context) -> Option<Table> {
     let per_log =
         |change: f64, one: &Deep, other: &Deep| change / libm::log(other.load_m_per_s / one.load_m_per_s);
     table_of("deep-stick-slip-steps", pairs)
-        .text("law", |(row, _, _): (&Row, &Deep, &Deep)| row.law.as_str())
+        .text("scene", |(row, _, _): (&Row, &Deep, &Deep)| row.scene.to_owned())
+        .text("law", |(row, _, _)| row.law.as_str())
         .digits("normal_stress_pa", DIGITS, |(row, _, _)| Rounded(row.stress_pa))
         .digits("from_velocity_m_per_s", DIGITS, |(_, one, _)| Rounded(one.load_m_per_s))
         .digits("to_velocity_m_per_s", DIGITS, |(_, _, other)| Rounded(other.load_m_per_s))
@@ -193,7 +193,6 @@ struct Fitted {
 
 impl Row<'_> {
     fn fitted(&self) -> Option<Fitted> {
-        let first = self.cycles.first()?;
         let given = |law, effect_ratio| PeakGiven {
             laws: vec![law],
             effect_ratio,
@@ -201,7 +200,7 @@ impl Row<'_> {
             hidden: 0.0,
             has_errors: false,
         };
-        let scale = first.twice_eq18_m_per_s;
+        let scale = self.cycles.first()?.twice_eq18_m_per_s;
         let fit = |law, ratio: [f64; 2], factor: f64| {
             let row = |deep: &Deep| PeakRow {
                 load_m_per_s: deep.load_m_per_s,
@@ -211,7 +210,7 @@ impl Row<'_> {
             };
             fit_peaks(&self.cycles.iter().map(row).collect::<Vec<_>>(), &given(law, ratio)).ok()?.laws.pop()
         };
-        let ratio = [self.effect_ratio; 2];
+        let ratio = [self.slider.effect_ratio(); 2];
         let of = |law, factor| fit(law, ratio, factor).map(|fit| fit.scale_m_per_s / scale);
         let other = EvolutionLaw::ALL.into_iter().find(|other| *other != self.law)?;
         let largest = |value: fn(&Deep) -> f64| self.cycles.iter().map(value).fold(0.0, f64::max);
@@ -231,20 +230,20 @@ impl Row<'_> {
 }
 
 fn fits(context: &Context) -> Option<Table> {
-    let [low, high] = EFFECT_RATIOS;
     // Fits take seconds, and several claims read them.
     let fitted = context.once("fits of peaks".into(), || {
         let mut rows = rows(context);
         rows.retain(|row| row.cycles.len() >= LEAST_ROWS);
-        let fitted = rows.iter().filter_map(|row| Some((row.law, row.stress_pa, row.fitted()?)));
-        fitted.collect::<Vec<(EvolutionLaw, f64, Fitted)>>()
+        let of = |row: &Row| Some((row.scene.to_owned(), row.law, row.stress_pa, row.fitted()?));
+        rows.iter().filter_map(of).collect::<Vec<_>>()
     });
     table_of("peak-fits", &fitted)
         .fill("least-rows", &LEAST_ROWS.to_string())
-        .fill("low", &low.to_string())
-        .fill("high", &high.to_string())
-        .text("law", |(law, ..): &(EvolutionLaw, f64, Fitted)| law.as_str())
-        .digits("normal_stress_pa", DIGITS, |(_, stress, _)| Rounded(*stress))
+        .fill("low", &EFFECT_RATIOS[0].to_string())
+        .fill("high", &EFFECT_RATIOS[1].to_string())
+        .text("scene", |(scene, ..): &(String, EvolutionLaw, f64, Fitted)| scene.clone())
+        .text("law", |(_, law, ..)| law.as_str())
+        .digits("normal_stress_pa", DIGITS, |(_, _, stress, _)| Rounded(*stress))
         .named()
         .digits("fit_over_eq18", DIGITS, |(.., fitted)| fitted.known)
         .digits("fit_other_law", DIGITS, |(.., fitted)| fitted.other_law)
