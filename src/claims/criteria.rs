@@ -11,8 +11,8 @@ pub(super) fn sufficient_inertia(context: &Context, asked: Asked) -> Finding {
     let bound = "η > η_c suffices, with (1 − 2η_c)³ = 27 (b/a) η_c², that is η_c = 1/(2 + 6√(b/a) cos(⅓ arccos √(a/b)))";
     let all = "η ≥ 1/8 suffices for all a < b; no smaller bound does";
     let slider = context.outcome.potentially_unstable().and_then(|scene| scene.slider());
-    let sharp = slider.map(|slider| cusp_inertial_parameter(&slider.effect_ratio(), BITS));
-    let value = sharp.map(|sharp| certain_digits(&sharp, 6));
+    let value =
+        slider.map(|slider| certain_digits(&cusp_inertial_parameter(&slider.effect_ratio(), BITS), 6));
     let of_scene = value.as_ref().map(|value| format!(" = {value} at the scene's b/a")).unwrap_or_default();
     let finding = finding
         .on("the upper area, which has real roots at every η")

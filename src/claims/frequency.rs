@@ -53,10 +53,8 @@ pub(super) fn largest_in_the_area(context: &Context, asked: Asked) -> Finding {
     let slider = context.outcome.potentially_unstable().and_then(|scene| scene.slider());
     let reach = slider.filter(|_| finding.verdict == Verdict::Holds).and_then(|slider| {
         let square = Rational::from(FAR_BELOW) * Rational::from(FAR_BELOW);
-        Some((
-            slider,
-            strip_frequency::first_reach(context.equations, &slider.effect_ratio(), &square, BITS)?,
-        ))
+        let reach = strip_frequency::first_reach(context.equations, &slider.effect_ratio(), &square, BITS)?;
+        Some((slider, reach))
     });
     let Some((slider, reach)) = reach else {
         return finding.on(format!("η ≪ 1: {law}; with inertia (ω/ω_n)² < 2η"));
@@ -64,15 +62,9 @@ pub(super) fn largest_in_the_area(context: &Context, asked: Asked) -> Finding {
     let slider = slider.map(|value| Ball::from_rational(value, 2 * BITS));
     let length_per_time = slider.natural_angular_frequency_per_s() * &slider.critical_slip_distance_m;
     let velocity = certain_digits(&(reach.velocity_squared.sqrt() * length_per_time), 6);
-    let stress = reach.stiffness_group.map(|kappa| {
-        let stress = slider.stiffness_pa_per_m.clone() * &slider.critical_slip_distance_m
-            / &slider.direct_effect
-            / kappa;
-        format!("{} Pa", certain_digits(&stress, 6))
+    let place = reach.stiffness_group.map_or(" on {quasi-static-lower}".into(), |kappa| {
+        format!(" at σ = {} Pa", certain_digits(&(slider.stress_scale_pa() / kappa), 6))
     });
-    let place = stress
-        .as_ref()
-        .map_or_else(|| " on {quasi-static-lower}".into(), |stress| format!(" at σ = {stress}"));
     finding
         .on(cited(&format!(
             "ω < ω_n/10 everywhere between {{quasi-static-lower, quasi-static-upper}} exactly for V0 below {velocity} m/s, where ω_n/10 is reached{place}; {law}"

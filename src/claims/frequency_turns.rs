@@ -5,8 +5,8 @@ use crate::claims::reading::{Draft, of_readings};
 use crate::claims::{Evidence, Finding};
 use crate::experiments::Context;
 use crate::scene::cited;
+use slipmode_core::number::Ball;
 use slipmode_core::number::format::{Side, certain_digits, rounded};
-use slipmode_core::number::{Ball, Rational};
 use slipmode_core::stability::asymptote;
 use slipmode_core::theory::frequency_turns::{self, TurningInterval};
 
@@ -53,11 +53,10 @@ fn turns_in_strip(context: &Context) -> Result<Vec<(usize, String)>, Finding> {
     let slider = context.outcome.potentially_unstable().and_then(|scene| scene.slider());
     let slider =
         slider.ok_or_else(|| Finding::not_checked("No scene of the report has a < b, so b/a is unknown."))?;
-    let beta = Rational::from(&slider.evolution_effect / &slider.direct_effect);
-    let intervals = frequency_turns::intervals(context.equations, &beta)
+    let intervals = frequency_turns::intervals(context.equations, &slider.effect_ratio())
         .map_err(|refutation| Finding::not_checked(refutation.to_string()))?;
     let slider = slider.map(|value| Ball::from_rational(value, BITS));
-    let scale = slider.stiffness_pa_per_m.clone() * &slider.critical_slip_distance_m / &slider.direct_effect;
+    let scale = slider.stress_scale_pa();
     // κ on eqs 15 and 16.
     let first = scale.clone() / asymptote::quasi_static_upper_normal_stress_pa(&slider);
     let last = scale / asymptote::quasi_static_lower_normal_stress_pa(&slider);

@@ -8,10 +8,8 @@ use crate::scene::cited;
 use slipmode_core::number::format::round_digits;
 
 pub(super) fn small_disturbances(context: &Context, _: Asked) -> Finding {
-    match SmallDisturbances::of(context.outcome) {
-        Some(seen) => seen.finding(),
-        None => Finding::not_checked("The report has no runs of small disturbances."),
-    }
+    let none = || Finding::not_checked("The report has no runs of small disturbances.");
+    SmallDisturbances::of(context.outcome).map_or_else(none, |seen| seen.finding())
 }
 
 /// How far a measured mismatch may be from what the quadratic terms predict at the smallest amplitude: terms of third order change

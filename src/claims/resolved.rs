@@ -98,6 +98,8 @@ fn of_formula<'c>(
         None => vec![format!("{place}{key}: {table}{}", without_layout(&formula.text))],
         Some(computed) => of_computed(place, computed, equations, start),
     };
+    let at_least = formula.rows.iter().map(|rows| rows.at_least).filter(|least| *least > 0);
+    lines.extend(at_least.map(|least| format!("{place}at_least: {least}")));
     lines.extend(of_scope(scope).into_iter().map(|line| format!("{place}{line}")));
     if let Some(limit) = &formula.limit {
         let (words, outside) = &limit.outside;

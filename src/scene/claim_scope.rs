@@ -13,8 +13,8 @@ use crate::scene::claim_names::Names;
 use crate::scene::section::{Entries, Entry, Section};
 
 /// What says over what a formula is said.
-const SCOPE: [&str; 10] =
-    ["rows", "numbers", "limit", "outside", "given", "there_is", "witness", "box", "at", "moves"];
+const SCOPE: [&str; 11] =
+    ["rows", "numbers", "at_least", "limit", "outside", "given", "there_is", "witness", "box", "at", "moves"];
 
 /// The entries that state one formula, or what is said of the motions of a system.
 pub(super) struct FormulaEntries<'t> {
@@ -86,13 +86,14 @@ impl<'t> FormulaEntries<'t> {
         }
         let formula = self.formula.as_ref()?;
         let text = formula.text()?;
-        let numbers = self.scope.get("numbers");
+        let [numbers, at_least] = ["numbers", "at_least"].map(|key| self.scope.get(key));
         if let Some(rows) = rows {
             let of =
                 |members: &Entry<'_>| members.members(|name, member| Some((name.to_owned(), member.text()?)));
             let numbers = numbers.and_then(of).into_iter().flatten().collect();
-            let rows = OverRows { table: rows.text()?, numbers, extent: self.computed.extent() };
-            return match SCOPE[4..].iter().find_map(|key| self.scope.get(key)) {
+            let at_least = at_least.map_or(Some(0), |least| least.whole(1..=u64::MAX))?;
+            let rows = OverRows { table: rows.text()?, numbers, at_least, extent: self.computed.extent() };
+            return match SCOPE[5..].iter().find_map(|key| self.scope.get(key)) {
                 Some(entry) => entry
                     .refuse(Problem::Needs("no `rows` beside it: write the condition after `where`".into())),
                 None => Some(ClaimFormula {
@@ -102,8 +103,8 @@ impl<'t> FormulaEntries<'t> {
                 }),
             };
         }
-        if let Some(numbers) = numbers {
-            return numbers.refuse(Problem::Needs("`rows` beside it: they are numbers of a table".into()));
+        if let Some(of_rows) = numbers.or(at_least) {
+            return of_rows.refuse(Problem::Needs("`rows` beside it: the table that it is about".into()));
         }
         let equations = equations?;
         let scope = self.read_whole_scope(equations)?;

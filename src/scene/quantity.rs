@@ -90,12 +90,9 @@ pub(crate) fn read_parameters(section: &mut Section<'_>) -> Option<ParametersSec
 
 /// The box of the error bars; none where no value has one.
 fn error_bars(material: [Uncertain; 5], place: [Option<Uncertain>; 2]) -> Option<ParameterBox> {
-    let one = || Uncertain::certain(Rational::from(1));
     let [a, b, d, k, m] = material;
-    let [s, v] = place.map(|value| value.unwrap_or_else(one));
+    let [s, v] = place.map(|value| value.unwrap_or_else(|| Uncertain::certain(Rational::from(1))));
     let values = [a, b, d, k, m, s, v];
-    if values.iter().all(Uncertain::is_certain) {
-        return None;
-    }
-    Uncertain::region(values)
+    let has_bars = !values.iter().all(Uncertain::is_certain);
+    has_bars.then(|| Uncertain::region(values)).flatten()
 }

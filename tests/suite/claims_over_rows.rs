@@ -164,6 +164,29 @@ fn a_statement_over_rows_computes_only_its_own_table() {
     assert!(said.contains("No scene of the report computes the table."), "{said}");
 }
 
+/// What a true statement says of too few rows, groups or neighbours stays open; a counter-example decides, whatever their number.
+#[test]
+fn a_statement_that_is_true_of_fewer_rows_than_the_claim_wants_is_not_checked() {
+    let every = "for every row: peak_velocity_m_per_s > 0";
+    let pairs = "stiffness_over_critical^2 falls with normal_stress_pa at each loading_velocity_m_per_s";
+    let cases = [
+        (every, 12, "holds", "over the rows of the table `simulations` for at least 12, `"),
+        (every, 13, "not-checked", "True, but of 12 only (the claim wants at least 13)."),
+        (pairs, 9, "not-checked", "True, but of 8 only (the claim wants at least 9)."),
+        ("count where law = 'aging' = 0", 1, "not-checked", "True, but of 0 only"),
+        ("for every row: peak_velocity_m_per_s < 0", 13, "fails", "in 12 of 12 rows"),
+    ];
+    let claims = cases.iter().zip(1..).map(|((statement, least, verdict, _), id)| {
+        claim(id, "simulations", statement, verdict) + &format!("at_least = {least}\n\n")
+    });
+    let place = with_runs(&claims.collect::<String>());
+    place.run(["report", "r", "-o", "out"]).expect_success();
+    let text = place.read("out/ledger.md");
+    for (statement, least, _, part) in cases {
+        assert!(text.contains(part), "{statement} {least}: {text}");
+    }
+}
+
 #[test]
 fn statements_over_rows_at_fault_are_refused_all_at_once() {
     let rows = [
@@ -217,6 +240,17 @@ fn statements_over_rows_at_fault_are_refused_all_at_once() {
     ] {
         with_runs(&with_number(number)).run(["report", "r"]).expect_refusal(&[part]);
     }
-    let both = claim(1, "simulations", "count = 12", "holds") + "given = [\"a < b\"]\n";
-    with_runs(&both).run(["report", "r"]).expect_refusal(&["needs no `rows` beside it"]);
+    let counted = claim(1, "simulations", "count = 12", "holds");
+    let of_no_table = counted.replace("rows = \"simulations\"\n", "");
+    for (claim, part) in [
+        (counted.clone() + "given = [\"a < b\"]\n", "needs no `rows` beside it"),
+        (
+            counted.clone() + "at_least = 0\n",
+            "at_least = 0: out of range (allowed: a whole number, 1 or more)",
+        ),
+        (counted + "at_least = \"all\"\n", "at_least = \"all\": "),
+        (of_no_table + "at_least = 3\n", "at_least = 3: needs `rows` beside it: the table that it is about"),
+    ] {
+        with_runs(&claim).run(["report", "r"]).expect_refusal(&[part]);
+    }
 }

@@ -33,11 +33,15 @@ pub(super) fn decide(rows: &OverRows, text: &str, context: &Context) -> Finding 
         Ok((statement, table)) => decide::decide(text, &statement, &table, context.kind),
         Err(reason) => Finding::not_checked(reason),
     };
-    match rows.extent.as_ref().filter(|_| found.verdict == Verdict::Holds) {
-        Some(extent) => match filled(extent, &found.numbers) {
-            Ok(extent) => found.on(extent),
-            Err(name) => found.remark(format!("The number {{{name}}} is open.")),
-        },
+    let count = found.numbers.get("count").and_then(|count| count.parse().ok()).unwrap_or(0);
+    match rows.extent.as_ref().map(|extent| filled(extent, &found.numbers)) {
+        _ if found.verdict != Verdict::Holds => found,
+        _ if count < rows.at_least => Finding::not_checked(format!(
+            "True, but of {count} only (the claim wants at least {}).",
+            rows.at_least
+        )),
+        Some(Ok(extent)) => found.on(extent),
+        Some(Err(name)) => found.remark(format!("The number {{{name}}} is open.")),
         None => found,
     }
 }

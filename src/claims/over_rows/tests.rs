@@ -185,6 +185,7 @@ fn on_cycles(alter: impl FnOnce(&mut Certificates)) -> Finding {
     let rows = OverRows {
         table: "simulations".into(),
         numbers: BTreeMap::new(),
+        at_least: 0,
         extent: Some("{count} pairs".into()),
     };
     super::decide(&rows, text, &Context::new(&Equations::default(), &outcome))

@@ -8,8 +8,9 @@ impl ClaimFormula {
     /// The formula and over what it is said, in words and LaTeX between `$`.
     #[must_use]
     pub fn markdown(&self) -> String {
-        if let Some(OverRows { table, .. }) = &self.rows {
-            return format!("over the rows of the table `{table}`, `{}`", self.text);
+        if let Some(OverRows { table, at_least, .. }) = &self.rows {
+            let least = if *at_least > 0 { format!(" for at least {at_least}") } else { String::new() };
+            return format!("over the rows of the table `{table}`{least}, `{}`", self.text);
         }
         let scope = &self.scope;
         let mut given: Vec<String> = scope.given.iter().map(FormulaCondition::markdown).collect();

@@ -71,6 +71,8 @@ pub struct OverRows {
     pub table: String,
     /// How a number is computed of the rows, by its name.
     pub numbers: BTreeMap<String, String>,
+    /// How many rows, neighbours or groups a true statement has to be about; 0 where the claim states no such number.
+    pub at_least: u64,
     /// How far a statement that is true goes, in words and numbers.
     pub extent: Option<String>,
 }
