@@ -98,13 +98,10 @@ mod tests {
     use rug::Float;
 
     use super::*;
+    use crate::dynamics::certified::tests::exact::holds;
     use crate::number::split_mix::SplitMix64;
 
     const BITS: u32 = 400;
-
-    fn holds(interval: Interval, value: &Rational) -> bool {
-        (Rational::from_f64(interval.mid).unwrap() - value).abs() <= Rational::from_f64(interval.rad).unwrap()
-    }
 
     /// Thirds, which are no 64-bit numbers, and values of a tenth more or less.
     fn slider(parts: [i32; 7]) -> Parameters<Rational> {

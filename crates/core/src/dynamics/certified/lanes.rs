@@ -159,15 +159,8 @@ mod tests {
     use rug::Rational;
 
     use super::*;
+    use crate::dynamics::certified::tests::exact::{exact, holds};
     use crate::number::split_mix::SplitMix64;
-
-    fn exact(value: f64) -> Rational {
-        Rational::from_f64(value).unwrap()
-    }
-
-    fn holds(interval: Interval, value: &Rational) -> bool {
-        (exact(interval.mid) - value).abs() <= exact(interval.rad)
-    }
 
     /// Σ a_i b_{k−i} and its derivatives Σ a_i b'_{k−i} + a'_i b_{k−i}, exactly, at ends of all intervals; also of points, where rounding is all.
     #[test]

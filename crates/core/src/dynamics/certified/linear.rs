@@ -139,14 +139,11 @@ mod tests {
     use rug::Rational;
 
     use super::*;
+    use crate::dynamics::certified::tests::exact::{self, exact};
     use crate::number::split_mix::SplitMix64;
 
-    fn exact(value: f64) -> Rational {
-        Rational::from_f64(value).unwrap()
-    }
-
     fn holds(interval: Interval, value: &Rational) -> bool {
-        !interval.is_bounded() || (exact(interval.mid) - value).abs() <= exact(interval.rad)
+        !interval.is_bounded() || exact::holds(interval, value)
     }
 
     /// The exact inverse by elimination.

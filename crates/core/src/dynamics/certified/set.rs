@@ -126,15 +126,8 @@ mod tests {
     use rug::Rational;
 
     use super::*;
+    use crate::dynamics::certified::tests::exact::{exact, holds};
     use crate::number::split_mix::SplitMix64;
-
-    fn exact(value: f64) -> Rational {
-        Rational::from_f64(value).unwrap()
-    }
-
-    fn holds(interval: Interval, value: &Rational) -> bool {
-        (exact(interval.mid) - value).abs() <= exact(interval.rad)
-    }
 
     /// One state of a set with its derivative by p, exactly.
     struct Member<const N: usize> {

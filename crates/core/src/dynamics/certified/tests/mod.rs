@@ -1,5 +1,6 @@
 //! Certificates against references of quadruple precision and the simulator, and planted faults that no certificate survives.
 
+pub(super) mod exact;
 pub(super) mod members;
 mod planted;
 mod short_time;
