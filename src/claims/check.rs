@@ -2,6 +2,7 @@
 
 use crate::claims::{Evidence, Finding};
 use crate::experiments::{Context, Need};
+use slipmode_core::number::{Rational, parse_quotient};
 use slipmode_core::theory::Role;
 
 /// A procedure that decides a part of a claim. `claims.toml` names it.
@@ -54,7 +55,16 @@ pub(super) struct Asked<'c> {
     pub proved: Option<Finding>,
 }
 
-impl Asked<'_> {
+/// What is said where a procedure is asked about a number, and `of` has none.
+pub(super) const NO_NUMBER: &str = "Not decided: `of` has to be one positive number.";
+
+impl<'c> Asked<'c> {
+    /// The positive number that it is asked about, as it is written and as it is.
+    pub fn number(&self) -> Option<(&'c str, Rational)> {
+        let [text] = self.of else { return None };
+        parse_quotient(text).ok().filter(|number| *number > 0).map(|number| (text.as_str(), number))
+    }
+
     /// What proofs and premises found, for a procedure that needs some.
     pub fn proved(self) -> Finding {
         self.proved.unwrap_or_else(|| Finding::from_proofs([]))

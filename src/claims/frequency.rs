@@ -1,6 +1,6 @@
 //! The frequency of oscillation and its limits.
 
-use crate::claims::check::Asked;
+use crate::claims::check::{Asked, NO_NUMBER};
 use crate::claims::{BITS, Evidence, Finding, Verdict};
 use crate::experiments::Context;
 use crate::experiments::frequency::{FrequencyLine, FrequencyOutcome};
@@ -44,15 +44,14 @@ fn last_velocity_near(outcome: &FrequencyOutcome, line: &FrequencyLine, eq23_per
     )
 }
 
-/// The share of ω_n below which a frequency is called far below it.
-const FAR_BELOW: (i32, i32) = (1, 10);
-
+/// Up to which velocity the frequency is below ω_n over the number that it is asked about.
 pub(super) fn largest_in_the_area(context: &Context, asked: Asked) -> Finding {
+    let Some((over, number)) = asked.number() else { return Finding::not_checked(NO_NUMBER) };
     let finding = asked.proved();
     let law = "without inertia the largest frequency is √(b/a) V0/D_c, at σ = K D_c/(a + b)";
     let slider = context.outcome.potentially_unstable().and_then(|scene| scene.slider());
     let reach = slider.filter(|_| finding.verdict == Verdict::Holds).and_then(|slider| {
-        let square = Rational::from(FAR_BELOW) * Rational::from(FAR_BELOW);
+        let square = number.square().recip();
         let reach = strip_frequency::first_reach(context.equations, &slider.effect_ratio(), &square, BITS)?;
         Some((slider, reach))
     });
@@ -67,10 +66,10 @@ pub(super) fn largest_in_the_area(context: &Context, asked: Asked) -> Finding {
     });
     finding
         .on(cited(&format!(
-            "ω < ω_n/10 everywhere between {{quasi-static-lower, quasi-static-upper}} exactly for V0 below {velocity} m/s, where ω_n/10 is reached{place}; {law}"
+            "ω < ω_n/{over} everywhere between {{quasi-static-lower, quasi-static-upper}} exactly for V0 below {velocity} m/s, where ω_n/{over} is reached{place}; {law}"
         )))
         .with_evidence(Evidence::enclosure(
-            cited("Least V0 with a frequency of ω_n/10 between {quasi-static-lower, quasi-static-upper}"),
+            cited(&format!("Least V0 with a frequency of ω_n/{over} between {{quasi-static-lower, quasi-static-upper}}")),
             format!("{velocity} m/s"),
         ))
 }
