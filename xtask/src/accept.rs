@@ -1,7 +1,7 @@
 //! `cargo xtask accept`: rewrites the published copy of every report from a new run.
 
 use crate::prelude::*;
-use crate::repository::{self, copy};
+use crate::repository;
 use crate::{machine, verify};
 
 /// Runs every report again and replaces its `published/` folder.

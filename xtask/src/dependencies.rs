@@ -2,7 +2,6 @@
 //! `cargo xtask advisories`: the locked packages against the RustSec database.
 
 use crate::prelude::*;
-use crate::process::find_program;
 
 /// The licence expressions that are allowed, as packages write them, and those that are for one package only.
 const ALLOWED: &str = include_str!("../licences.txt");

@@ -1,8 +1,6 @@
 //! The interface of `slipmode-core`: how many functions it has, and `cargo xtask semver`, which compares it with the last release.
 
 use crate::prelude::*;
-use crate::process::find_program;
-use crate::repository::{entries, file_name};
 
 /// More functions than these are no front page.
 const MOST_FUNCTIONS: usize = 120;

@@ -33,14 +33,12 @@ fn compare(counts: &BTreeMap<String, usize>, table: &str) -> Result {
     let mut exceeded = Vec::new();
     for (folder, lines) in counts {
         let bound = |row: &str| row.strip_prefix(&format!("{folder},"))?.parse::<usize>().ok();
-        match table.lines().find_map(bound) {
-            Some(most) if *lines <= most => println!("{lines:6}  {folder} (at most {most})"),
-            Some(most) => {
-                exceeded.push(format!("{folder}: {lines} lines of code, at most {most} are allowed"))
-            }
-            None => {
-                exceeded.push(format!("{folder}: {lines} lines of code, and {TABLE} has no bound for it"))
-            }
+        let bound = table.lines().find_map(bound);
+        let allowed = bound.map_or("no bound".to_owned(), |most| format!("at most {most}"));
+        if bound.is_some_and(|most| *lines <= most) {
+            println!("{lines:6}  {folder} ({allowed})");
+        } else {
+            exceeded.push(format!("{folder}: {lines} lines of code, {allowed} in {TABLE}"));
         }
     }
     ensure(exceeded.is_empty(), || Failure::check(exceeded.join("\n")))

@@ -3,10 +3,7 @@
 //! `xtask/tools.txt` lists the tools. The bundled GMP, MPFR and MPC are made from source once per machine. They lie in a cache
 //! afterwards, and only the linker is needed.
 
-use std::process::Stdio;
-
 use crate::prelude::*;
-use crate::process::find_program;
 
 const TOOLS: &str = include_str!("../tools.txt");
 

@@ -1,12 +1,10 @@
 //! Running other programs: always in the repository's root, never through a shell.
 
+use std::env;
 use std::ffi::{OsStr, OsString};
 use std::io::{BufRead, BufReader};
-use std::process::{ExitStatus, Stdio};
-
-use std::env;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, ExitStatus, Stdio};
 
 use crate::failure::{Failure, Result, ensure};
 

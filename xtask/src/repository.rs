@@ -1,11 +1,9 @@
 //! Where the repository is, which files it has, and what git says of it.
 
-use std::io::{Error, Write};
-use std::process::Stdio;
-
 use std::fs;
+use std::io::{Error, Write};
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Stdio};
 
 use crate::failure::{Failure, Result, ensure};
 use crate::process::{Run, program, root};

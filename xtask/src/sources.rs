@@ -4,7 +4,6 @@
 //! cargo and, where the system allows it, without a network.
 
 use crate::prelude::*;
-use crate::repository::{copy, make_empty};
 use crate::{machine, verify};
 
 /// The folder in the file.

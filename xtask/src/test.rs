@@ -86,13 +86,10 @@ struct Count {
 impl Count {
     /// Adds a line such as `test result: ok. 12 passed; 0 failed; …`; any other line changes nothing.
     fn hear(&mut self, line: &str) {
-        let result = line.strip_prefix("test result: ").and_then(|result| result.split_once(". "));
-        for part in result.unwrap_or_default().1.split("; ") {
-            match part.split_once(' ') {
-                Some((number, "passed")) => self.passed += number.parse::<u64>().unwrap_or(0),
-                Some((number, "failed")) => self.failed += number.parse::<u64>().unwrap_or(0),
-                _ => {}
-            }
+        let words: Vec<&str> = line.split(' ').collect();
+        if let ["test", "result:", _, passed, "passed;", failed, "failed;", ..] = words[..] {
+            self.passed += passed.parse::<u64>().unwrap_or(0);
+            self.failed += failed.parse::<u64>().unwrap_or(0);
         }
     }
 }

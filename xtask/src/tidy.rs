@@ -4,6 +4,7 @@
 
 mod circles;
 mod floors;
+mod imports;
 mod references;
 mod rust_rules;
 mod rust_source;

@@ -4,8 +4,7 @@
 //! missing is named and skipped, except under continuous integration (`CI` is set), where all are required.
 
 use crate::prelude::*;
-use crate::process::find_program;
-use crate::repository::{self, file_name};
+use crate::repository;
 use crate::{machine, verify};
 
 const VALIDATORS: &str = include_str!("../validate/validators.txt");
@@ -129,7 +128,7 @@ fn npm() -> Result<PathBuf> {
     let sources = ["package.json", "package-lock.json", "pages.mjs"].map(definition);
     install(&modules, &sources, || {
         for source in &sources {
-            repository::copy(source, &workshop().join(file_name(source)))?;
+            copy(source, &workshop().join(file_name(source)))?;
         }
         let options = "ci --no-audit --no-fund --ignore-scripts --loglevel=error";
         program("npm", options).current_dir(workshop()).check()

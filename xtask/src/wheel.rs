@@ -7,7 +7,6 @@
 use std::ffi::OsString;
 
 use crate::prelude::*;
-use crate::repository::entries;
 use crate::validate::{environment, new_environment, pip};
 use crate::{machine, verify};
 

@@ -7,7 +7,6 @@ use std::env::consts::ARCH;
 
 use crate::machine;
 use crate::prelude::*;
-use crate::process::{find_program, search_path};
 use crate::validate::{environment, new_environment, pip};
 use crate::wheel::{self, WHEELS, maturin, use_first, workshop};
 

@@ -7,11 +7,10 @@ use std::fs::{File, Permissions};
 use std::io::Read;
 use std::net::TcpListener;
 use std::os::unix::fs::PermissionsExt;
-use std::process::{Child, Stdio};
+use std::process::Child;
 
 use super::{sessions, wait_until};
 use crate::prelude::*;
-use crate::process::search_path;
 
 const CONFIGURATION: &str = include_str!("../../cluster/slurm.conf");
 

@@ -1,7 +1,5 @@
 //! The processes that a node started: found by their environment, ended with their whole sessions.
 
-use std::process::Stdio;
-
 use crate::prelude::*;
 
 /// Kills, with SIGKILL, every session that has a process with all these variables. Returns how many processes that were.

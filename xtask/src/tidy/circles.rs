@@ -3,11 +3,9 @@
 //! A file may import the modules that it stands in: what these share with the files inside them is left out.
 
 use super::Complaint;
+use super::imports::{Place, brought, follow, place, split_uses};
 use super::rust_source::RustSource;
 use crate::prelude::*;
-
-/// The way from a crate's source folder, which is the first part, to a module or to a name in it.
-type Place = Vec<String>;
 
 /// For each module its file, and the place of each name that it imports.
 type Modules<'a> = BTreeMap<Place, (&'a str, BTreeMap<String, Place>)>;
@@ -69,28 +67,6 @@ fn arrows<'a>(sources: &'a [RustSource]) -> Arrows<'a> {
     arrows
 }
 
-/// The place of the module in a file of a crate.
-fn place(path: &str) -> Option<Place> {
-    let (folder, module) = path.split_at(path.find("src/")? + "src/".len());
-    let parts =
-        module.trim_end_matches(".rs").split('/').filter(|part| !["lib", "main", "mod"].contains(part));
-    Some([folder].into_iter().chain(parts).map(str::to_owned).collect())
-}
-
-/// The `use` declarations that stand at the start of a line, and the rest of the code.
-fn split_uses(code: &str) -> (Vec<&str>, String) {
-    let (mut uses, mut rest) = (Vec::new(), String::new());
-    for item in code.split(';') {
-        let declared = item.rsplit_once("use ").filter(|(before, _)| {
-            let line = before.rsplit('\n').next().unwrap_or_default();
-            line.is_empty() || line.starts_with("pub")
-        });
-        uses.extend(declared.map(|(_, tree)| tree));
-        rest += &format!("{};", declared.map_or(item, |(before, _)| before));
-    }
-    (uses, rest)
-}
-
 /// The module that holds what a path names, and the name. A module that imports the name hands on to where it comes from.
 fn resolve<'m>(modules: &'m Modules, path: &[String]) -> Option<(&'m Place, String)> {
     let length = (1..=path.len()).rev().find(|length| modules.contains_key(&path[..*length]))?;
@@ -100,37 +76,6 @@ fn resolve<'m>(modules: &'m Modules, path: &[String]) -> Option<(&'m Place, Stri
         Some(from) => resolve(modules, &[from, &path[length + 1..]].concat()),
         None => Some((module, name.clone())),
     }
-}
-
-/// Each name that a `use` declaration brings, groups such as `crate::{a::B, c}` included, and the place that it comes from.
-fn brought(tree: &str, base: &[String]) -> Vec<(String, Place)> {
-    let Some((path, group)) = tree.split_once('{') else {
-        let (path, alias) = tree.split_once(" as ").unwrap_or((tree, ""));
-        let place = follow(base, path);
-        let name = if alias.is_empty() { place[place.len() - 1].clone() } else { alias.trim().to_owned() };
-        return vec![(name, place)];
-    };
-    let base = follow(base, path);
-    let mut depth = 0;
-    let is_end = |c: char| {
-        depth += i32::from(c == '{') - i32::from(c == '}');
-        depth < 0 || depth == 0 && c == ','
-    };
-    group.split(is_end).filter(|one| !one.trim().is_empty()).flat_map(|one| brought(one, &base)).collect()
-}
-
-/// Where a path leads from a module, or from the path before a group.
-fn follow(base: &[String], path: &str) -> Place {
-    let mut place = base.to_vec();
-    for part in path.split("::").map(str::trim) {
-        match part {
-            "crate" | "slipmode" => place.truncate(1),
-            "super" => place.truncate(place.len().max(2) - 1),
-            "self" | "" => {}
-            name => place.push(name.to_owned()),
-        }
-    }
-    place
 }
 
 #[cfg(test)]

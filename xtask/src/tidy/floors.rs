@@ -1,7 +1,9 @@
 //! The floors: a module imports lower floors only. The table below is the one place that says which is which.
 
 use super::Complaint;
+use super::imports::brought;
 use super::rust_source::{RustSource, word_positions};
+use crate::prelude::*;
 
 /// The source folder of each library with its top modules, from the lowest floor to the highest; modules on one floor may not import
 /// each other. What one library may take from another is in its `Cargo.toml`.
@@ -28,7 +30,7 @@ pub fn check(source: &RustSource, found: &mut Vec<Complaint>) {
         let message = format!("module `{module}` has no floor in the table of xtask tidy");
         return found.push(source.file.complaint(0, message));
     };
-    for (position, name) in ["crate::", "slipmode::"].iter().flat_map(|root| imports(&source.code, root)) {
+    for (position, name) in imports(&source.code) {
         let message = match floor(floors, &name) {
             _ if name == module => continue,
             Some(other) if other < height => continue,
@@ -57,35 +59,18 @@ fn floor(floors: &str, module: &str) -> Option<usize> {
     floors.split(" < ").position(|floor| floor.split(' ').any(|name| name == module))
 }
 
-/// Position and name of every module that follows `root`, groups such as `crate::{a::B, c}` included.
-fn imports(code: &str, root: &str) -> Vec<(usize, String)> {
-    let starts = word_positions(code, root.trim_end_matches(':'));
-    let paths = starts.filter_map(|start| Some((start, code[start..].strip_prefix(root)?)));
-    paths.flat_map(|(start, path)| heads(path).into_iter().map(move |head| (start, head))).collect()
-}
-
-/// The first identifier of a path, or of each entry of a braced group.
-fn heads(path: &str) -> Vec<String> {
-    let (mut depth, mut heads) = (0_u32, Vec::new());
-    let is_end = |c: char| !c.is_alphanumeric() && c != '_';
-    let mut begin = |rest: &str| heads.extend(rest.trim_start().split(is_end).next().map(str::to_owned));
-    if !path.starts_with('{') {
-        begin(path);
-    }
-    for (position, character) in path.char_indices() {
-        depth = match character {
-            '{' => depth + 1,
-            '}' if depth > 0 => depth - 1,
-            _ => depth,
-        };
-        match (depth, character) {
-            (0, _) => break,
-            (1, '{' | ',') => begin(&path[position + 1..]),
-            _ => {}
-        }
-    }
-    heads.retain(|head| !head.is_empty());
-    heads
+/// Position and name of every module that a path from the crate's root names, groups such as `crate::{a::B, c}` included.
+fn imports(code: &str) -> BTreeSet<(usize, String)> {
+    let starts = ["crate::", "slipmode::"].iter().flat_map(|root| word_positions(code, root));
+    let heads = |start| {
+        let statement = code[start..].split(';').next().unwrap_or_default();
+        let is_end = |c: char| !c.is_alphanumeric() && c != '_' && c != ':';
+        let (path, rest) = statement.split_at(statement.find(is_end).unwrap_or(statement.len()));
+        let is_group = path.ends_with("::") && rest.starts_with('{');
+        let names = brought(if is_group { statement } else { path }, &[String::new()]);
+        names.into_iter().filter_map(move |(_, place)| Some((start, place.get(1)?.clone())))
+    };
+    starts.flat_map(heads).collect()
 }
 
 #[cfg(test)]

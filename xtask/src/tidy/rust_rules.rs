@@ -9,6 +9,10 @@ const LONGEST_FILE: usize = 600;
 /// Words of code that are refused in some places.
 const RULES: &str = include_str!("../../tidy/refused_words.txt");
 
+const NO_CLAIM: &str = "the program knows no claim: its words, criterion and procedure stand in claims.toml";
+const NO_EQUATION: &str =
+    "the program knows no number of an equation: texts name its role in braces (`scene::cited`)";
+
 /// The source folders of the program's own packages.
 const PROGRAM: [&str; 4] = ["crates/algebra/src/", "crates/core/src/", "crates/plot/src/", "src/"];
 
@@ -40,16 +44,9 @@ pub fn check(source: &RustSource, found: &mut Vec<Complaint>) {
         }
     }
     for (number, _, text) in source.lines_outside_tests().filter(|_| is_program) {
-        if names_claim(text) {
-            let message =
-                "the program knows no claim: its words, criterion and procedure stand in claims.toml";
-            found.push(source.file.complaint(number, message));
-        }
-        if cites_equation(text) {
-            let message =
-                "the program knows no number of an equation: texts name its role in braces (`scene::cited`)";
-            found.push(source.file.complaint(number, message));
-        }
+        let claim = names_claim(text).then_some(NO_CLAIM);
+        let messages = claim.into_iter().chain(cites_equation(text).then_some(NO_EQUATION));
+        found.extend(messages.map(|message| source.file.complaint(number, message)));
     }
 }
 

@@ -121,25 +121,24 @@ fn blank(text: &str) -> String {
 
 /// The length in bytes of the comment or literal that `rest` begins with; 0 without any. A word's last letters begin none.
 fn literal_length(rest: &str, is_inside_word: bool) -> usize {
-    if rest.starts_with("//") {
-        return rest.find('\n').unwrap_or(rest.len());
-    }
-    if rest.starts_with("/*") {
-        return comment_length(rest, ["/*", "*/"]);
-    }
-    if rest.starts_with('"') {
-        return quoted_length(rest, '"');
-    }
-    if let Some(inside) = rest.strip_prefix('\'') {
+    match rest.as_bytes() {
+        [b'/', b'/', ..] => rest.find('\n').unwrap_or(rest.len()),
+        [b'/', b'*', ..] => comment_length(rest, ["/*", "*/"]),
+        [b'"', ..] => quoted_length(rest, '"'),
+        [b'\'', b'\\', ..] => quoted_length(rest, '\''),
         // A lifetime has no second quotation mark.
-        let is_character = inside.starts_with('\\') || inside.chars().nth(1) == Some('\'');
-        return if is_character { quoted_length(rest, '\'') } else { 0 };
+        [b'\'', ..] if rest.chars().nth(2) == Some('\'') => quoted_length(rest, '\''),
+        [b'b' | b'c' | b'r', ..] if !is_inside_word => raw_length(rest).unwrap_or(0),
+        _ => 0,
     }
-    let raw = ["br", "cr", "r"].iter().find_map(|prefix| rest.strip_prefix(prefix));
-    let Some(raw) = raw.filter(|_| !is_inside_word) else { return 0 };
-    let Some(inside) = raw.trim_start_matches('#').strip_prefix('"') else { return 0 };
+}
+
+/// The length in bytes of the raw string that `rest` begins with, such as `r#"…"#`.
+fn raw_length(rest: &str) -> Option<usize> {
+    let raw = ["br", "cr", "r"].iter().find_map(|prefix| rest.strip_prefix(prefix))?;
+    let inside = raw.trim_start_matches('#').strip_prefix('"')?;
     let close = format!("\"{}", "#".repeat(raw.len() - inside.len() - 1));
-    inside.find(&close).map_or(rest.len(), |end| rest.len() - inside.len() + end + close.len())
+    Some(inside.find(&close).map_or(rest.len(), |end| rest.len() - inside.len() + end + close.len()))
 }
 
 /// The length in bytes of the comment that `rest` begins with, which may hold others.
