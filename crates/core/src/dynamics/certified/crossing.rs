@@ -5,14 +5,14 @@ use super::inertial::Inertial;
 use super::interval::{Interval, generously_up};
 use super::linear::largest_row;
 use super::manifold::Manifold;
-use super::motion::{Crossing, Motion};
+use super::motion::{CrossingSet, Motion};
 use super::set::{COORDINATES, Derivative, Set, column_sizes};
 use super::short_time::{ShortMotion, ShortStick, ShortTime};
 use super::sticking::LastStep;
 
 impl Motion<'_> {
     /// The section x = `section`, reached to rounding by the centre.
-    pub(super) fn inertial_crossing(&mut self, set: &Set<3>, section: f64) -> Result<Crossing, Reason> {
+    pub(super) fn inertial_crossing(&mut self, set: &Set<3>, section: f64) -> Result<CrossingSet, Reason> {
         let (system, hull) = (Inertial(self.constants), set.hull());
         let missing = (Interval::point(section) - hull[0]).magnitude();
         let guess = system.rates(&hull.map(|c| c.widened(missing)));
@@ -31,7 +31,7 @@ impl Motion<'_> {
         set: &Set<2>,
         last: &LastStep<'_>,
         section: f64,
-    ) -> Result<Crossing, Reason> {
+    ) -> Result<CrossingSet, Reason> {
         let hull = set.hull();
         let missing = (Interval::point(section) - hull[0]).magnitude();
         let here = Manifold::over(self.constants, &hull);
@@ -45,16 +45,16 @@ impl Motion<'_> {
 }
 
 /// The crossing of the whole slider.
-pub(super) fn crossed(set: &Set<3>, section: f64, short: &ShortMotion) -> Result<Crossing, Reason> {
+pub(super) fn crossed(set: &Set<3>, section: f64, short: &ShortMotion) -> Result<CrossingSet, Reason> {
     let turning = short.turning(largest_row(&short.around))?;
     let changes = column_sizes(&set.derivative()).map(|size| turning * size);
     let (centre, derivative) = on_section(set, section, short, changes);
-    Ok(Crossing { centre, derivative })
+    Ok(CrossingSet { centre, derivative })
 }
 
 /// The crossing of a sticking slider. In a time τ the derivative by p gains at most e^{μτ}τ|∂ψ/∂p|. The time depends on p, so that the
 /// derivative of ψ gains ψ' times the derivative of this time.
-pub(super) fn crossed_slowly(set: &Set<2>, section: f64, short: &ShortStick) -> Result<Crossing, Reason> {
+pub(super) fn crossed_slowly(set: &Set<2>, section: f64, short: &ShortStick) -> Result<CrossingSet, Reason> {
     let (manifold, tube) = &short.around;
     let turning = short.turning(manifold.largest_slope)?;
     let sizes = column_sizes(&set.derivative());
@@ -64,7 +64,7 @@ pub(super) fn crossed_slowly(set: &Set<2>, section: f64, short: &ShortStick) -> 
         let time_by_p = (sizes[j] + changes[j]) / short.slowest;
         Interval::symmetric(generously_up(tube.slopes[j] + manifold.tube_rate(tube.distance) * time_by_p))
     });
-    Ok(Crossing { centre: [y, Interval::symmetric(tube.distance)], derivative: [by_p, slopes] })
+    Ok(CrossingSet { centre: [y, Interval::symmetric(tube.distance)], derivative: [by_p, slopes] })
 }
 
 /// The coordinates behind x on the section, for p = 0, and their derivative by p; `changes` bounds how much a short time changes the derivative

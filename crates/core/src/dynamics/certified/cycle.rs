@@ -4,7 +4,7 @@ use super::guess::{Guess, guess};
 use super::interval::{Interval, generously_up, up, worse};
 use super::linear::{Square, apply, multiply, points};
 use super::manifold::Manifold;
-use super::motion::{Crossing, Motion, States};
+use super::motion::{CrossingSet, Motion, States};
 use super::observed::Observed;
 use super::set::{COORDINATES, Set};
 use super::{Certificate, Constants, MOST_STEPS, Proved, Reason, Units};
@@ -47,7 +47,7 @@ pub(super) fn prove_again(
 ) -> Result<Certificate, Reason> {
     long_or_short(|longest| {
         let test = Test::of(stated, longest).ok_or(Reason::NotContained)?;
-        let (crossing, observed, value) = test.mapped(constants)?;
+        let (crossing, observed, Krawczyk { value }) = test.mapped(constants)?;
         if !test.contains(&value) {
             return Err(Reason::NotContained);
         }
@@ -81,7 +81,7 @@ impl Test {
         constants: &Constants,
         model: &Model<f64>,
         cycle: &Cycle<f64>,
-    ) -> Result<(Self, Crossing, Observed), Reason> {
+    ) -> Result<(Self, CrossingSet, Observed), Reason> {
         let found = guess(constants, model, cycle)?;
         let with_steps = |longest: f64| {
             let mut test = Self { found, ends: [[0.0; 2]; COORDINATES], longest };
@@ -149,10 +149,10 @@ impl Test {
     }
 
     /// Larger boxes, until one is mapped into itself.
-    fn grow(mut self, constants: &Constants) -> Result<(Self, Crossing, Observed), Reason> {
+    fn grow(mut self, constants: &Constants) -> Result<(Self, CrossingSet, Observed), Reason> {
         let mut scale = FIRST;
         for _ in 0..=BOXES {
-            let (crossing, observed, value) = self.mapped(constants)?;
+            let (crossing, observed, Krawczyk { value }) = self.mapped(constants)?;
             if self.contains(&value) {
                 return Ok((self, crossing, observed));
             }
@@ -174,11 +174,11 @@ impl Test {
     }
 
     /// The return of the box, and Krawczyk's operator.
-    fn mapped(&self, constants: &Constants) -> Result<(Crossing, Observed, [Interval; COORDINATES]), Reason> {
+    fn mapped(&self, constants: &Constants) -> Result<(CrossingSet, Observed, Krawczyk), Reason> {
         let radius = self.radius();
         let (crossing, observed) = self.map(constants).image(self.found.point, radius)?;
-        let value = Krawczyk::of(&crossing, &self.centre(), radius).value;
-        Ok((crossing, observed, value))
+        let operator = Krawczyk::of(&crossing, &self.centre(), radius);
+        Ok((crossing, observed, operator))
     }
 
     /// Whether all of the operator's values, which count from the point, lie between the stated ends.
@@ -193,7 +193,7 @@ impl Test {
     /// Whether the operator of a slider maps the box into itself.
     #[cfg(test)]
     pub fn holds(&self, constants: &Constants) -> bool {
-        self.mapped(constants).is_ok_and(|(_, _, value)| self.contains(&value))
+        self.mapped(constants).is_ok_and(|(_, _, operator)| self.contains(&operator.value))
     }
 
     /// The same box, followed with shorter steps.
@@ -214,7 +214,7 @@ impl Test {
     /// The certificate, if the cycle of the box attracts.
     fn attracting(
         &self,
-        crossing: &Crossing,
+        crossing: &CrossingSet,
         observed: &Observed,
         units: &Units,
     ) -> Result<Certificate, Reason> {
@@ -248,7 +248,7 @@ struct ReturnMap<'c> {
 
 impl ReturnMap<'_> {
     /// The image of a box around a point.
-    fn image(&self, point: [f64; 2], radius: [f64; COORDINATES]) -> Result<(Crossing, Observed), Reason> {
+    fn image(&self, point: [f64; 2], radius: [f64; COORDINATES]) -> Result<(CrossingSet, Observed), Reason> {
         let mut motion = Motion::new(self.constants, States::Inertial(self.start(point, radius)), MOST_STEPS);
         motion.may_stick = self.is_slow;
         motion.longest = self.longest;
@@ -286,7 +286,7 @@ struct Krawczyk {
 }
 
 impl Krawczyk {
-    fn of(crossing: &Crossing, centre: &[f64; COORDINATES], radius: [f64; COORDINATES]) -> Self {
+    fn of(crossing: &CrossingSet, centre: &[f64; COORDINATES], radius: [f64; COORDINATES]) -> Self {
         let one = |i: usize, j: usize| if i == j { Interval::ONE } else { Interval::ZERO };
         let slope: Square<COORDINATES> =
             std::array::from_fn(|i| std::array::from_fn(|j| one(i, j) - crossing.derivative[i][j]));

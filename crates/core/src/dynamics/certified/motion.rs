@@ -29,7 +29,7 @@ pub(super) enum States {
 
 /// Where the motion crossed the section, seen from p.
 #[derive(Debug, Clone)]
-pub(super) struct Crossing {
+pub(super) struct CrossingSet {
     /// (y, F) or (y, ψ) for p = 0.
     pub centre: [Interval; COORDINATES],
     /// Its derivative by p over the box.
@@ -80,7 +80,7 @@ impl<'c> Motion<'c> {
     }
 
     /// One step, which ends on `section` (rising) if it reaches it; then the crossing.
-    pub fn advance(&mut self, section: Option<f64>) -> Result<Option<Crossing>, Reason> {
+    pub fn advance(&mut self, section: Option<f64>) -> Result<Option<CrossingSet>, Reason> {
         self.steps_left = self.steps_left.checked_sub(1).ok_or(Reason::TooManySteps)?;
         match self.states.clone() {
             States::Inertial(set) => self.inertial_step(&set, section),
@@ -88,7 +88,7 @@ impl<'c> Motion<'c> {
         }
     }
 
-    fn inertial_step(&mut self, set: &Set<3>, section: Option<f64>) -> Result<Option<Crossing>, Reason> {
+    fn inertial_step(&mut self, set: &Set<3>, section: Option<f64>) -> Result<Option<CrossingSet>, Reason> {
         let system = Inertial(self.constants);
         let expansion = Expansion::new(&system, set);
         let length = expansion.length();

@@ -2,7 +2,7 @@
 
 use super::interval::{Interval, generously_up, worse};
 use super::manifold::{Manifold, Passage, Tube};
-use super::motion::{Crossing, Motion, States, landing};
+use super::motion::{CrossingSet, Motion, States, landing};
 use super::observed::{Moment, Passed};
 use super::set::{COORDINATES, Derivative, Set, column_sizes};
 use super::slow::Slow;
@@ -152,7 +152,7 @@ impl Motion<'_> {
         set: &Set<2>,
         tube: Tube,
         section: Option<f64>,
-    ) -> Result<Option<Crossing>, Reason> {
+    ) -> Result<Option<CrossingSet>, Reason> {
         let system = Slow(self.constants);
         let expansion = Expansion::new(&system, set);
         let start_hull = set.hull();

@@ -58,7 +58,7 @@ fn krawczyks_operator_holds_the_fixed_points() {
             let constant: [f64; 2] =
                 std::array::from_fn(|i| at[i] - matrix[i][0] * at[0] - matrix[i][1] * at[1]);
             let crossing =
-                Crossing { centre: constant.map(Interval::point), derivative: around(matrix, rad) };
+                CrossingSet { centre: constant.map(Interval::point), derivative: around(matrix, rad) };
             let value = Krawczyk::of(&crossing, &[0.0; 2], [1.0; 2]).value;
             let is_held = Test { found, ends: [[-1.0, 1.0]; 2], longest: LONGEST }.contains(&value);
             held += usize::from(is_held);
@@ -207,8 +207,10 @@ fn krawczyks_operator_counts_from_the_centre() {
             // P(centre) = centre + (I − M) at: the fixed point is centre + at.
             let image: [f64; 2] =
                 std::array::from_fn(|i| centre[i] + at[i] - matrix[i][0] * at[0] - matrix[i][1] * at[1]);
-            let crossing =
-                Crossing { centre: image.map(|mid| Interval { mid, rad }), derivative: around(matrix, 1e-9) };
+            let crossing = CrossingSet {
+                centre: image.map(|mid| Interval { mid, rad }),
+                derivative: around(matrix, 1e-9),
+            };
             let value = Krawczyk::of(&crossing, &centre, [1.0; 2]).value;
             let inverse = inverse(&[[0.5, -0.2], [0.3, 0.6]]);
             for signs in [[0.0, 0.0], [1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]] {
@@ -236,7 +238,7 @@ fn a_cycle_with_a_multiplier_of_one_or_more_is_not_said_to_attract() {
     let test = Test { found, ends: [[-1.0, 1.0]; 2], longest: LONGEST };
     let certify = |largest: f64, rad: f64| {
         let derivative = around([[largest, 0.0], [0.0, 0.25]], rad);
-        test.attracting(&Crossing { centre: [Interval::ZERO; 2], derivative }, &Observed::new(), &units)
+        test.attracting(&CrossingSet { centre: [Interval::ZERO; 2], derivative }, &Observed::new(), &units)
     };
     for (largest, rad) in [(0.9, 0.0), (-0.9, 0.0), (0.9, 1e-3)] {
         let Proved::Cycle { contraction, .. } = certify(largest, rad).unwrap().proved else {
@@ -351,7 +353,7 @@ fn the_return_of_a_box_holds_the_returns_of_its_corners() {
         let constants = slider.constants();
         let found = Guess { section: 0.0, point: [0.0, 0.2], is_on_slow_manifold: false };
         let mut test = Test { found, ends: [[0.0; 2]; COORDINATES], longest: 0.3 };
-        let (radius, (crossing, observed, value)) = [1e-4, 3e-5, 1e-5, 3e-6]
+        let (radius, (crossing, observed, Krawczyk { value })) = [1e-4, 3e-5, 1e-5, 3e-6]
             .into_iter()
             .find_map(|size| {
                 let radius = [size, 0.5 * size];

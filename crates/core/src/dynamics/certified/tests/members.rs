@@ -3,7 +3,7 @@
 use crate::dynamics::certified::inertial::Inertial;
 use crate::dynamics::certified::interval::Interval;
 use crate::dynamics::certified::manifold::Manifold;
-use crate::dynamics::certified::motion::Crossing;
+use crate::dynamics::certified::motion::CrossingSet;
 use crate::dynamics::certified::motion::{Motion, States};
 use crate::dynamics::certified::observed::{Moment, Observed, Passed};
 use crate::dynamics::certified::set::{COORDINATES, Set};
@@ -128,7 +128,7 @@ struct Case {
 }
 
 impl Case {
-    fn enclosed(&self, constants: &Constants) -> Result<(Crossing, Observed), Reason> {
+    fn enclosed(&self, constants: &Constants) -> Result<(CrossingSet, Observed), Reason> {
         let (zero, one) = (Interval::ZERO, Interval::ONE);
         let state = std::array::from_fn(|i| Interval { mid: self.start[i], rad: self.errors[i] });
         let box_of_p = self.radius.map(Interval::symmetric);
@@ -145,7 +145,7 @@ impl Case {
     }
 
     /// The second coordinate of a crossing: F, or ψ.
-    fn second(&self, constants: &Constants, crossing: &Crossing, [x, y, force, _]: [f64; 4]) -> f64 {
+    fn second(&self, constants: &Constants, crossing: &CrossingSet, [x, y, force, _]: [f64; 4]) -> f64 {
         let is_slow = crossing.centre[1].mid == 0.0;
         let manifold = || Manifold::over(constants, &[x, y].map(Interval::point));
         if is_slow { force / (self.slider.inertia * libm::exp(x)) - manifold().rate.mid } else { force }

@@ -5,7 +5,7 @@ use crate::dynamics::certified::crossing::{crossed, crossed_slowly};
 use crate::dynamics::certified::inertial::Inertial;
 use crate::dynamics::certified::interval::Interval;
 use crate::dynamics::certified::manifold::{Manifold, Tube};
-use crate::dynamics::certified::motion::Crossing;
+use crate::dynamics::certified::motion::CrossingSet;
 use crate::dynamics::certified::set::{COORDINATES, Set};
 use crate::dynamics::certified::short_time::ShortTime;
 use crate::dynamics::certified::transversal::shifted_slowly;
@@ -326,7 +326,7 @@ fn a_crossing_holds_flows_in_closed_form() {
         let short = flow.short();
         let crossing = crossed_slowly(&flow.set(flow.time), 0.0, &short);
         found[usize::from(crossing.is_ok())] += 1;
-        let Ok(Crossing { centre, derivative }) = crossing else { continue };
+        let Ok(CrossingSet { centre, derivative }) = crossing else { continue };
         for backward in [false, true] {
             let flow = Flow { time: if backward { -flow.time } else { flow.time }, ..flow };
             assert!(holds(centre[0], flow.across * flow.time) && centre[1].may_contain(0.0));

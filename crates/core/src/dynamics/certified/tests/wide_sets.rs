@@ -7,7 +7,7 @@ use super::members::{Member, Slider, passing};
 use crate::dynamics::certified::Constants;
 use crate::dynamics::certified::inertial::Inertial;
 use crate::dynamics::certified::interval::Interval;
-use crate::dynamics::certified::motion::Crossing;
+use crate::dynamics::certified::motion::CrossingSet;
 use crate::dynamics::certified::motion::{Motion, States, landing};
 use crate::dynamics::certified::observed::Passed;
 use crate::dynamics::certified::set::{COORDINATES, Set};
@@ -145,7 +145,7 @@ impl Whole {
     }
 
     /// A crossing holds that of each member; so do the derivative and the time.
-    fn assert_crossing(&self, crossing: &Crossing, duration: Interval, section: f64) {
+    fn assert_crossing(&self, crossing: &CrossingSet, duration: Interval, section: f64) {
         for signs in Self::signs() {
             let end = |parts: [f64; 2]| {
                 let p = self.p(parts);

@@ -5,7 +5,7 @@ use super::{ERROR, MIDDLE, Numbers, PAIRS, falling, holds, holds_slope, seen_at,
 use crate::dynamics::certified::Constants;
 use crate::dynamics::certified::interval::Interval;
 use crate::dynamics::certified::manifold::{Manifold, Tube};
-use crate::dynamics::certified::motion::Crossing;
+use crate::dynamics::certified::motion::CrossingSet;
 use crate::dynamics::certified::motion::{Motion, States};
 use crate::dynamics::certified::set::{COORDINATES, Derivative, Set};
 use crate::dynamics::certified::sticking::LastStep;
@@ -131,7 +131,7 @@ impl Near {
     }
 
     /// A crossing of a section holds that of each member; so do the derivative, the tube and the time.
-    fn assert_crossing(&self, case: usize, crossing: &Crossing, duration: Interval, section: f64) {
+    fn assert_crossing(&self, case: usize, crossing: &CrossingSet, duration: Interval, section: f64) {
         let earliest = duration.lower();
         let end = |p: [f64; 2], signs: [f64; 5]| {
             let start = self.member(p, signs);
