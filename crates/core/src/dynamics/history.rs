@@ -7,19 +7,19 @@ use super::section_return::Return;
 const MOST_RETURNS_PER_CYCLE: usize = 4;
 
 /// y and ζ at a crossing of the section x = 0.
-pub(super) type Crossing = [f64; 2];
+pub(super) type SectionPoint = [f64; 2];
 
 /// The returns since the last jump.
 pub(super) struct History<R> {
-    pub crossings: Vec<Crossing>,
+    pub crossings: Vec<SectionPoint>,
     pub returns: Vec<Return<R>>,
 }
 
-pub(super) fn size(v: Crossing) -> f64 {
+pub(super) fn size(v: SectionPoint) -> f64 {
     v[0].abs().max(v[1].abs())
 }
 
-pub(super) fn difference(a: Crossing, b: Crossing) -> Crossing {
+pub(super) fn difference(a: SectionPoint, b: SectionPoint) -> SectionPoint {
     [a[0] - b[0], a[1] - b[1]]
 }
 
@@ -33,7 +33,7 @@ impl<R: Scalar> History<R> {
         self.returns.push(orbit);
     }
 
-    pub fn back(&self, n: usize) -> Option<Crossing> {
+    pub fn back(&self, n: usize) -> Option<SectionPoint> {
         self.crossings.len().checked_sub(n + 1).map(|index| self.crossings[index])
     }
 
@@ -62,7 +62,7 @@ impl<R: Scalar> History<R> {
     }
 
     /// The slow multiplier and the last change, when the last three crossings lie on a line.
-    pub fn slow_direction(&self) -> Option<(f64, Crossing)> {
+    pub fn slow_direction(&self) -> Option<(f64, SectionPoint)> {
         let (a, b, c) = (self.back(2)?, self.back(1)?, self.back(0)?);
         let (first, second) = (difference(b, a), difference(c, b));
         let norm = first[0] * first[0] + first[1] * first[1];
@@ -85,7 +85,7 @@ pub(super) fn returns_per_cycle<R: Scalar>(history: &History<R>, target: f64, no
 }
 
 /// Where the slow direction leads: the secant's fixed point, or a limited part of the way.
-pub(super) fn jump<R: Scalar>(history: &History<R>, reach: f64) -> Option<Crossing> {
+pub(super) fn jump<R: Scalar>(history: &History<R>, reach: f64) -> Option<SectionPoint> {
     let (multiplier, change) = history.slow_direction()?;
     let here = history.back(0)?;
     let amplitude = size(here);
@@ -109,14 +109,14 @@ pub(super) fn jump<R: Scalar>(history: &History<R>, reach: f64) -> Option<Crossi
 mod tests {
     use super::*;
 
-    fn history(crossings: &[Crossing]) -> History<f64> {
+    fn history(crossings: &[SectionPoint]) -> History<f64> {
         History { crossings: crossings.to_vec(), returns: Vec::new() }
     }
 
     #[test]
     fn a_geometric_approach_leads_to_its_limit() {
         // 2 + 0.02·0.9^n along (1, −1).
-        let crossings: Vec<Crossing> =
+        let crossings: Vec<SectionPoint> =
             [1.0, 0.9, 0.81, 0.729].iter().map(|r| [2.0 + 0.02 * r, -1.0 - 0.02 * r]).collect();
         let history = history(&crossings);
         assert!((history.multiplier().unwrap() - 0.9).abs() < 1e-12);
@@ -126,7 +126,7 @@ mod tests {
 
     #[test]
     fn growth_and_far_limits_are_approached_by_a_limited_part_of_the_state() {
-        let crossings: Vec<Crossing> = [1.0, 1.1, 1.21].iter().map(|r| [1.0 + 0.01 * r, 0.0]).collect();
+        let crossings: Vec<SectionPoint> = [1.0, 1.1, 1.21].iter().map(|r| [1.0 + 0.01 * r, 0.0]).collect();
         let to = jump(&history(&crossings), 0.3).unwrap();
         assert!((to[0] / 1.0121 - 1.3).abs() < 1e-12);
     }
