@@ -29,7 +29,7 @@ pub enum Section {
 
 /// Where a section crosses the boundary.
 #[derive(Debug, Clone)]
-pub struct Crossing {
+pub struct BoundaryCrossing {
     /// The arc that is crossed.
     pub arc: Arc,
     /// σ in Pa and V0 in m/s.

@@ -22,7 +22,7 @@ pub use by_bisection::by_bisection;
 pub use by_curve::BoundaryCurve;
 pub use by_discriminant::by_discriminant;
 pub use comparison::{RouteComparison, compare_routes};
-pub use crossing::{Crossing, Section};
+pub use crossing::{BoundaryCrossing, Section};
 pub(in crate::stability) use point::stretch;
 pub use point::{BoundaryPoint, ErrorPair, Mark};
 pub(in crate::stability) use sampling::{log2, power_of_two};

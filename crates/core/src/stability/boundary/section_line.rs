@@ -4,7 +4,7 @@ use crate::friction::OperatingPoint;
 use crate::number::{Ball, Field, Real};
 use crate::stability::Arc;
 use crate::stability::boundary::by_curve::GUARD_BITS;
-use crate::stability::boundary::{BoundaryCurve, BoundaryPoint, Crossing, Section};
+use crate::stability::boundary::{BoundaryCrossing, BoundaryCurve, BoundaryPoint, Section};
 use crate::stability::double_root::{DoubleRoot, GivenGroup, Work, exactly};
 
 /// Bits that a coordinate of a section has beyond the digits requested.
@@ -109,16 +109,16 @@ impl BoundaryCurve {
 
     /// The places of [`Self::on_section`] without λ, errors and condition number, in a quarter of its time.
     #[must_use]
-    pub fn crossings(&self, section: &Section) -> Vec<Crossing> {
+    pub fn crossings(&self, section: &Section) -> Vec<BoundaryCrossing> {
         let line = SectionLine::new(self, section);
-        let crossing = |arc: Arc, unknown: &Ball| Crossing { arc, position: line.position(unknown) };
+        let crossing = |arc: Arc, unknown: &Ball| BoundaryCrossing { arc, position: line.position(unknown) };
         line.each(|found| Some(crossing(found.arc, &found.unknown)), |arc, unknown, _| crossing(arc, unknown))
     }
 
     /// The sought coordinate of each of the crossings, σ at given V0 and V0 at given σ, to this curve's precision.
     pub(in crate::stability) fn coordinates(&self, section: &Section) -> Vec<Ball> {
-        let rounded = |crossing: Crossing| section.sought(crossing.position).with_precision(self.bits);
-        self.crossings(section).into_iter().map(rounded).collect()
+        let sought = self.crossings(section).into_iter().map(|crossing| section.sought(crossing.position));
+        sought.map(|value| value.with_precision(self.bits)).collect()
     }
 
     /// What each of the crossings takes; nothing for one that takes the general way, to its place or to its λ.
