@@ -5,7 +5,7 @@ use super::interpolation::{crossing, vertex};
 
 /// An upward crossing.
 #[derive(Debug, Clone, Copy)]
-pub struct Crossing {
+pub struct UpwardCrossing {
     /// When, s.
     pub time_s: f64,
     /// The sample before it.
@@ -53,13 +53,12 @@ impl Return {
 }
 
 /// All upward crossings of the level.
-pub fn crossings(recording: &Recording, log_level: f64) -> Vec<Crossing> {
+pub fn crossings(recording: &Recording, log_level: f64) -> Vec<UpwardCrossing> {
     let values = &recording.log_velocities;
     let rises = |index: &usize| values[*index] < log_level && log_level <= values[index + 1];
     let found = (0..values.len().saturating_sub(1)).filter(rises);
-    found
-        .map(|sample| Crossing { time_s: crossing(&recording.times_s, values, sample, log_level), sample })
-        .collect()
+    let time_s = |sample| crossing(&recording.times_s, values, sample, log_level);
+    found.map(|sample| UpwardCrossing { time_s: time_s(sample), sample }).collect()
 }
 
 /// The returns between upward crossings, `per_cycle` of them joined, counted back from the last crossing.
@@ -71,7 +70,7 @@ pub fn returns(recording: &Recording, log_level: f64, per_cycle: usize) -> Vec<R
     joined.filter_map(|cycle| cycle.iter().copied().reduce(Return::joined)).collect()
 }
 
-fn orbit(recording: &Recording, log_level: f64, pair: &[Crossing]) -> Return {
+fn orbit(recording: &Recording, log_level: f64, pair: &[UpwardCrossing]) -> Return {
     let samples = pair[0].sample + 1..pair[1].sample + 1;
     let times = &recording.times_s;
     let highest = |values: &[f64]| {
