@@ -102,7 +102,7 @@ struct Request {
 }
 
 /// Holds what the command writes.
-struct Found<'r> {
+struct BoundaryOutput<'r> {
     answer: Answer,
     table: Table,
     /// Draws the picture, when one is wanted.
@@ -145,12 +145,12 @@ impl Options {
     /// Opens the outputs, computes, and writes; says so where nothing was found.
     fn write<'r>(
         &self,
-        compute: impl FnOnce() -> Result<Found<'r>, Failure>,
+        compute: impl FnOnce() -> Result<BoundaryOutput<'r>, Failure>,
         nothing: &str,
     ) -> Result<(), Failure> {
         let output = Output::create(&self.output)?;
         let svg = self.svg.as_deref().map(Output::create).transpose()?;
-        let Found { answer, table, picture } = compute()?;
+        let BoundaryOutput { answer, table, picture } = compute()?;
         output.finish(if self.json { format!("{:#}\n", answer.json()) } else { table.to_csv() })?;
         svg.map_or(Ok(()), |svg| svg.finish(picture()?))?;
         if table.rows.is_empty() {
@@ -244,8 +244,8 @@ impl Request {
     }
 
     /// Computes the points: a table, and an object with the inputs and the points under the names of the columns.
-    fn compute(&self) -> Result<Found<'_>, Failure> {
-        let (found, boundary) = match &self.pair_ratio {
+    fn compute(&self) -> Result<BoundaryOutput<'_>, Failure> {
+        let ((answer, table), boundary) = match &self.pair_ratio {
             None => {
                 let points = self.points(|digits| Ok(self.of_boundary(digits)));
                 points.map(|points| (self.stated(&points), Some(points)))
@@ -256,9 +256,8 @@ impl Request {
             }
         }
         .map_err(|undecided| Failure::Check(format!("error: {undecided}")))?;
-        let (answer, table) = found;
         let picture = move || picture(&self.slider, boundary, (None, self.pair_ratio.as_ref()));
-        Ok(Found { answer, table, picture: Box::new(picture) })
+        Ok(BoundaryOutput { answer, table, picture: Box::new(picture) })
     }
 
     fn stated<P: LinePoint>(&self, points: &[P]) -> (Answer, Table) {

@@ -13,7 +13,7 @@ use slipmode_plot::table::{Cell, Column, Table};
 
 use crate::cli::answer::Answer;
 use crate::cli::boundary::{
-    DEFAULT_POINTS, Found, NO_POINT_OF_LINE, Options, answer_to, coordinates, frequency_ratio,
+    BoundaryOutput, DEFAULT_POINTS, NO_POINT_OF_LINE, Options, answer_to, coordinates, frequency_ratio,
     limit_on_points, picture, refuse_beside_single_points,
 };
 use crate::cli::failure::Failure;
@@ -24,13 +24,13 @@ use crate::cli::options::{Arguments, OVER_BOX};
 /// What was requested, valid.
 pub struct Request {
     region: ParameterBox,
-    at: Places,
+    at: RangePlaces,
     /// The line of this ω/ω_n; none for the boundary and the transition.
     frequency_ratio: Option<InertialThreshold>,
 }
 
 /// Where the ranges are computed.
-enum Places {
+enum RangePlaces {
     /// At even velocities of the axes that `new` would choose.
     Even(u32),
     /// At one velocity, and at one normal stress.
@@ -68,7 +68,8 @@ impl Request {
         };
         refuse_beside_single_points(options, arguments);
         let points = u32::try_from(given.unwrap_or(DEFAULT_POINTS)).ok()?;
-        let at = if options.has_single_points() { Places::Single(places?) } else { Places::Even(points) };
+        let is_single = options.has_single_points();
+        let at = if is_single { RangePlaces::Single(places?) } else { RangePlaces::Even(points) };
         Some(Self { region: region?, at, frequency_ratio: frequency_ratio? })
     }
 
@@ -92,20 +93,20 @@ impl Request {
     ///
     /// # Errors
     /// When the boundary lies beyond what axes can show.
-    pub fn compute(&self) -> Result<Found<'_>, Failure> {
+    pub fn compute(&self) -> Result<BoundaryOutput<'_>, Failure> {
         let rows = match &self.at {
-            Places::Even(points) => {
+            RangePlaces::Even(points) => {
                 let axes = Ranges::around(&self.middle()).map_err(Failure::Refused)?;
                 self.rows(Unknown::NormalStress, &even_velocities(axes.velocity.ends(), *points))
             }
-            Places::Single([velocity, stress]) => {
+            RangePlaces::Single([velocity, stress]) => {
                 let known = [(Unknown::NormalStress, velocity), (Unknown::LoadingVelocity, stress)];
                 known.into_iter().flat_map(|(unknown, known)| self.rows(unknown, known.as_slice())).collect()
             }
         };
         let inputs = ranges_json(&self.region, &[Quantity::NormalStress, Quantity::LoadingVelocity]);
         let answer = answer_to(inputs, self.ratio().as_ref()).list("ranges", rows.iter().map(Row::part));
-        Ok(Found { answer, table: table(&rows), picture: Box::new(|| self.picture()) })
+        Ok(BoundaryOutput { answer, table: table(&rows), picture: Box::new(|| self.picture()) })
     }
 
     /// The ranges of the lines at these values of the coordinate that is not sought.
