@@ -18,11 +18,11 @@ use crate::cli::simulate::view::certain;
 pub struct Kicks {
     /// V0 in m/s and aσ in Pa.
     units: [f64; 2],
-    found: Found,
+    found: KickSizes,
 }
 
 #[derive(Debug)]
-enum Found {
+enum KickSizes {
     /// Every disturbance grows: K < K_c, or K = K_c with the sign of the Lyapunov coefficient that says so. Exact.
     All,
     /// For each kick the sizes between which the smallest lies that leaves; none when no tried size does. Sampled.
@@ -49,9 +49,9 @@ impl Kicks {
         let smallest =
             |kick: Kick| Ok((kick, kick.smallest(&model, &decayed).map_err(|failure| failure.to_string())?));
         let found = if grows {
-            Found::All
+            KickSizes::All
         } else {
-            Found::Tried(Kick::ALL.into_iter().map(smallest).collect::<Result<_, String>>()?)
+            KickSizes::Tried(Kick::ALL.into_iter().map(smallest).collect::<Result<_, String>>()?)
         };
         let parameters = parameters.map(nearest_f64);
         let units = [parameters.point.loading_velocity_m_per_s, parameters.direct_stress_pa()];
@@ -61,8 +61,8 @@ impl Kicks {
     /// States each kick, how it is known, and what follows for a laboratory.
     pub fn answer(&self) -> Answer {
         let (strength, parts): (_, Vec<Answer>) = match &self.found {
-            Found::All => ("exact", Kick::ALL.map(|kick| self.part(kick, Some([0.0; 2]))).into()),
-            Found::Tried(all) => ("sampled", all.iter().map(|&(kick, ends)| self.part(kick, ends)).collect()),
+            KickSizes::All => ("exact", Kick::ALL.map(|kick| self.part((kick, Some([0.0; 2])))).into()),
+            KickSizes::Tried(all) => ("sampled", all.iter().map(|tried| self.part(*tried)).collect()),
         };
         let conclusion = self.conclusion();
         let title = Answer::line(&format!("\nsmallest kicks that leave steady sliding ({strength}):"));
@@ -72,7 +72,7 @@ impl Kicks {
     }
 
     /// One kick; the sizes that bound it are of |ln(V/V0)| or |Δτ|/(aσ).
-    fn part(&self, kick: Kick, ends: Option<[f64; 2]>) -> Answer {
+    fn part(&self, (kick, ends): (Kick, Option<[f64; 2]>)) -> Answer {
         let [unit, name, in_si] = if kick.is_of_velocity() {
             ["m/s", "V/V0 - 1", "velocity_change_m_per_s"]
         } else {
@@ -102,7 +102,7 @@ impl Kicks {
 
     /// What a laboratory may conclude.
     fn conclusion(&self) -> String {
-        let Found::Tried(all) = &self.found else {
+        let KickSizes::Tried(all) = &self.found else {
             return "Every disturbance leaves steady sliding, however small: no laboratory is quiet enough."
                 .into();
         };
