@@ -7,10 +7,10 @@ use std::sync::{Mutex, PoisonError};
 use crate::cli::output::partial::folder_of;
 
 /// The files and folders of this process.
-static PLACES: Mutex<Places> = Mutex::new(Places { inputs: Vec::new(), outputs: Vec::new() });
+static PLACES: Mutex<CommandPaths> = Mutex::new(CommandPaths { inputs: Vec::new(), outputs: Vec::new() });
 
 #[derive(Debug)]
-struct Places {
+struct CommandPaths {
     inputs: Vec<Target>,
     outputs: Vec<Target>,
 }
@@ -87,7 +87,7 @@ pub fn check_input(file: &File) -> Result<(), &'static str> {
     places.check_read(&Target { path: None, identity: identity_of(file), is_folder: false })
 }
 
-impl Places {
+impl CommandPaths {
     fn check_written(&self, place: &Target) -> Result<(), &'static str> {
         if self.inputs.iter().any(|input| input.meets(place)) { Err(BOTH) } else { Ok(()) }
     }
