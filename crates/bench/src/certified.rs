@@ -108,7 +108,7 @@ impl GridPlace {
         )?;
         let certified_s = self.cpu_s("simulate --certify --points one.csv -o certified.csv --threads 1")?;
         let plain_s = self.cpu_s("simulate --points many.csv -o plain.csv --threads 1 --tolerance 1e-8")?;
-        let found = Found::read(&self.folder.join("certified.csv"))?;
+        let found = WrittenRow::read(&self.folder.join("certified.csv"))?;
         let cell = |name: &str| found.cell(name);
         let width = |low: &str, high: &str| {
             let [low, high] = [cell(low)?, cell(high)?].map(str::parse::<f64>);
@@ -141,7 +141,7 @@ impl GridPlace {
             let cells: Vec<String> = header.split(',').zip(point.split(',')).map(with_bars).collect();
             write(&self.folder.join("bars.csv"), &format!("{header}\n{}\n", cells.join(",")))?;
             self.run("simulate --certify --points bars.csv -o over-bars.csv --threads 1")?;
-            if Found::read(&self.folder.join("over-bars.csv"))?.cell("certificate")? != certificate {
+            if WrittenRow::read(&self.folder.join("over-bars.csv"))?.cell("certificate")? != certificate {
                 break;
             }
             widest = half_width;
@@ -162,12 +162,12 @@ impl GridPlace {
 }
 
 /// The table of one row that the program has written.
-struct Found {
+struct WrittenRow {
     path: PathBuf,
     text: String,
 }
 
-impl Found {
+impl WrittenRow {
     fn read(path: &Path) -> Result<Self, String> {
         let text = fs::read_to_string(path).map_err(|error| cannot(path, &error))?;
         Ok(Self { path: path.to_path_buf(), text })
