@@ -104,7 +104,7 @@ fn locked_version(name: &str) -> Result<String, String> {
 
 /// The players that are there, and the others with the reason why they are not.
 #[derive(Debug, Default)]
-pub struct Found {
+pub struct AvailablePlayers {
     /// Those that play.
     pub players: Vec<Player>,
     /// Name and reason of those that are skipped.
@@ -120,9 +120,9 @@ pub fn folder() -> PathBuf {
 ///
 /// # Errors
 /// When a folder cannot be made.
-pub fn find(wanted: impl Fn(&Player) -> bool) -> Result<Found, String> {
+pub fn find(wanted: impl Fn(&Player) -> bool) -> Result<AvailablePlayers, String> {
     fs::create_dir_all(folder()).map_err(|error| format!("target/peers: {error}"))?;
-    let mut found = Found::default();
+    let mut found = AvailablePlayers::default();
     for mut player in all().into_iter().filter(|player| wanted(player)) {
         match player.look() {
             Ok(version) => {

@@ -5,7 +5,7 @@
 use std::fmt::Write as _;
 use std::fs;
 
-use super::players::Found;
+use super::players::AvailablePlayers;
 use super::ratios::{over, ratios};
 use super::row::Row;
 use crate::measured_on::{self, Facts};
@@ -16,7 +16,7 @@ use slipmode_core::number::format::round_digits;
 ///
 /// # Errors
 /// When they cannot be written.
-pub fn results(found: &Found, rows: &[Row]) -> Result<(), String> {
+pub fn results(found: &AvailablePlayers, rows: &[Row]) -> Result<(), String> {
     let folder = measured_on::folder();
     let mut facts = measured_on::facts();
     facts.extend(found.players.iter().map(|player| (player.name.to_string(), player.version.clone())));
