@@ -3,7 +3,7 @@
 //! The bounds stand here as they were set before anything was measured; whether one is met is computed from the rows.
 
 use super::PeerRow;
-use super::lookup::{Found, Measured, Rows, error};
+use super::lookup::{DerivedNumber, Measured, Rows, error};
 
 /// A bound that a measured number has to keep.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,7 +35,7 @@ pub struct Aim {
     /// By which name `cargo xtask bench --peers` measures it again.
     pub bench: &'static str,
     /// What was measured; or which row is missing.
-    pub measured: Result<Found, String>,
+    pub measured: Result<DerivedNumber, String>,
     /// What it has to be.
     pub must: Option<Bound>,
     /// What it was hoped to be.

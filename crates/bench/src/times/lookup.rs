@@ -5,7 +5,7 @@ use super::compare::{ERRORS, cases, fastest};
 
 /// A number that follows from rows.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Found {
+pub struct DerivedNumber {
     /// The number that a bound is compared with: of several, the least favourable one.
     pub value: f64,
     /// The smallest and the largest of several.
@@ -15,7 +15,7 @@ pub struct Found {
 }
 
 /// A number; or which row is missing.
-pub(crate) type Measured = Result<Found, String>;
+pub(crate) type Measured = Result<DerivedNumber, String>;
 
 /// Looks up rows.
 #[derive(Debug, Clone, Copy)]
@@ -35,7 +35,7 @@ fn found(values: &[(f64, Vec<usize>)], pick: fn(f64, f64) -> f64) -> Measured {
     let value = numbers().reduce(pick).ok_or("no row of any of its works")?;
     let range = numbers().reduce(f64::min).zip(numbers().reduce(f64::max));
     let lines = values.iter().flat_map(|(_, lines)| lines).copied().collect();
-    Ok(Found { value, range: range.filter(|_| values.len() > 1), lines })
+    Ok(DerivedNumber { value, range: range.filter(|_| values.len() > 1), lines })
 }
 
 impl<'r> Rows<'r> {
@@ -84,7 +84,7 @@ impl<'r> Rows<'r> {
         let row = fastest(&rows, error, |row| row.method == peer)
             .ok_or_else(|| format!("no row `{work}, {peer}` without a wrong run"))?;
         let ratio = row.seconds_per_item() / mine.seconds_per_item();
-        Ok(Found { value: ratio, range: None, lines: vec![row.line, mine.line] })
+        Ok(DerivedNumber { value: ratio, range: None, lines: vec![row.line, mine.line] })
     }
 
     /// Over all cases of a kind and all errors, the time of the fastest peer over ours. The value is the least ratio; its two lines
@@ -102,7 +102,7 @@ impl<'r> Rows<'r> {
         let all = found(&ratios, f64::min)
             .map_err(|_| format!("no case of `{kind}` that such a program finishes"))?;
         let least = ratios.into_iter().find(|(ratio, _)| *ratio == all.value);
-        Ok(Found { lines: least.map(|(_, lines)| lines).unwrap_or_default(), ..all })
+        Ok(DerivedNumber { lines: least.map(|(_, lines)| lines).unwrap_or_default(), ..all })
     }
 
     /// Cases and tolerances from 1e-4 to 1e-10 at which no method of ours ended with an error of at most ten tolerances.
@@ -123,6 +123,6 @@ impl<'r> Rows<'r> {
                 lines.extend(ours.iter().map(|row| row.line));
             }
         }
-        Ok(Found { value: f64::from(unmet), range: None, lines })
+        Ok(DerivedNumber { value: f64::from(unmet), range: None, lines })
     }
 }

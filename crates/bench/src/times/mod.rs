@@ -19,7 +19,7 @@ pub use compare::{PeerGroup, Reached, cycle_groups, micro, work_groups};
 pub use cost_series::{CostSeries, cost_series};
 pub use coverage::{CoverageRow, read_coverage};
 pub use figures::figures;
-pub use lookup::Found;
+pub use lookup::DerivedNumber;
 pub use rows::{CostRow, MachineRow, PeerRow, read_cost, read_machine, read_peers};
 pub use tables::tables;
 
