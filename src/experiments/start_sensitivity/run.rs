@@ -119,8 +119,8 @@ fn early_at(model: &Model<f64>, start: Start, local_tolerance: f64) -> Result<Ea
     if end == ReturnEnd::Crossing {
         orbit = orbit.joined(next_return(&mut run)?.0);
     }
-    // −1e300 stands for no maximum at all.
-    let first_log_peak = (orbit.peak > -1e299).then_some(orbit.peak);
+    // Without a maximum, the start or the end is the largest x.
+    let first_log_peak = (orbit.peak > state[0]).then_some(orbit.peak);
     Ok(Early { first_log_peak, time_back, left_over })
 }
 

@@ -56,8 +56,7 @@ pub(super) fn loose_cycle(model: &Model<f64>, options: &Options) -> Result<Outco
     let undecided = may_stop_or_not(&refined, &map);
     let (cycle, errors) = refined.cycle(returns, cycle.contraction);
     leftover.known = Some((cycle.clone(), fine));
-    let start = libm::log(options.velocity_ratio);
-    let outcome = Outcome::new(model, start, LongTerm::Cycle(cycle), errors, leftover.work, fine);
+    let outcome = Outcome::new(model, LongTerm::Cycle(cycle), errors, leftover.work, fine);
     if undecided || outcome.largest_error() > options.tolerance { Err(leftover) } else { Ok(outcome) }
 }
 

@@ -86,19 +86,17 @@ pub struct Simulation {
 pub struct Outcome {
     long_term: LongTerm<f64>,
     groups: Groups<f64>,
-    start: f64,
     errors: Errors,
     work: Work,
     local_tolerance: f64,
 }
 
-/// Peak and period of a long-term behaviour; the start counts for a transient's peak.
-pub(super) fn peak_and_period(long_term: &LongTerm<f64>, start: f64) -> (f64, Option<f64>) {
+/// Peak and period of a long-term behaviour; start and end count for a transient's peak.
+pub(super) fn peak_and_period(long_term: &LongTerm<f64>) -> (f64, Option<f64>) {
     match long_term {
         LongTerm::Cycle(cycle) => (cycle.orbit.peak, Some(cycle.orbit.duration)),
-        LongTerm::Decay(decay) => {
-            let approached = decay.transient.end[0].max(start);
-            (decay.transient.peak.max(approached), decay.oscillation.map(|oscillation| oscillation.period))
+        LongTerm::Decay(Decay { transient, oscillation, .. }) => {
+            (transient.peak.max(transient.end[0]), oscillation.map(|oscillation| oscillation.period))
         }
     }
 }
@@ -111,12 +109,6 @@ pub(super) const fn extremes(long_term: &LongTerm<f64>) -> &Return<f64> {
     }
 }
 
-/// Least x; the start counts for a transient's.
-pub(super) fn trough(long_term: &LongTerm<f64>, start: f64) -> f64 {
-    let lowest = extremes(long_term).trough;
-    if matches!(long_term, LongTerm::Cycle(_)) { lowest } else { lowest.min(start) }
-}
-
 /// Largest minus least ζ.
 fn stress_drop(long_term: &LongTerm<f64>) -> f64 {
     extremes(long_term).highest_stress - extremes(long_term).lowest_stress
@@ -126,13 +118,12 @@ impl Outcome {
     /// A long-term behaviour with the errors of what it shows.
     pub(super) fn new(
         model: &Model<f64>,
-        start: f64,
         long_term: LongTerm<f64>,
         errors: Errors,
         work: Work,
         local_tolerance: f64,
     ) -> Self {
-        Self { long_term, groups: model.groups().clone(), start, errors, work, local_tolerance }
+        Self { long_term, groups: model.groups().clone(), errors, work, local_tolerance }
     }
 
     /// The long-term behaviour in units of V_l, D_c/V_l and aσ.
@@ -144,7 +135,7 @@ impl Outcome {
     /// ln(V_peak/V_l).
     #[must_use]
     pub fn log_peak(&self) -> f64 {
-        peak_and_period(&self.long_term, self.start).0
+        peak_and_period(&self.long_term).0
     }
 
     /// Estimated relative error of the peak velocity: e^{error of the logarithm} − 1.
@@ -203,7 +194,7 @@ impl Outcome {
     pub fn in_si(&self, parameters: &Parameters<f64>) -> Simulation {
         let rate_per_s = parameters.rate_per_s();
         let drop = stress_drop(&self.long_term);
-        let (log_peak, period) = peak_and_period(&self.long_term, self.start);
+        let (log_peak, period) = peak_and_period(&self.long_term);
         let (returns, growth) = match &self.long_term {
             LongTerm::Cycle(cycle) => (cycle.returns_per_cycle, None),
             LongTerm::Decay(decay) => {
@@ -215,7 +206,7 @@ impl Outcome {
             behaviour: if periodic { Behaviour::Periodic } else { Behaviour::Decaying },
             slip_mode: self.slip_mode(),
             peak_velocity_m_per_s: parameters.point.loading_velocity_m_per_s * libm::exp(log_peak),
-            minimum_velocity_log10_ratio: trough(&self.long_term, self.start) / std::f64::consts::LN_10,
+            minimum_velocity_log10_ratio: extremes(&self.long_term).trough / std::f64::consts::LN_10,
             period_s: period.map(|period| period / rate_per_s),
             stress_drop_pa: drop * parameters.direct_stress_pa(),
             stress_drop_over_direct_effect: drop,

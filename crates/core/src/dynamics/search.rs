@@ -11,7 +11,7 @@ use super::history::size;
 use super::integrator::{Control, Integrator, Work};
 use super::long_term::{Cycle, LongTerm, PermittedDistance, SLOW, long_term_within};
 use super::observables::Observables;
-use super::outcome::{Errors, Outcome, extremes, peak_and_period, trough};
+use super::outcome::{Errors, Outcome, extremes, peak_and_period};
 use super::refine::{Accuracy, Refined, derivative, follow, refine};
 use super::return_errors::{OF_DIFFERENCE, OF_LARGEST};
 use super::return_map::{Derivative, ReturnMap};
@@ -139,8 +139,7 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
     }
 
     fn outcome(&self, long_term: LongTerm<f64>, errors: Errors, local_tolerance: f64) -> Outcome {
-        let start = libm::log(self.options.velocity_ratio);
-        Outcome::new(self.model, start, long_term, errors, self.work, local_tolerance)
+        Outcome::new(self.model, long_term, errors, self.work, local_tolerance)
     }
 
     fn attempt(&mut self) -> Result<LongTermFound, Failure> {
@@ -218,9 +217,8 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
                 fine.oscillation = oscillation_in_double_double(self.model, FINER * FINER * narrow)?;
             }
         }
-        let start = libm::log(self.options.velocity_ratio);
         let (coarse, fine) = (LongTerm::Decay(coarse), LongTerm::Decay(fine));
-        let errors = decay_errors(&coarse, &fine, start, finer);
+        let errors = decay_errors(&coarse, &fine, finer);
         Ok((fine, errors))
     }
 
@@ -339,11 +337,10 @@ fn in_double_double<M>(
 }
 
 /// Errors of a decay from two runs, a factor ten apart in tolerance.
-pub(super) fn decay_errors(coarse: &LongTerm<f64>, fine: &LongTerm<f64>, start: f64, floor: f64) -> Errors {
-    let (coarse_peak, coarse_period) = peak_and_period(coarse, start);
-    let (peak, period) = peak_and_period(fine, start);
+pub(super) fn decay_errors(coarse: &LongTerm<f64>, fine: &LongTerm<f64>, floor: f64) -> Errors {
+    let (coarse_peak, coarse_period) = peak_and_period(coarse);
+    let (peak, period) = peak_and_period(fine);
     let (rough, orbit): (&Return<f64>, &Return<f64>) = (extremes(coarse), extremes(fine));
-    let lowest = trough(fine, start);
     let difference = |a: f64, b: f64| (a - b).abs() / b.abs().max(1.0);
     let of_period = match (coarse_period, period) {
         (Some(a), Some(b)) => libm::log(a / b).abs(),
@@ -353,7 +350,7 @@ pub(super) fn decay_errors(coarse: &LongTerm<f64>, fine: &LongTerm<f64>, start: 
     let differences = Observables {
         log_peak: difference(coarse_peak, peak),
         log_duration: of_period,
-        log_trough: difference(trough(coarse, start), lowest),
+        log_trough: difference(rough.trough, orbit.trough),
         highest_stress: difference(rough.highest_stress, orbit.highest_stress),
         lowest_stress: difference(rough.lowest_stress, orbit.lowest_stress),
     };
@@ -365,7 +362,7 @@ pub(super) fn decay_errors(coarse: &LongTerm<f64>, fine: &LongTerm<f64>, start: 
     Errors {
         peak: error(differences.log_peak, peak),
         period: period.map(|_| error(differences.log_duration, 1.0)),
-        trough: error(differences.log_trough, lowest),
+        trough: error(differences.log_trough, orbit.trough),
         drop: error(differences.highest_stress, orbit.highest_stress)
             + error(differences.lowest_stress, orbit.lowest_stress),
     }

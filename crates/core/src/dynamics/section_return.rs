@@ -25,9 +25,9 @@ const LAST_STRETCH: f64 = 1e-100;
 pub struct Return<R> {
     /// Duration in D_c/V_l.
     pub duration: R,
-    /// Largest x = ln(V/V_l), minus infinity's stand-in −1e300 when no maximum occurred.
+    /// Largest x = ln(V/V_l), the start included.
     pub peak: R,
-    /// Least x, +1e300 when no minimum occurred.
+    /// Least x, the start included.
     pub trough: R,
     /// Largest ζ at a crossing of V = V_l, the start included.
     pub highest_stress: R,
@@ -72,8 +72,8 @@ pub(super) fn return_above<R: Scalar, M: Stepper<R> + Clone>(
     let start = run.state().clone();
     let mut orbit = Return {
         duration: R::from(0),
-        peak: R::from_f64(-1e300),
-        trough: R::from_f64(1e300),
+        peak: start[0].clone(),
+        trough: start[0].clone(),
         highest_stress: start[2].clone(),
         lowest_stress: start[2].clone(),
         end: start,

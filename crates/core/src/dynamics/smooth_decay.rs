@@ -209,8 +209,8 @@ impl<'m, M: Stepper<f64> + Clone> SmoothDecay<'m, '_, M> {
                 let transient = if is_followed { transient.and_steady_sliding() } else { transient };
                 LongTerm::Decay(Decay { transient, oscillation: Some(seen.oscillation), rate: None })
             });
-            let errors = decay_errors(&rough, &exact, self.start[0], self.route.bad_steps * fine / units);
-            let outcome = Outcome::new(self.model, self.start[0], exact, errors, self.work, fine);
+            let errors = decay_errors(&rough, &exact, self.route.bad_steps * fine / units);
+            let outcome = Outcome::new(self.model, exact, errors, self.work, fine);
             if outcome.largest_error() <= requested {
                 return Some(outcome);
             }
@@ -230,7 +230,7 @@ impl<'m, M: Stepper<f64> + Clone> SmoothDecay<'m, '_, M> {
         let (cycle, errors) = cycle.with_multiplier_of(&pair.modes.oscillation);
         let long_term = LongTerm::Cycle(cycle);
         let tolerance = SmallCycle::LOCAL_TOLERANCE;
-        Some(Outcome::new(self.model, self.start[0], long_term, errors, self.work, tolerance))
+        Some(Outcome::new(self.model, long_term, errors, self.work, tolerance))
     }
 
     /// The modes of small deviations at two tolerances, when none of them grows.
