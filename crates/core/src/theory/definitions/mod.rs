@@ -15,13 +15,16 @@ use super::definedness;
 use super::derivation::{
     Form, NOT_A_NAME, Operation, System, Work, derive, is_name, read_condition, read_name,
 };
-use super::names::{Names, circle, defined_by_equations, distinct, in_order};
+use super::names::{Defined, Names, circle, defined_by_equations, distinct, in_order};
 use super::{AssumptionsText, DefinitionText, Equation, EquationFault, FunctionText, SystemText};
 use slipmode_algebra::nearest;
 use slipmode_algebra::{Condition, Domain, Expression, Proof, Symbol};
 
 /// The most definitions of a file, and the most systems.
 const MOST: usize = 200;
+
+/// Names that have a meaning in every file.
+const CONSTANTS: [&str; 2] = ["i", "pm"];
 
 /// The rest of a file of equations.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -51,7 +54,7 @@ pub(super) fn names(rest: &Rest, equations: &[Equation], domain: &Domain) -> (Na
     (reader.names, reader.faults)
 }
 
-impl Reader<'_> {
+impl<'r> Reader<'r> {
     fn fault(&mut self, key: &str, message: impl Into<String>) {
         self.faults.push(EquationFault { key: key.to_owned(), message: message.into() });
     }
@@ -64,8 +67,60 @@ impl Reader<'_> {
                 return self.fault(what, format!("{count} of them (allowed: at most {MOST})"));
             }
         }
-        let mut forms: Forms<'_> = BTreeMap::new();
-        for text in &rest.definitions {
+        let forms = self.read_forms();
+        let assumptions = rest.assumptions.positive.iter().chain(&rest.assumptions.free);
+        let states = rest.systems.iter().flat_map(|system| &system.state);
+        let mut assumed: BTreeSet<Symbol> =
+            assumptions.chain(states).filter_map(|name| read_name(name)).collect();
+        assumed.extend(forms.values().filter_map(|(_, form, _)| form.new_variable()).cloned());
+        let (defined, doubled) = defined_by_equations(equations, &assumed);
+        for (name, [first, second]) in doubled {
+            let message = format!(
+                "{name} stands alone on the left of equation {first}, too: a name has one meaning; a variable is listed in `assumptions`"
+            );
+            self.fault(&format!("equation {second}"), message);
+        }
+        self.check_names(&assumed, &defined);
+        let known = self.keep_names(equations, &assumed, &defined);
+        self.check_assumptions(domain);
+        self.check_functions(&assumed, &defined, &forms);
+        let systems = self.read_systems(&known);
+        let mut uses: BTreeMap<Symbol, BTreeSet<Symbol>> =
+            defined.iter().map(|(name, one)| (name.clone(), one.uses())).collect();
+        for (name, (text, form, given)) in &forms {
+            let used = self.used(form, given, systems.get(form.system.as_deref().unwrap_or_default()));
+            self.check_form(text, form, &used, &known, &systems);
+            uses.insert(name.clone(), used);
+        }
+        for (name, way) in forms.keys().filter_map(|name| Some((name, circle(name, &uses)?))) {
+            let way: Vec<&str> = way.iter().map(Symbol::as_str).collect();
+            self.fault(&format!("definition {name}"), format!("is defined by itself: {}", way.join(" -> ")));
+        }
+        let order = in_order(&uses);
+        // What is at fault has no meaning, and neither has what uses it.
+        for name in &order {
+            let is_known = |used: &Symbol| self.names.has(used) || CONSTANTS.contains(&used.as_str());
+            let key = format!("definition {name}");
+            if self.faults.iter().any(|fault| fault.key == key) || !uses[name].iter().all(is_known) {
+                continue;
+            }
+            if let Some(one) = defined.get(name) {
+                self.define_by_equation(name, one);
+            } else if let Some((text, form, given)) = forms.get(name) {
+                let system = form.system.as_ref().and_then(|name| systems.get(name));
+                if let Err(message) = self.define(text, form, given, system, domain) {
+                    self.fault(&key_of(text), message);
+                }
+            }
+        }
+        self.check_units(equations, &defined, &forms, &systems, &order);
+        self.keep_systems(systems, domain);
+    }
+
+    /// Reads the definitions and what they are given for.
+    fn read_forms(&mut self) -> Forms<'r> {
+        let mut forms = Forms::new();
+        for text in &self.rest.definitions {
             let functions = &self.names.functions;
             let given = text.given.iter().map(|one| read_condition(one, functions));
             match (Form::read(&text.is, functions), given.collect::<Result<Vec<_>, _>>()) {
@@ -80,33 +135,33 @@ impl Reader<'_> {
                 (Err(message), _) | (_, Err(message)) => self.fault(&key_of(text), message),
             }
         }
-        let assumptions = rest.assumptions.positive.iter().chain(&rest.assumptions.free);
-        let states = rest.systems.iter().flat_map(|system| &system.state);
-        let mut assumed: BTreeSet<Symbol> =
-            assumptions.chain(states).filter_map(|name| read_name(name)).collect();
-        assumed.extend(forms.values().filter_map(|(_, form, _)| form.new_variable()).cloned());
-        let (defined, doubled) = defined_by_equations(equations, &assumed);
-        for (name, [first, second]) in doubled {
-            let message = format!(
-                "{name} stands alone on the left of equation {first}, too: a name has one meaning; a variable is listed in `assumptions`"
-            );
-            self.fault(&format!("equation {second}"), message);
-        }
-        for text in &rest.definitions {
+        forms
+    }
+
+    /// Each definition has a name that has no meaning yet.
+    fn check_names(&mut self, assumed: &BTreeSet<Symbol>, defined: &BTreeMap<Symbol, Defined>) {
+        for text in &self.rest.definitions {
             let Some(name) = read_name(&text.name) else { continue };
             let by_equation = defined.get(&name).map(|one| format!("equation {}", one.number));
-            let taken = match by_equation {
-                Some(equation) => Some(equation),
-                None => assumed.contains(&name).then(|| "an assumption, a state or a derivation".to_owned()),
-            };
-            let is_reserved =
-                ["i", "pm"].contains(&text.name.as_str()) || Operation::from_word(&text.name).is_some();
-            if let Some(taken) = taken {
+            let is_assumed =
+                || assumed.contains(&name).then(|| "an assumption, a state or a derivation".to_owned());
+            let word = text.name.as_str();
+            if let Some(taken) = by_equation.or_else(is_assumed) {
                 self.fault(&key_of(text), format!("the name has a meaning by {taken}"));
-            } else if is_reserved {
+            } else if CONSTANTS.contains(&word) || Operation::from_word(word).is_some() {
                 self.fault(&key_of(text), NOT_A_NAME);
             }
         }
+    }
+
+    /// Keeps which names are variables, and which equations define names. All names that have a meaning.
+    fn keep_names(
+        &mut self,
+        equations: &[Equation],
+        assumed: &BTreeSet<Symbol>,
+        defined: &BTreeMap<Symbol, Defined>,
+    ) -> BTreeSet<Symbol> {
+        let rest = self.rest;
         let in_equations = equations.iter().flat_map(|one| &one.left.variables() | &one.right.variables());
         let is_defined = |name: &Symbol| {
             defined.contains_key(name) || rest.definitions.iter().any(|text| text.name == name.as_str())
@@ -115,61 +170,24 @@ impl Reader<'_> {
         self.names.positive = rest.assumptions.positive.iter().filter_map(|name| read_name(name)).collect();
         self.names.variables =
             in_equations.filter(|name| !is_defined(name)).chain(assumed.iter().cloned()).collect();
-        let known: BTreeSet<Symbol> = (self.names.variables.iter().chain(defined.keys()).cloned())
+        (self.names.variables.iter().chain(defined.keys()).cloned())
             .chain(rest.definitions.iter().filter_map(|text| read_name(&text.name)))
-            .chain(["i", "pm"].map(Symbol::from))
-            .collect();
-        self.check_assumptions(domain);
-        self.check_functions(&assumed, &defined, &forms);
-        let systems = self.read_systems(&known);
-        let mut uses: BTreeMap<Symbol, BTreeSet<Symbol>> =
-            defined.iter().map(|(name, one)| (name.clone(), one.uses())).collect();
-        for (name, (text, form, given)) in &forms {
-            let used = self.used(form, given, systems.get(form.system.as_deref().unwrap_or_default()));
-            self.check_form(text, form, &used, &known, &systems);
-            uses.insert(name.clone(), used);
-        }
-        let circles: Vec<_> =
-            forms.keys().filter_map(|name| Some((name.clone(), circle(name, &uses)?))).collect();
-        for (name, way) in &circles {
-            let way: Vec<&str> = way.iter().map(Symbol::as_str).collect();
-            self.fault(&format!("definition {name}"), format!("is defined by itself: {}", way.join(" -> ")));
-        }
-        // What is at fault has no meaning, and neither has what uses it.
-        let at_fault = |name: &Symbol, faults: &[EquationFault]| {
-            faults.iter().any(|fault| fault.key == format!("definition {name}"))
-        };
-        let order = in_order(&uses);
-        for name in &order {
-            let is_known = |used: &Symbol| self.names.has(used) || ["i", "pm"].contains(&used.as_str());
-            if at_fault(name, &self.faults) || !uses[name].iter().all(is_known) {
-                continue;
-            }
-            if let Some(one) = defined.get(name) {
-                let uses: Vec<Expression> = one.uses().into_iter().map(Expression::Variable).collect();
-                let meanings = one
-                    .uses()
-                    .into_iter()
-                    .filter_map(|used| Some((used.clone(), self.names.meaning(&used)?.expression.clone())));
-                let meanings = meanings.collect();
-                let resolve = |expression: &Expression| expression.substitute(&meanings);
-                let given = one
-                    .given
-                    .iter()
-                    .map(|one| Condition { expression: resolve(&one.expression), relation: one.relation });
-                let given = given.collect();
-                let behind: Vec<&Expression> = uses.iter().chain([&one.expression]).collect();
-                let expression = resolve(&one.expression);
-                self.names.define(name, expression, &behind, [one.number.clone()], given, None);
-            } else if let Some((text, form, given)) = forms.get(name) {
-                let system = form.system.as_ref().and_then(|name| systems.get(name));
-                if let Err(message) = self.define(text, form, given, system, domain) {
-                    self.fault(&key_of(text), message);
-                }
-            }
-        }
-        self.check_units(equations, &defined, &forms, &systems, &order);
-        self.keep_systems(systems, domain);
+            .chain(CONSTANTS.map(Symbol::from))
+            .collect()
+    }
+
+    /// A name that an equation defines, in variables. The name itself stays as it is on the equation's sides.
+    fn define_by_equation(&mut self, name: &Symbol, one: &Defined) {
+        let meaning = |used: &Symbol| Some((used.clone(), self.names.meaning(used)?.expression.clone()));
+        let meanings = one.uses().iter().filter_map(meaning).collect();
+        let resolve = |expression: &Expression| expression.substitute(&meanings);
+        let given = one.given.iter();
+        let given = given.map(|it| Condition { expression: resolve(&it.expression), relation: it.relation });
+        let given = given.collect();
+        let uses: Vec<Expression> = one.uses().into_iter().map(Expression::Variable).collect();
+        let behind: Vec<&Expression> = uses.iter().chain([&one.expression]).collect();
+        let expression = resolve(&one.expression);
+        self.names.define(name, expression, &behind, [one.number.clone()], given, None);
     }
 
     /// The conditions speak of variables, and the free variables are names.
@@ -182,12 +200,8 @@ impl Reader<'_> {
             self.fault("assumptions.conditions", format!("'{name}' is no variable{near}"));
         }
         let rest = self.rest;
-        for name in rest
-            .assumptions
-            .free
-            .iter()
-            .filter(|name| !is_name(name) || rest.assumptions.positive.contains(name))
-        {
+        let is_wrong = |name: &&String| !is_name(name) || rest.assumptions.positive.contains(*name);
+        for name in rest.assumptions.free.iter().filter(is_wrong) {
             self.fault("assumptions.free", format!("'{name}' is not a name, or is positive too"));
         }
     }

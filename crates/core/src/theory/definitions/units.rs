@@ -45,11 +45,7 @@ impl Reader<'_> {
             } else if let Some((text, form, given)) = forms.get(name) {
                 let system = form.system.as_ref().and_then(|name| systems.get(name));
                 if let Some(system) = system.filter(|system| of_systems.insert(&system.name)) {
-                    faults.extend(
-                        of_system(system, &units)
-                            .err()
-                            .map(|message| (format!("system {}", system.name), message)),
-                    );
+                    faults.extend(fault_of_system(system, &units));
                 }
                 let found =
                     self.names.meaning(name).map_or(Expression::integer(0), |one| one.expression.clone());
@@ -64,9 +60,7 @@ impl Reader<'_> {
             units.0.insert(name.clone(), found);
         }
         for system in systems.values().filter(|system| !of_systems.contains(system.name.as_str())) {
-            faults.extend(
-                of_system(system, &units).err().map(|message| (format!("system {}", system.name), message)),
-            );
+            faults.extend(fault_of_system(system, &units));
         }
         for equation in equations {
             let sides = units.same(&equation.left, &equation.right);
@@ -74,22 +68,27 @@ impl Reader<'_> {
             let fault = sides.and(given).err();
             faults.extend(fault.map(|message| (format!("equation {}", equation.number), message)));
         }
+        self.report_units(equations, faults);
+        self.names.units = Some(units);
+    }
+
+    /// Reports each fault once, with a hint where the left side of an equation has no unit.
+    fn report_units(&mut self, equations: &[Equation], faults: Vec<(String, String)>) {
         let mut said = BTreeSet::new();
         // An equation contains variables only, so that it is shown as the paper has it.
         let is_left = |message: &str| {
             equations.iter().find(|one| message.ends_with(&format!("'{}' has no unit", one.left)))
         };
         for (key, message) in faults.into_iter().filter(|fault| said.insert(fault.clone())) {
-            let hint =
-                is_left(&message).filter(|_| key.starts_with("equation")).map_or(String::new(), |one| {
-                    format!(
-                        ": write the right side of equation {} in its place, or use a [[definition]]",
-                        one.number
-                    )
-                });
+            let equation = is_left(&message).filter(|_| key.starts_with("equation"));
+            let hint = equation.map_or(String::new(), |one| {
+                format!(
+                    ": write the right side of equation {} in its place, or use a [[definition]]",
+                    one.number
+                )
+            });
             self.fault(&key, message + &hint);
         }
-        self.names.units = Some(units);
     }
 
     /// The units of the variables as stated; none when some are at fault.
@@ -134,6 +133,11 @@ impl Reader<'_> {
         }
         (self.faults.len() == before).then_some(units)
     }
+}
+
+/// What is wrong with the units of a system, and where.
+fn fault_of_system(system: &System, units: &Units) -> Option<(String, String)> {
+    Some((format!("system {}", system.name), of_system(system, units).err()?))
 }
 
 /// Rates have the unit of their state over s, steady values that of the state.
