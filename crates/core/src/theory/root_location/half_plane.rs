@@ -169,12 +169,11 @@ fn cubic(proof: Proof) -> Result<Proof, Refutation> {
 
 /// Routh and Hurwitz for a cubic with c3, c2, c0 > 0: the sign of c2 c1 − c3 c0 is minus that of the pair's real part.
 pub(in crate::theory) fn positive_coefficients(proof: Proof) -> Result<Proof, Refutation> {
-    let falling_or_zero = Domain::positive("u Q");
-    let falling = given_positive(falling_or_zero.clone(), "-T", &[("T", "-1")]);
-    let rising = given_positive(Domain::positive("u Q T"), "u - T", &[("u", "2")]);
-    let determinant = formula("(u - T)*(Q - u*T) - u*Q");
-    let factor = formula("u^2 - u*T + Q");
-    let zero = formula("0");
+    real_part_of_pair(determinant_of_pair(negative_root(proof)?)?)
+}
+
+/// −u is a root, and the other two have the sum T and the product Q.
+fn negative_root(proof: Proof) -> Result<Proof, Refutation> {
     let cubic = formula("c_3*s^3 + c_2*s^2 + c_1*s + c_0");
     let positive = Domain::positive("c_3 c_2 c_0");
     // −u is a root when c_1 is this; the other two have the sum T = u − c_2/c_3 and the product Q = c_0/(c_3 u).
@@ -186,16 +185,25 @@ pub(in crate::theory) fn positive_coefficients(proof: Proof) -> Result<Proof, Re
             "a cubic with c3, c2, c0 > 0 has a root −u < 0",
             &[],
             (&cubic, "s"),
-            [None, Some(&zero)],
+            [None, Some(&formula("0"))],
             &positive,
         )?
         .identity("it is c3 (s + u)(s² − T s + Q)", &[], &cubic, &factors, &with_root)?
         .positive("Q = c0/(c3 u)", &[], &formula("c_0/(c_3*u)"), &with_root)?
-        .positive("u − T = c2/c3", &[], &formula("c_2/c_3"), &with_root)?
+        .positive("u − T = c2/c3", &[], &formula("c_2/c_3"), &with_root)
+}
+
+/// c2 c1 − c3 c0 has the sign of −T.
+fn determinant_of_pair(proof: Proof) -> Result<Proof, Refutation> {
+    let falling_or_zero = Domain::positive("u Q");
+    let falling = given_positive(falling_or_zero.clone(), "-T", &[("T", "-1")]);
+    let rising = given_positive(Domain::positive("u Q T"), "u - T", &[("u", "2")]);
+    let factor = formula("u^2 - u*T + Q");
+    proof
         .identity(
             "(c2 c1 − c3 c0)/c3², with c2/c3 = u − T, c1/c3 = Q − u T, c0/c3 = u Q",
             &[],
-            &determinant,
+            &formula("(u - T)*(Q - u*T) - u*Q"),
             &(formula("-T") * factor.clone()),
             &Domain::default(),
         )?
@@ -214,9 +222,14 @@ pub(in crate::theory) fn positive_coefficients(proof: Proof) -> Result<Proof, Re
         .positive(
             "and for T = 0: c2 c1 − c3 c0 has the sign of −T",
             &[],
-            &factor.with("T", &zero),
+            &factor.with("T", &formula("0")),
             &falling_or_zero,
-        )?
+        )
+}
+
+/// The real part of the pair has the sign of T.
+fn real_part_of_pair(proof: Proof) -> Result<Proof, Refutation> {
+    proof
         .identity(
             "a complex pair x ± iy has T = 2x: its real part has the sign of T",
             &[],
