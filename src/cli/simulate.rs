@@ -12,7 +12,6 @@ pub mod view;
 use std::path::PathBuf;
 
 use clap::Args;
-use serde_json::Value;
 use slipmode::scene::{AllowedRange, Problem};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::nearest_f64;
@@ -152,11 +151,8 @@ impl Options {
         if region.as_ref().is_some_and(is_point) {
             self.within_error_bars.refuse("values with error bars, such as 0.009±0.001", &mut arguments);
         } else {
-            arguments.refuse(
-                "--smallest-kick",
-                self.smallest_kick && region.is_some(),
-                "values without error bars",
-            );
+            let is_refused = self.smallest_kick && region.is_some();
+            arguments.refuse("--smallest-kick", is_refused, "values without error bars");
         }
         let box_runs = self.within_error_bars.read(&mut arguments);
         if self.law.is_none() {
@@ -196,13 +192,9 @@ impl Options {
         let mut failure = simulated.found.err();
         if self.smallest_kick {
             let kicks = progress.spinner("kicking", || Kicks::new(&parameters, law));
-            answer = match kicks {
-                Ok(kicks) => answer.and(kicks.answer()),
-                Err(reason) => {
-                    failure.get_or_insert_with(|| format!("smallest kick: {reason}"));
-                    answer.with("smallest_kicks", Value::Null)
-                }
-            };
+            let unknown = kicks.as_ref().err().map(|reason| format!("smallest kick: {reason}"));
+            failure = failure.or(unknown);
+            answer = answer.and(kicks.map_or_else(|_| Kicks::unknown(), |kicks| kicks.answer()));
         }
         self.print_remarks(&answer, failure)?;
         written

@@ -58,6 +58,11 @@ impl Kicks {
         Ok(Self { units, found })
     }
 
+    /// States that the kicks are not known.
+    pub fn unknown() -> Answer {
+        Answer::default().with("smallest_kicks", Value::Null)
+    }
+
     /// States each kick, how it is known, and what follows for a laboratory.
     pub fn answer(&self) -> Answer {
         let (strength, parts): (_, Vec<Answer>) = match &self.found {
