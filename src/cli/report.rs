@@ -161,16 +161,14 @@ pub fn verify(options: &VerifyOptions, progress: &Progress) -> Result<(), Failur
         format!("{}: the strength {} is above its weakest part's", entry.id, entry.finding.strength.as_str())
     }));
     let (steps, argued) = product.ledger.proof_steps();
+    let steps = count_of(steps, "distinct proof step");
     let place = place.join(PAGE);
     let copy =
         if published.exists() { "" } else { "there is no published copy: only the verdicts were compared\n" };
     let answer = Answer::to(json!({ "report": options.folder }))
         .list("claims", product.ledger.claims.iter().map(claim_part))
         .and(verdicts(&product.ledger))
-        .text(&format!(
-            "{}, {argued} of them without a certificate\n",
-            count_of(steps, "distinct proof step")
-        ))
+        .text(&format!("{steps}, {argued} of them without a certificate\n"))
         .text(&format!("{}\n{copy}", place.display()))
         .with("operating_points", &product.ledger.operating_points)
         .with("output", &place)
@@ -183,14 +181,19 @@ pub fn verify(options: &VerifyOptions, progress: &Progress) -> Result<(), Failur
     if junit.as_deref() != Some(Path::new("-")) {
         answer.print(options.json)?;
     }
+    refuse_differences(drift, moved, &options.folder)
+}
+
+/// A failure that lists the first verdicts and files that differ, if any does.
+fn refuse_differences(drift: Vec<String>, moved: Vec<String>, folder: &Path) -> Result<(), Failure> {
     if drift.is_empty() && moved.is_empty() {
         return Ok(());
     }
-    let counts =
-        format!("differences: {}, {}", count_of(drift.len(), "verdict"), count_of(moved.len(), "file"));
+    let [verdicts, files] = [count_of(drift.len(), "verdict"), count_of(moved.len(), "file")];
+    let counts = format!("differences: {verdicts}, {files}");
     let hint = format!(
         "check the differences; `slipmode report {} -o NEW --for-publication` writes the copy to publish",
-        options.folder.display()
+        folder.display()
     );
     let differences =
         first_lines(drift.into_iter().chain(moved), |more| format!("and {more} more; --json lists all"));
