@@ -196,6 +196,8 @@ impl Certificate {
         let (set, name) =
             (|expression: &Expression| notation.set(expression), |symbol: &Symbol| notation.name(symbol));
         let formula = |text: fmt::Arguments<'_>| notation.formula(text);
+        let alone = |side: &Expression| formula(format_args!("{}", set(side)));
+        let named = |symbol: &Symbol| formula(format_args!("{}", name(symbol)));
         match self {
             Self::Identity { left, right, .. } => formula(format_args!("{} = {}", set(left), set(right))),
             Self::Sign { expression, sign, .. } => {
@@ -208,17 +210,12 @@ impl Certificate {
                 notation.limit(expression, &End::Infinite(*sign), (variable, *toward))
             }
             Self::Derivative { expression, variable, value, .. } => {
-                let [expression, value] =
-                    [expression, value].map(|side| formula(format_args!("{}", set(side))));
-                format!(
-                    "{expression} has the derivative {value} in {}",
-                    formula(format_args!("{}", name(variable)))
-                )
+                let [expression, value, variable] = [alone(expression), alone(value), named(variable)];
+                format!("{expression} has the derivative {value} in {variable}")
             }
             Self::Characteristic { .. } => self.characteristic(notation),
             Self::Difference { left, right, point, values: [a, b] } => {
-                let [left, right, a, b] =
-                    [left, right, a, b].map(|side| formula(format_args!("{}", set(side))));
+                let [left, right, a, b] = [left, right, a, b].map(alone);
                 format!("{left} differs from {right} at {}: {a} against {b}", notation.equal(point))
             }
             Self::Value { expression, point, value } => {
@@ -231,12 +228,8 @@ impl Certificate {
                     Notation::Plain => coefficients.len().to_string(),
                     Notation::Latex => format!("{{{}}}", coefficients.len()),
                 };
-                let found = formula(format_args!(
-                    "{} = {} + O({}^{exponent})",
-                    name(unknown),
-                    set(&series),
-                    name(variable)
-                ));
+                let (sum, [unknown, small]) = (set(&series), [unknown, variable].map(name));
+                let found = formula(format_args!("{unknown} = {sum} + O({small}^{exponent})"));
                 format!("{found} solves {}", formula(format_args!("{} = 0", set(relation))))
             }
             Self::Root { polynomial, variable, between, .. } => {
@@ -246,11 +239,7 @@ impl Certificate {
                 };
                 let ends: Vec<String> = between.iter().zip(&ends).map(end).collect();
                 let zero = formula(format_args!("{} = 0", set(polynomial)));
-                format!(
-                    "{zero} for a {} between {}",
-                    formula(format_args!("{}", name(variable))),
-                    ends.join(" and ")
-                )
+                format!("{zero} for a {} between {}", named(variable), ends.join(" and "))
             }
             Self::Connected { image, .. } => format!("connected: all {}", notation.equal(image)),
             Self::Growth { expression, variable, order, .. } => {

@@ -215,70 +215,7 @@ impl Statement {
         between: &[Option<Expression>; 2],
         domain: &Domain,
     ) -> Result<Self, Obstacle> {
-        let tactics = Tactics(domain);
         let x = name(symbol);
-        let inner = domain.as_written(polynomial);
-        let function = domain.rational_function(&inner)?;
-        let divisor: RationalFunction = function.denominator().clone().into();
-        let coefficients = function.numerator().coefficients(symbol).into_iter().map(|coefficient| {
-            RationalFunction::from(coefficient)
-                .checked_div(&divisor)
-                .ok_or_else(|| Obstacle("a zero divisor".into()))
-        });
-        let coefficients: Vec<RationalFunction> = coefficients.collect::<Result<_, _>>()?;
-        let expressions = |turned: bool| -> Result<Vec<Expression>, Obstacle> {
-            let turn = |(power, value): (usize, &RationalFunction)| {
-                if turned && power % 2 == 1 {
-                    tactics.expression(&-value.clone())
-                } else {
-                    tactics.expression(value)
-                }
-            };
-            coefficients.iter().enumerate().map(turn).collect()
-        };
-        let [straight, turned] = [expressions(false)?, expressions(true)?];
-        let point = Expression::Variable(symbol.clone());
-        let same = tactics.equal(&inner, &horner(&straight, &point))?;
-        let reflected = horner(&straight, &Expression::Negation(Box::new(point.clone())));
-        let mirror = tactics.equal(&reflected, &horner(&turned, &point))?;
-        let at = |end: &Expression| inner.replaced(&[(symbol.clone(), domain.as_written(end))].into());
-        let leading = |list: &[Expression]| list.last().cloned().unwrap_or_else(|| Expression::integer(0));
-        let signs = |one: &Expression, other: &Expression| -> Result<String, Obstacle> {
-            let sign = domain.sign(one)?.ok_or_else(|| Obstacle(format!("{one} has no sign")))?;
-            let side = if sign > 0 { "left" } else { "right" };
-            let proofs = [tactics.sign(one, sign)?, tactics.sign(other, -sign)?];
-            Ok(format!("{side}; split; try cbn [last]; [ {} | {} ]", proofs[0], proofs[1]))
-        };
-        let (list, turned_list) = (list(&straight), list(&turned));
-        let f = format!("(fun {x} : R => {})", real(&inner));
-        let equal = format!("intros {x}; cbn [horner]; {same}");
-        let proof = match between {
-            [None, Some(high)] => format!(
-                "apply (root_below {f} {list} {turned_list} {}); [ {equal} | intros {x}; cbn [horner]; {mirror} | {} ]",
-                real(&domain.as_written(high)),
-                signs(&at(high), &leading(&turned))?
-            ),
-            [Some(low), None] => format!(
-                "apply (root_above {f} {list} {}); [ {equal} | {} ]",
-                real(&domain.as_written(low)),
-                signs(&at(low), &leading(&straight))?
-            ),
-            [Some(low), Some(high)] => {
-                let width = Expression::Sum(vec![high.clone(), Expression::Negation(Box::new(low.clone()))]);
-                let width = domain.as_written(&width);
-                format!(
-                    "apply (root_inside {f} {list} {} {}); [ {equal} | apply Rminus_gt_0_lt; {} | {} ]",
-                    real(&domain.as_written(low)),
-                    real(&domain.as_written(high)),
-                    tactics.sign(&width, 1)?,
-                    signs(&at(low), &at(high))?
-                )
-            }
-            [None, None] => format!(
-                "apply (root_anywhere {f} {list} {turned_list}); [ {equal} | intros {x}; cbn [horner]; {mirror} | {} ]",
-                signs(&leading(&turned), &leading(&straight))?
-            ),
-        };
         let pieces = |polynomial: &Expression| {
             let mut pieces = vec![text(&format!("exists {x} : R, "))];
             if let Some(low) = &between[0] {
@@ -291,8 +228,9 @@ impl Statement {
             pieces
         };
         let (_, altered) = altered_side(polynomial, polynomial, domain)?;
-        let altered = pieces(&altered);
-        Ok(Self { bound: [symbol.clone()].into(), ..Self::plain(pieces(polynomial), altered, proof) })
+        let proof = root_proof(polynomial, symbol, between, domain)?;
+        let plain = Self::plain(pieces(polynomial), pieces(&altered), proof);
+        Ok(Self { bound: [symbol.clone()].into(), ..plain })
     }
 
     fn series(
@@ -301,72 +239,19 @@ impl Statement {
         given: &[Expression],
         domain: &Domain,
     ) -> Result<Self, Obstacle> {
-        let tactics = Tactics(domain);
         let [x, y] = [name(small), name(root)];
-        let order = given.len();
-        let inner = domain.as_written(relation);
-        let function = domain.rational_function(&inner)?;
-        if function.denominator().as_constant().is_none() {
-            return Err(Obstacle("the relation of a series is no polynomial".to_owned()));
-        }
-        let over = |part: Polynomial, below: &Polynomial| -> Result<Expression, Obstacle> {
-            let whole = RationalFunction::from(part).checked_div(&below.clone().into());
-            tactics.expression(&whole.ok_or_else(|| Obstacle("a divisor is zero".to_owned()))?)
-        };
-        let rows = function.numerator().coefficients(root).into_iter().map(|row| {
-            let row = row.coefficients(small).into_iter();
-            row.map(|part| over(part, function.denominator())).collect::<Result<Vec<_>, _>>()
-        });
-        let rows: Vec<Vec<Expression>> = rows.collect::<Result<_, _>>()?;
-        let [x_point, y_point] = [small, root].map(|symbol| Expression::Variable(symbol.clone()));
-        let series = Series::expression(given, &x_point);
-        let sum = domain.as_written(&series);
-        let at_sum = inner.replaced(&[(root.clone(), sum.clone())].into());
-        let residual = domain.rational_function(&at_sum)?;
-        let rest = residual.numerator().coefficients(small).into_iter().skip(order);
-        let rest: Vec<Expression> =
-            rest.map(|part| over(part, residual.denominator())).collect::<Result<_, _>>()?;
-        let written: Vec<Expression> = given.iter().map(|value| domain.as_written(value)).collect();
-        let start = written.first().cloned().unwrap_or_else(|| Expression::integer(0));
-        let slope = over(function.numerator().derivative(root), function.denominator())?;
-        let slope = slope.replaced(&[(small.clone(), Expression::integer(0)), (root.clone(), start)].into());
-        let slope = tactics.expression(&domain.rational_function(&slope)?)?;
-        let by_rows: Vec<Expression> = rows.iter().map(|row| horner(row, &x_point)).collect();
-        let power = Expression::Power(Box::new(x_point.clone()), i32::try_from(order).unwrap_or(i32::MAX));
-        let remainder = Expression::Product(vec![power, horner(&rest, &x_point)]);
-        let proven = domain.proves(&Condition { expression: slope.clone(), relation: Relation::NonZero })?;
-        let single = if proven { tactics.nonzero(&slope)? } else { "assumption".to_owned() };
-        let lists: Vec<String> = rows.iter().map(|row| list(row)).collect();
-        let proof = format!(
-            "apply (branch (fun {x} {y} : R => {}) (fun {x} : R => {}) [{}] {} {} {order}); [ lia \
-             | intros {x} {y}; unfold both; cbn [map horner]; {} | intros {x}; cbn [horner]; {} \
-             | intros {x}; cbn [horner]; {} | apply (different _ {}); [ cbn [map horner slope]; field; divisors | {single} ] ]",
-            real(&inner),
-            real(&sum),
-            lists.join("; "),
-            list(&written),
-            list(&rest),
-            tactics.equal(&inner, &horner(&by_rows, &y_point))?,
-            tactics.equal(&sum, &horner(&written, &x_point))?,
-            tactics.equal(&at_sum, &remainder)?,
-            real(&slope),
-        );
+        let series = Series::expression(given, &Expression::Variable(small.clone()));
         let pieces = |relation: &Expression| {
             let open = format!(
                 "exists e'b k'b : R, 0 < e'b /\\ 0 < k'b /\\ forall {x} : R, Rabs {x} < e'b -> exists {y} : R, "
             );
-            let close = text(&format!(") <= k'b * Rabs {x} ^ {order}"));
+            let close = text(&format!(") <= k'b * Rabs {x} ^ {}", given.len()));
             vec![text(&open), term(relation), text(&format!(" = 0 /\\ Rabs ({y} - ")), term(&series), close]
         };
         let (_, altered) = altered_side(relation, relation, domain)?;
-        Ok(Self {
-            pieces: pieces(relation),
-            altered: pieces(&altered),
-            tactics: proof,
-            is_complex: false,
-            bound: [small.clone(), root.clone()].into(),
-            nonzero: (!proven).then_some(slope),
-        })
+        let (proof, nonzero) = series_proof(relation, [small, root], given, domain)?;
+        let bound = [small.clone(), root.clone()].into();
+        Ok(Self { bound, nonzero, ..Self::plain(pieces(relation), pieces(&altered), proof) })
     }
 
     /// Any two points of the set are joined by a curve in it.
@@ -474,6 +359,138 @@ impl Statement {
         let text: String = words.collect();
         if self.is_complex { format!("({text})%C") } else { text }
     }
+}
+
+/// The tactics that prove a root between two ends, of which one or both may be open.
+fn root_proof(
+    polynomial: &Expression,
+    symbol: &Symbol,
+    between: &[Option<Expression>; 2],
+    domain: &Domain,
+) -> Result<String, Obstacle> {
+    let tactics = Tactics(domain);
+    let x = name(symbol);
+    let inner = domain.as_written(polynomial);
+    let function = domain.rational_function(&inner)?;
+    let coefficients = function.numerator().coefficients(symbol).into_iter();
+    let coefficients = coefficients.map(|one| divided(one, function.denominator()));
+    let coefficients: Vec<RationalFunction> = coefficients.collect::<Result<_, _>>()?;
+    let expressions = |turned: bool| -> Result<Vec<Expression>, Obstacle> {
+        let turn = |(power, value): (usize, &RationalFunction)| {
+            let is_turned = turned && power % 2 == 1;
+            tactics.expression(&if is_turned { -value.clone() } else { value.clone() })
+        };
+        coefficients.iter().enumerate().map(turn).collect()
+    };
+    let [straight, turned] = [expressions(false)?, expressions(true)?];
+    let point = Expression::Variable(symbol.clone());
+    let same = tactics.equal(&inner, &horner(&straight, &point))?;
+    let reflected = horner(&straight, &Expression::Negation(Box::new(point.clone())));
+    let mirror = tactics.equal(&reflected, &horner(&turned, &point))?;
+    let at = |end: &Expression| inner.replaced(&[(symbol.clone(), domain.as_written(end))].into());
+    let leading = |list: &[Expression]| list.last().cloned().unwrap_or_else(|| Expression::integer(0));
+    let signs = |one: &Expression, other: &Expression| opposite_signs(one, other, domain);
+    let (list, turned_list) = (list(&straight), list(&turned));
+    let f = format!("(fun {x} : R => {})", real(&inner));
+    let equal = format!("intros {x}; cbn [horner]; {same}");
+    Ok(match between {
+        [None, Some(high)] => format!(
+            "apply (root_below {f} {list} {turned_list} {}); [ {equal} | intros {x}; cbn [horner]; {mirror} | {} ]",
+            real(&domain.as_written(high)),
+            signs(&at(high), &leading(&turned))?
+        ),
+        [Some(low), None] => format!(
+            "apply (root_above {f} {list} {}); [ {equal} | {} ]",
+            real(&domain.as_written(low)),
+            signs(&at(low), &leading(&straight))?
+        ),
+        [Some(low), Some(high)] => {
+            let width = Expression::Sum(vec![high.clone(), Expression::Negation(Box::new(low.clone()))]);
+            let width = domain.as_written(&width);
+            format!(
+                "apply (root_inside {f} {list} {} {}); [ {equal} | apply Rminus_gt_0_lt; {} | {} ]",
+                real(&domain.as_written(low)),
+                real(&domain.as_written(high)),
+                tactics.sign(&width, 1)?,
+                signs(&at(low), &at(high))?
+            )
+        }
+        [None, None] => format!(
+            "apply (root_anywhere {f} {list} {turned_list}); [ {equal} | intros {x}; cbn [horner]; {mirror} | {} ]",
+            signs(&leading(&turned), &leading(&straight))?
+        ),
+    })
+}
+
+/// The tactics that prove two values to have opposite signs.
+fn opposite_signs(one: &Expression, other: &Expression, domain: &Domain) -> Result<String, Obstacle> {
+    let tactics = Tactics(domain);
+    let sign = domain.sign(one)?.ok_or_else(|| Obstacle(format!("{one} has no sign")))?;
+    let side = if sign > 0 { "left" } else { "right" };
+    let proofs = [tactics.sign(one, sign)?, tactics.sign(other, -sign)?];
+    Ok(format!("{side}; split; try cbn [last]; [ {} | {} ]", proofs[0], proofs[1]))
+}
+
+/// The tactics that prove the branch of a series, and the slope that is assumed not to be zero where the domain does not say so.
+fn series_proof(
+    relation: &Expression,
+    [small, root]: [&Symbol; 2],
+    given: &[Expression],
+    domain: &Domain,
+) -> Result<(String, Option<Expression>), Obstacle> {
+    let tactics = Tactics(domain);
+    let [x, y] = [name(small), name(root)];
+    let order = given.len();
+    let inner = domain.as_written(relation);
+    let function = domain.rational_function(&inner)?;
+    if function.denominator().as_constant().is_none() {
+        return Err(Obstacle("the relation of a series is no polynomial".to_owned()));
+    }
+    let over = |part: Polynomial, below: &Polynomial| tactics.expression(&divided(part, below)?);
+    let rows = function.numerator().coefficients(root).into_iter().map(|row| {
+        let row = row.coefficients(small).into_iter();
+        row.map(|part| over(part, function.denominator())).collect::<Result<Vec<_>, _>>()
+    });
+    let rows: Vec<Vec<Expression>> = rows.collect::<Result<_, _>>()?;
+    let [x_point, y_point] = [small, root].map(|symbol| Expression::Variable(symbol.clone()));
+    let sum = domain.as_written(&Series::expression(given, &x_point));
+    let at_sum = inner.replaced(&[(root.clone(), sum.clone())].into());
+    let residual = domain.rational_function(&at_sum)?;
+    let rest = residual.numerator().coefficients(small).into_iter().skip(order);
+    let rest: Vec<Expression> =
+        rest.map(|part| over(part, residual.denominator())).collect::<Result<_, _>>()?;
+    let written: Vec<Expression> = given.iter().map(|value| domain.as_written(value)).collect();
+    let start = written.first().cloned().unwrap_or_else(|| Expression::integer(0));
+    let slope = over(function.numerator().derivative(root), function.denominator())?;
+    let slope = slope.replaced(&[(small.clone(), Expression::integer(0)), (root.clone(), start)].into());
+    let slope = tactics.expression(&domain.rational_function(&slope)?)?;
+    let by_rows: Vec<Expression> = rows.iter().map(|row| horner(row, &x_point)).collect();
+    let power = Expression::Power(Box::new(x_point.clone()), i32::try_from(order).unwrap_or(i32::MAX));
+    let remainder = Expression::Product(vec![power, horner(&rest, &x_point)]);
+    let proven = domain.proves(&Condition { expression: slope.clone(), relation: Relation::NonZero })?;
+    let single = if proven { tactics.nonzero(&slope)? } else { "assumption".to_owned() };
+    let lists: Vec<String> = rows.iter().map(|row| list(row)).collect();
+    let proof = format!(
+        "apply (branch (fun {x} {y} : R => {}) (fun {x} : R => {}) [{}] {} {} {order}); [ lia \
+         | intros {x} {y}; unfold both; cbn [map horner]; {} | intros {x}; cbn [horner]; {} \
+         | intros {x}; cbn [horner]; {} | apply (different _ {}); [ cbn [map horner slope]; field; divisors | {single} ] ]",
+        real(&inner),
+        real(&sum),
+        lists.join("; "),
+        list(&written),
+        list(&rest),
+        tactics.equal(&inner, &horner(&by_rows, &y_point))?,
+        tactics.equal(&sum, &horner(&written, &x_point))?,
+        tactics.equal(&at_sum, &remainder)?,
+        real(&slope),
+    );
+    Ok((proof, (!proven).then_some(slope)))
+}
+
+/// A polynomial over another one.
+fn divided(part: Polynomial, below: &Polynomial) -> Result<RationalFunction, Obstacle> {
+    let whole = RationalFunction::from(part).checked_div(&below.clone().into());
+    whole.ok_or_else(|| Obstacle("a divisor is zero".to_owned()))
 }
 
 /// The first alteration of either side that changes its value: the sign of a term, or a factor 2 on it.
