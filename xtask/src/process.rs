@@ -75,16 +75,17 @@ fn code_of(status: ExitStatus) -> u8 {
 
 /// Where a program is, as the shell would find it; the folders of daemons are looked through as well.
 pub fn find_program(name: &str) -> Option<PathBuf> {
-    let folders = search_path();
+    let folders = search_path(None);
     let mut candidates = env::split_paths(&folders).map(|folder| folder.join(name));
     candidates.find(|path| path.is_file() || path.with_extension("exe").is_file())
 }
 
-/// The folders of programs, those of daemons included.
-pub fn search_path() -> OsString {
+/// The folders of programs, those of daemons included; the first may be another one.
+pub fn search_path(first: Option<&Path>) -> OsString {
     let folders = env::var_os("PATH").unwrap_or_default();
     let daemons = ["/usr/sbin", "/sbin"].map(PathBuf::from);
-    env::join_paths(env::split_paths(&folders).chain(daemons)).unwrap_or(folders)
+    let all = first.map(PathBuf::from).into_iter().chain(env::split_paths(&folders)).chain(daemons);
+    env::join_paths(all).unwrap_or(folders)
 }
 
 fn cannot_start(command: &Command, error: &std::io::Error) -> Failure {

@@ -56,9 +56,7 @@ fn build(tools: &Path, programs: &Path, [rust, zig, stated, found]: &[&str; 4]) 
     let compiler = program(programs.join("python"), "-c").arg(place).text()?;
     let compiler = format!("{} cc -target {ARCH}-{zig}", compiler.trim());
     // maturin looks for the package there.
-    let folders = search_path();
-    let folders = env::join_paths([programs.into()].into_iter().chain(env::split_paths(&folders)));
-    let folders = folders.map_err(|error| Failure::bad_input(format!("PATH: {error}")))?;
+    let folders = search_path(Some(programs));
     let libraries = workshop("gmp").into_os_string();
     let variables = [("PATH", folders), ("CC", compiler.into()), ("GMP_MPFR_SYS_CACHE", libraries)];
     let words = format!("{BUILD} --zig --target {target} --compatibility {stated}");

@@ -63,7 +63,7 @@ impl Cluster {
     /// A program of the cluster's user.
     fn tool(&self, name: &str, words: &str) -> Command {
         let mut command = program(name, words);
-        command.env("SLURM_CONF", self.place.join("slurm.conf")).env("PATH", search_path());
+        command.env("SLURM_CONF", self.place.join("slurm.conf")).env("PATH", search_path(None));
         command
     }
 

@@ -152,27 +152,26 @@ struct Checked<'s> {
 /// argued in words (3), or not in all steps (4); and the same in words. None for a claim without a line on whole theorems, which
 /// computations decide besides.
 fn way(steps: &[Checked<'_>]) -> Option<(usize, String)> {
-    let of = |kind: &str, is_proved: bool| -> Vec<&Checked<'_>> {
-        steps.iter().filter(|step| step.kind == kind && step.is_proved == is_proved).collect()
-    };
-    let [generated, by_hand] = [WHOLE, BY_HAND].map(|kind| of(kind, true));
-    let [formulas, untied] = [WHOLE, BY_HAND].map(|kind| of(kind, false));
-    let obstacles: BTreeSet<&str> = formulas.iter().chain(&untied).map(|step| step.why).collect();
-    if generated.is_empty() && by_hand.is_empty() && obstacles.is_empty() {
+    let of = |kind: &'static str| steps.iter().filter(move |step| step.kind == kind);
+    let whole: Vec<&Checked<'_>> = of(WHOLE).chain(of(BY_HAND)).collect();
+    if whole.is_empty() {
         return None;
     }
+    let obstacles: BTreeSet<&str> =
+        whole.iter().filter(|step| !step.is_proved).map(|step| step.why).collect();
+    let reasons = Vec::from_iter(obstacles).join("; ");
+    let names: Vec<&str> = of(BY_HAND).filter(|step| step.is_proved).map(|step| step.theorem).collect();
     let is_open = steps.iter().any(|step| !step.is_proved && ![WHOLE, BY_HAND, ARGUED].contains(&step.kind));
-    let is_argued = steps.iter().any(|step| step.kind == ARGUED);
-    let names: Vec<&str> = by_hand.iter().map(|step| step.theorem).collect();
-    let reasons = Vec::from_iter(obstacles.iter().copied()).join("; ");
-    Some(match () {
-        () if obstacles.is_empty() && !generated.is_empty() => (0, "whole (generated)".into()),
-        () if !by_hand.is_empty() && untied.is_empty() => {
-            (1, format!("whole (by hand: {})", names.join(", ")))
-        }
-        () if is_open => (4, format!("not all steps: {reasons}")),
-        () if is_argued => (3, format!("argued: {reasons}")),
-        () => (2, format!("by steps: {reasons}")),
+    Some(if whole.iter().all(|step| step.is_proved) && of(WHOLE).next().is_some() {
+        (0, "whole (generated)".into())
+    } else if !names.is_empty() && of(BY_HAND).all(|step| step.is_proved) {
+        (1, format!("whole (by hand: {})", names.join(", ")))
+    } else if is_open {
+        (4, format!("not all steps: {reasons}"))
+    } else if of(ARGUED).next().is_some() {
+        (3, format!("argued: {reasons}"))
+    } else {
+        (2, format!("by steps: {reasons}"))
     })
 }
 
