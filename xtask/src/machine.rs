@@ -64,6 +64,11 @@ fn row(tool: &str) -> [&'static str; 3] {
     rows(TOOLS).find(|[name, _, _]| *name == tool).unwrap_or_default()
 }
 
+/// Where the first program is of those that a tool is found by.
+pub fn path_of(tool: &str) -> PathBuf {
+    row(tool)[1].split(',').find_map(find_program).unwrap_or_default()
+}
+
 fn packages(tools: &[&str]) -> Vec<&'static str> {
     let packages: BTreeSet<&str> = tools.iter().flat_map(|tool| row(tool)[2].split(' ')).collect();
     packages.into_iter().collect()

@@ -9,4 +9,4 @@ pub use std::time::Instant;
 
 pub use crate::failure::{Failure, Result, ensure};
 pub use crate::process::{Run, cargo, find_program, program, root, search_path};
-pub use crate::repository::{at, below, copy, entries, file_name, git, make_empty, read, rows, write};
+pub use crate::repository::{at, below, copy, entries, file_name, git, make_empty, once, read, rows, write};

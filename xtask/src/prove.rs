@@ -180,17 +180,15 @@ impl Coq {
         let text: String = self.library.iter().map(|(_, text)| text.as_str()).collect();
         let key = format!("{}\n{text}", self.version);
         let place = self.folder.join("library");
-        if read(&place.join("compiled")).is_ok_and(|known| known == key) {
-            return Ok(());
-        }
-        println!("prove: compiling proofs/ with Coq {}", self.version);
-        for (name, text) in &self.library {
-            files::check_text(&format!("proofs/{name}.v"), text)?;
-            let path = place.join(format!("{name}.v"));
-            write(&path, text)?;
-            self.compile(&path).check()?;
-        }
-        write(&place.join("compiled"), &key)
+        once(&place.join("compiled"), &key, || {
+            println!("prove: compiling proofs/ with Coq {}", self.version);
+            self.library.iter().try_for_each(|(name, text)| {
+                files::check_text(&format!("proofs/{name}.v"), text)?;
+                let path = place.join(format!("{name}.v"));
+                write(&path, text)?;
+                self.compile(&path).check()
+            })
+        })
     }
 
     /// Checks files, the largest first, as many side by side as there are processors.

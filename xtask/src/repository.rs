@@ -35,6 +35,15 @@ pub fn make_empty(folder: &Path) -> Result {
     fs::create_dir_all(folder).map_err(at(folder))
 }
 
+/// Runs this, unless the last run that succeeded had the same key.
+pub fn once(stamp: &Path, key: &str, run: impl FnOnce() -> Result) -> Result {
+    if read(stamp).is_ok_and(|used| used == key) {
+        return Ok(());
+    }
+    // Written last: a run that failed or was killed is repeated.
+    run().and_then(|()| write(stamp, key))
+}
+
 /// The rows of a list with ` | ` between the fields; lines that begin with `#` are comments.
 pub fn rows<const FIELDS: usize>(list: &str) -> impl Iterator<Item = [&str; FIELDS]> {
     let lines = list.lines().filter(|line| !line.starts_with('#'));
@@ -136,6 +145,22 @@ mod tests {
             "xtask/tidy/private_words.txt",
             rows::<2>(include_str!("../tidy/private_words.txt")).count(),
         );
+    }
+
+    #[test]
+    fn a_run_that_failed_or_had_another_key_is_repeated_and_one_that_succeeded_is_not() {
+        let folder = std::env::temp_dir().join(format!("slipmode-once-{}", std::process::id()));
+        let mut runs = 0;
+        let mut attempt = |key: &str, result: Result| {
+            once(&folder.join("stamp"), key, || {
+                runs += 1;
+                result
+            })
+        };
+        assert!(attempt("a", Err(Failure::check("no network"))).is_err());
+        assert!(attempt("a", Ok(())).is_ok() && attempt("a", Ok(())).is_ok() && attempt("b", Ok(())).is_ok());
+        assert_eq!(runs, 3);
+        fs::remove_dir_all(folder).unwrap();
     }
 
     #[test]

@@ -72,10 +72,7 @@ fn filled_in(word: &str, report: &str) -> Result<String> {
         "made" => workshop(),
         "report" => report.into(),
         "program" => verify::binary(),
-        "browser" => ["chromium", "chromium-browser", "google-chrome"]
-            .into_iter()
-            .find_map(find_program)
-            .unwrap_or_default(),
+        "browser" => machine::path_of("chromium"),
         _ => return Err(Failure::bad_input(format!("validators.txt: {{{place}}} is unknown"))),
     };
     Ok(format!("{head}{}{}", value.display().to_string().trim_end_matches('/'), filled_in(tail, report)?))
@@ -113,6 +110,9 @@ fn is_current(page: &Path, report: &Path) -> Result<bool> {
     Ok(inputs.iter().all(|time| time.is_some() && *time < written(page)))
 }
 
+/// The file in a folder that says from what it was installed.
+const STAMP: &str = ".installed-from";
+
 /// The folder for tools and archives.
 fn workshop() -> PathBuf {
     root().join("target/validate")
@@ -126,7 +126,7 @@ fn definition(name: &str) -> PathBuf {
 fn npm() -> Result<PathBuf> {
     let modules = workshop().join("node_modules");
     let sources = ["package.json", "package-lock.json", "pages.mjs"].map(definition);
-    install(&modules, &sources, || {
+    once(&modules.join(STAMP), &sources.iter().map(|path| read(path)).collect::<Result<String>>()?, || {
         for source in &sources {
             copy(source, &workshop().join(file_name(source)))?;
         }
@@ -143,7 +143,7 @@ fn venv() -> Result<PathBuf> {
 
 /// The programs of a virtual environment that pip fills with the packages of a list, which has their digests.
 pub fn environment(folder: &Path, list: &Path) -> Result<PathBuf> {
-    install(folder, &[list.to_path_buf()], || {
+    once(&folder.join(STAMP), &read(list)?, || {
         new_environment(folder)?;
         pip(folder).args(["--require-hashes", "--requirement"]).arg(list).check()
     })?;
@@ -160,37 +160,9 @@ pub fn pip(environment: &Path) -> Command {
     program(environment.join("bin/python"), "-m pip install --quiet --disable-pip-version-check")
 }
 
-/// Installs into a folder, unless the last installation there that succeeded had the same definitions.
-fn install(folder: &Path, definitions: &[PathBuf], run: impl FnOnce() -> Result) -> Result {
-    let wanted = definitions.iter().map(|path| read(path)).collect::<Result<String>>()?;
-    // Written last: an installation that failed or was killed is repeated.
-    let stamp = folder.join(".installed-from");
-    if read(&stamp).is_ok_and(|used| used == wanted) {
-        return Ok(());
-    }
-    run()?;
-    write(&stamp, &wanted)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn an_installation_that_failed_is_repeated_and_one_that_succeeded_is_not() {
-        let folder = std::env::temp_dir().join(format!("slipmode-validate-{}", std::process::id()));
-        let mut runs = 0;
-        let mut attempt = |result: Result| {
-            install(&folder, &[definition("requirements.txt")], || {
-                runs += 1;
-                result
-            })
-        };
-        assert!(attempt(Err(Failure::check("no network"))).is_err());
-        assert!(attempt(Ok(())).is_ok() && attempt(Ok(())).is_ok());
-        assert_eq!(runs, 2);
-        fs::remove_dir_all(folder).unwrap();
-    }
 
     #[test]
     fn every_line_of_the_list_is_a_validator_whose_places_and_tools_are_known() {
