@@ -101,12 +101,8 @@ impl Cluster {
 
     /// Prints the ends of the daemons' logs.
     pub fn tell_logs(&self) {
-        for (name, _) in &self.daemons {
-            let log = read(&self.place.join(format!("{name}.out"))).unwrap_or_default();
-            let lines: Vec<&str> = log.lines().collect();
-            eprintln!("--- {name}");
-            lines[lines.len().saturating_sub(15)..].iter().for_each(|line| eprintln!("{line}"));
-        }
+        let logs = self.daemons.iter().map(|(name, _)| self.place.join(format!("{name}.out")));
+        let _ = program("tail", "--lines=15").args(logs).code();
     }
 }
 

@@ -40,8 +40,7 @@ pub fn run(arguments: &[String]) -> Result {
         return Ok(());
     };
     let path = root().join("proofs/claims.csv");
-    let ids = if ids.is_empty() { ids_of(&moved, report) } else { ids.to_vec() };
-    write(&path, &rewritten(&read(&path)?, &moved, report, &ids)?)?;
+    write(&path, &rewritten(&read(&path)?, &moved, report, ids)?)?;
     println!(
         "tie: proofs/claims.csv is written; `cargo xtask prove` has Coq accept the theorems for these claims"
     );
@@ -54,26 +53,22 @@ fn claim_of(row: &str) -> [&str; 2] {
     [fields.next().unwrap_or_default(), fields.next().unwrap_or_default()]
 }
 
-/// The claims of a report whose rows have moved.
-fn ids_of(moved: &[Moved], report: &str) -> Vec<String> {
-    let claims = moved.iter().map(|one| claim_of(&one.row)).filter(|[name, _]| *name == report);
-    Vec::from_iter(claims.map(|[_, id]| id.to_owned()).collect::<BTreeSet<String>>())
-}
-
-/// The table with the rows of these claims as they would be; each is shown.
+/// The table with the rows of these claims as they would be, or with all of the report; each is shown.
 fn rewritten(table: &str, moved: &[Moved], report: &str, ids: &[String]) -> Result<String> {
+    let has_moved = |id: &String| moved.iter().any(|one| claim_of(&one.row) == [report, id]);
+    if let Some(id) = ids.iter().find(|id| !has_moved(id)) {
+        return Err(Failure::bad_input(format!("{report} {id}: no row of proofs/claims.csv has moved")));
+    }
     let mut lines: Vec<&str> = table.lines().collect();
-    for id in ids {
-        let is_own = |row: &str| claim_of(row) == [report, id];
-        let own: Vec<&Moved> = moved.iter().filter(|one| is_own(&one.row)).collect();
-        let missing = || Failure::bad_input(format!("{report} {id}: no row of proofs/claims.csv has moved"));
-        ensure(!own.is_empty(), missing)?;
-        for Moved { line, row, to_read } in own {
-            let wrong = || Failure::check(format!("proofs/claims.csv:{line}: not the row of {id}"));
-            let place = lines.get_mut(line - 1).filter(|known| is_own(known)).ok_or_else(wrong)?;
-            println!("--- {report} {id}\n{to_read}");
-            *place = row;
+    for Moved { line, row, to_read } in moved {
+        let claim @ [name, id] = claim_of(row);
+        if name != report || !ids.is_empty() && !ids.iter().any(|known| known == id) {
+            continue;
         }
+        let wrong = || Failure::check(format!("proofs/claims.csv:{line}: not the row of {id}"));
+        let place = lines.get_mut(line - 1).filter(|known| claim_of(known) == claim).ok_or_else(wrong)?;
+        println!("--- {report} {id}\n{to_read}");
+        *place = row;
     }
     Ok(lines.iter().map(|line| format!("{line}\n")).collect())
 }
@@ -90,6 +85,9 @@ mod tests {
         let written = |id: &str| rewritten(table, &all, "r", &[id.to_owned()]);
         assert_eq!(written("S2").unwrap(), "report,claim,claim_digest,digest\nr,S1,0,0\nr,S2,1,1\n");
         assert!(written("S3").is_err());
+        let every = rewritten(table, &all, "r", &[]).unwrap();
+        assert_eq!(every, "report,claim,claim_digest,digest\nr,S1,1,1\nr,S2,1,1\n");
+        assert_eq!(rewritten(table, &all, "q", &[]).unwrap(), table);
         let elsewhere = [moved(2, "r,S2,1,1")];
         assert!(rewritten(table, &elsewhere, "r", &["S2".to_owned()]).is_err());
     }
