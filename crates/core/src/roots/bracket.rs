@@ -98,7 +98,7 @@ fn scaled_start(depressed: &Depressed, scale: i32) -> f64 {
 }
 
 /// The real root of y³ + py + q farthest from zero, for |p|, |q| ≤ 1: Newton's iteration from outside, where it is monotone.
-fn outermost_root_f64(p: f64, q: f64) -> f64 {
+pub(super) fn outermost_root_f64(p: f64, q: f64) -> f64 {
     let magnitude = q.abs();
     let start =
         if p > 0.0 { libm::cbrt(magnitude).min(magnitude / p) } else { (-p).sqrt() + libm::cbrt(magnitude) };

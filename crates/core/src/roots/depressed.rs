@@ -103,10 +103,13 @@ pub(crate) fn bits(value: &Integer) -> u32 {
 }
 
 /// The cubic times the common denominator, and times −1 if that makes the leading coefficient positive.
-fn integer_coefficients(cubic: &[Rational; 4]) -> [Integer; 4] {
+pub(super) fn integer_coefficients(cubic: &[Rational; 4]) -> [Integer; 4] {
     let mut common = cubic[0].denom().clone();
     for coefficient in &cubic[1..] {
         common.lcm_mut(coefficient.denom());
+    }
+    if common == 1 && cubic[3] > 0 {
+        return cubic.each_ref().map(|coefficient| coefficient.numer().clone());
     }
     if cubic[3] < 0 {
         common = -common;

@@ -4,14 +4,16 @@
 //! the other two are −y/2 ± √D/(2f'(y)) with the exact discriminant D, so that a difference of close roots,
 //! or a small imaginary part, keeps its full relative accuracy.
 
+mod limbs;
 mod precision;
+mod short;
 #[cfg(test)]
 mod tests;
 
 use rug::{Float, Integer};
 
 use super::bracket::outermost_real_root;
-use super::depressed::Depressed;
+use super::depressed::{Depressed, integer_coefficients};
 use super::multiple::rational_roots;
 use crate::number::{Ball, Field, Rational, Real, bits_for_digits};
 
@@ -110,7 +112,11 @@ fn component_ball(part: &Float, radius: &Float) -> Ball {
 #[must_use]
 pub fn certified_roots(cubic: &[Rational; 4], digits: u32) -> CertifiedRoots {
     let target_bits = bits_for_digits(digits);
-    let Some(depressed) = Depressed::of(cubic) else {
+    let integers = integer_coefficients(cubic);
+    if let Some(found) = in_limbs(integers.each_ref(), target_bits) {
+        return found;
+    }
+    let Some(depressed) = Depressed::of_integers(integers) else {
         return CertifiedRoots { roots: Vec::new(), discriminant_sign: 0, precision_bits: target_bits };
     };
     let discriminant_sign = depressed.discriminant_sign();
@@ -124,6 +130,16 @@ pub fn certified_roots(cubic: &[Rational; 4], digits: u32) -> CertifiedRoots {
         _ => real_root_and_pair(&depressed, precision_bits),
     };
     CertifiedRoots { roots, discriminant_sign, precision_bits }
+}
+
+/// The roots in the fewest limbs that have 64 bits of room, for up to some hundred digits; none where their bounds are too large.
+fn in_limbs(cubic: [&Integer; 4], target_bits: u32) -> Option<CertifiedRoots> {
+    match target_bits {
+        ..=128 => short::roots::<3>(cubic, target_bits),
+        129..=192 => short::roots::<4>(cubic, target_bits),
+        193..=384 => short::roots::<7>(cubic, target_bits),
+        _ => None,
+    }
 }
 
 fn multiple_roots(depressed: &Depressed, bits: u32) -> Vec<CertifiedRoot> {

@@ -111,7 +111,40 @@ fn coefficient() -> impl Strategy<Value = Rational> {
     })
 }
 
+/// Roots to a few digits, and to so many that they come by the other road: the enclosures must meet.
+fn assert_contains_more_digits(cubic: &[Rational; 4], digits: u32) {
+    let (found, more) = (check(cubic, digits), certified_roots(cubic, digits + 130));
+    assert_eq!(found.discriminant_sign, more.discriminant_sign);
+    for (root, reference) in found.roots.iter().zip(&more.roots) {
+        assert_eq!(root.multiplicity, reference.multiplicity);
+        assert!(
+            root.re_ball().overlaps(&reference.re_ball()) && root.im_ball().overlaps(&reference.im_ball())
+        );
+    }
+}
+
 proptest! {
+    #[test]
+    fn roots_in_limbs_contain_those_with_more_digits(
+        cubic in prop::array::uniform4(coefficient()), digits in 1u32..115,
+    ) {
+        assert_contains_more_digits(&cubic, digits);
+    }
+
+    #[test]
+    fn roots_in_limbs_next_to_multiple_roots_contain_those_with_more_digits(
+        root in -1000i64..1000, other in -1000i64..1000, triple in prop::bool::ANY, power in 20u32..90,
+        shift in prop::array::uniform4(-9i32..10), digits in 1u32..115,
+    ) {
+        let [a, b] = [root, if triple { root } else { other }].map(Rational::from);
+        let (twice, square) = (Rational::from(&a * 2u32), a.clone().square());
+        let exact = [
+            -(square.clone() * &b), square + twice.clone() * &b, -(twice + &b), Rational::from(1),
+        ];
+        let cubic = std::array::from_fn(|k| exact[k].clone() + (Rational::from(shift[k]) >> power));
+        assert_contains_more_digits(&cubic, digits);
+    }
+
     #[test]
     fn any_cubic_is_enclosed_and_rebuilt(
         cubic in prop::array::uniform4(coefficient()), digits in 1u32..120,
