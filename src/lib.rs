@@ -21,6 +21,7 @@ pub mod csv;
 pub mod experiments;
 pub mod explorer;
 pub mod fitting;
+pub mod parallel;
 pub mod report;
 pub mod scene;
 pub mod sweep;

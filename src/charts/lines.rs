@@ -1,6 +1,6 @@
 //! Lines whose height is the value of an expression, enclosed by balls.
 
-use rayon::prelude::*;
+use crate::parallel;
 
 use super::{Point, coordinate, hold, point};
 use crate::experiments::shared::cells::Digits;
@@ -35,7 +35,7 @@ pub(super) fn draw(chart: &EquationChart) -> (String, Table) {
 /// The heights of each line at the values of the horizontal axis.
 pub(super) fn heights(chart: &EquationChart) -> Vec<Vec<Option<Ball>>> {
     let points: Vec<Point> = chart.x.values.iter().map(|value| point([(&chart.x, value)])).collect();
-    chart.lines.iter().map(|line| points.par_iter().map(|at| height(line, at)).collect()).collect()
+    chart.lines.iter().map(|line| parallel::map(&points, |at| height(line, at))).collect()
 }
 
 /// The points of a line; one without a height interrupts it.

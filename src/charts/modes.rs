@@ -1,6 +1,6 @@
 //! Maps of where the roots of a polynomial lie: decided exactly at each point of a grid.
 
-use rayon::prelude::*;
+use crate::parallel;
 
 use super::lines::{cells, columns, drawn, heights};
 use super::{Point, coordinate, hold, point};
@@ -59,7 +59,7 @@ pub(super) fn draw(chart: &EquationChart, map: &ChartMap) -> (String, Table) {
     let points = y.values.iter().flat_map(|height| x.values.iter().map(move |along| (along, height)));
     let points: Vec<(&Rational, &Rational)> = points.collect();
     let found: Vec<Option<RootCounts>> =
-        points.par_iter().map(|&(along, height)| roots(map, &point([(x, along), (y, height)]))).collect();
+        parallel::map(&points, |&(along, height)| roots(map, &point([(x, along), (y, height)])));
     let class = |one: &Option<RootCounts>| {
         one.and_then(|roots| Mode::ALL.iter().position(|known| *known == Mode::of(roots)))
     };

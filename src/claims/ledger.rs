@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use rayon::prelude::*;
+use crate::parallel;
 use serde::Serialize;
 
 use crate::claims::error_bars::points_within;
@@ -129,7 +129,7 @@ impl Ledger {
             let untied = by_hand::untied(report, &entry.tied(), context.equations);
             Entry { untied, ..entry }
         };
-        let mut claims: Vec<Entry> = texts.par_iter().map(decided).collect();
+        let mut claims: Vec<Entry> = parallel::map(texts, decided);
         if context.outcome.scenes.iter().any(|scene| error_bars(scene).is_some()) {
             state_values(&mut claims);
         }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use rayon::prelude::*;
+use crate::parallel;
 
 use super::alterations::{Alteration, alike, alterations};
 use crate::claims::{Evidence, Finding, Resolved, Verdict, computed, formula};
@@ -46,7 +46,7 @@ pub fn plant_faults(context: &Context) -> Vec<PlantedFaults> {
     let sound = sound_claims(context);
     let pairs = alike(context.equations);
     let all: Vec<&Equation> = context.equations.iter().collect();
-    all.into_par_iter().map(|equation| plant(equation, &pairs, context, sound.clone())).collect()
+    parallel::map(&all, |equation| plant(equation, &pairs, context, sound.clone()))
 }
 
 fn is_of_equations(formula: &ClaimFormula) -> bool {
@@ -57,7 +57,7 @@ fn is_of_equations(formula: &ClaimFormula) -> bool {
 fn sound_claims<'c>(context: &Context<'c>) -> Vec<Sound<'c>> {
     let claims = context.claims.iter().filter(|claim| claim.sentence.source != Source::Result);
     let sound: Vec<Sound> = claims.flat_map(Sound::parts_of).collect();
-    sound.into_par_iter().map(|sound| sound.decided(context)).collect()
+    parallel::map(&sound, |sound| sound.clone().decided(context))
 }
 
 /// A part of a claim as the report's own equations decide it.

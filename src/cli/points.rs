@@ -8,8 +8,8 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use indicatif::ProgressBar;
-use rayon::prelude::*;
 use slipmode::csv::{Block, Counts, Header, RowReader, RowWork, Work, Worked};
+use slipmode::parallel;
 use slipmode::scene::{Fault, Faults, shortened, visible};
 
 use crate::cli::dialect::DialectOptions;
@@ -160,7 +160,7 @@ fn read_batch<W: RowWork>(reader: &mut RowReader) -> Result<Vec<Block>, Fault> {
 }
 
 fn work_batch<W: RowWork>(work: &Work<W>, batch: &[Block], only_read: bool) -> Vec<Worked<W::Kept>> {
-    batch.par_iter().with_max_len(1).map(|block| work.block(block, only_read)).collect()
+    parallel::map(batch, |block| work.block(block, only_read))
 }
 
 /// Prints how the columns are read, and which are not.

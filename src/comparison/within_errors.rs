@@ -1,6 +1,6 @@
 //! A run whose parameters have error bars: what differs at their middle is compared with the range over them, which is sampled.
 
-use rayon::prelude::*;
+use crate::parallel;
 use slipmode_core::friction::Parameters;
 use slipmode_core::number::{Rational, format::round_digits};
 
@@ -31,7 +31,7 @@ pub(super) fn look_within_error_bars(
     let at = |parameters: &Parameters<Rational>| {
         compare_as_stated(&StatedRun { parameters: parameters.clone(), ..run.clone() }, simulate).findings
     };
-    let elsewhere: Vec<Vec<Finding>> = others.par_iter().map(at).collect();
+    let elsewhere: Vec<Vec<Finding>> = parallel::map(others, at);
     for finding in found.findings.iter_mut().filter(|finding| finding.verdict == Agreement::Differs) {
         let subject = (finding.observable, finding.origin, finding.reference);
         let is_same = |other: &&Finding| (other.observable, other.origin, other.reference) == subject;

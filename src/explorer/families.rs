@@ -5,7 +5,7 @@
 //! (V, σ) plane without changing their shape when K or M changes: σ in proportion to K, V in proportion to √(K/M).
 //! The curves are therefore computed once for each b, and moved.
 
-use rayon::prelude::*;
+use crate::parallel;
 use slipmode_core::friction::{Parameters, Slider};
 
 use crate::experiments::boundary::END_ERROR;
@@ -123,10 +123,9 @@ impl Families {
             points,
             states: Vec::new(),
         };
-        families.boundaries = families.effects().par_iter().map(boundary).collect();
+        families.boundaries = parallel::map(&families.effects(), boundary);
         let factors = families.combinations();
-        let state =
-            |point| factors.par_iter().map(|factors| families.state(*factors, point, threshold)).collect();
+        let state = |point| parallel::map(&factors, |factors| families.state(*factors, point, threshold));
         families.states = families.points.iter().map(state).collect();
         families
     }

@@ -1,7 +1,7 @@
 //! A fit: the best values of a law, their errors and correlations, and how the other law compares.
 
+use crate::parallel;
 use nalgebra::DMatrix;
-use rayon::prelude::*;
 
 use super::least_squares::{LONG, Minimum, SHORT, covariance, minimise};
 use super::parameter::{Parameter, Point};
@@ -120,7 +120,7 @@ impl Fits {
     /// When no law has a fit: why the first one has none.
     pub fn of(record: &StepRecord, laws: &[EvolutionLaw], given: &FitGiven) -> Result<Self, FitFailure> {
         let found: Vec<Result<Fit, FitFailure>> =
-            laws.par_iter().map(|law| fit(record, &FitGiven { law: *law, ..*given })).collect();
+            parallel::map(laws, |law| fit(record, &FitGiven { law: *law, ..*given }));
         let failure = found.iter().find_map(|found| found.as_ref().err()).cloned();
         let mut fits: Vec<Fit> = found.into_iter().flatten().collect();
         fits.sort_by(|one, other| one.cost.total_cmp(&other.cost));

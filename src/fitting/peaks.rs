@@ -5,7 +5,7 @@
 //! between its bounds, and the sum of squares is a function of S alone.
 
 use super::peak_rows::{LEAST_RANGE, LEAST_ROWS, PeakFailure, PeakGiven, PeakRow, UNKNOWNS, noise};
-use rayon::prelude::*;
+use crate::parallel;
 use slipmode_core::dynamics::{DEEP, PeakLaw};
 use slipmode_core::friction::EvolutionLaw;
 
@@ -138,7 +138,7 @@ fn fit_law(rows: &[PeakRow], given: &PeakGiven, law: EvolutionLaw) -> Result<Pea
         })
     };
     let cases: Vec<Case> = ratios.iter().flat_map(at).collect();
-    let fits: Vec<Result<CaseFit, PeakFailure>> = cases.par_iter().map(|case| case.fit()).collect();
+    let fits: Vec<Result<CaseFit, PeakFailure>> = parallel::map(&cases, |case| case.fit());
     // A b/a with which the peaks are not those of deep stick-slip is not that of this table.
     let possible: Vec<usize> =
         (0..fits.len()).step_by(LOSSES.len()).filter(|place| fits[*place].is_ok()).collect();

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use rayon::prelude::*;
+use crate::parallel;
 
 use crate::charts;
 use crate::claims::{self, Ledger};
@@ -210,7 +210,7 @@ impl Wanted {
     fn apart(&self, folder: &Folder) -> Apart {
         let is_placed = |chart: &&EquationChart| self.tables.contains(&chart.caption.id);
         let charts: Vec<&EquationChart> = folder.charts.iter().filter(is_placed).collect();
-        let drawn: Vec<(Figure, Table)> = charts.into_par_iter().map(charts::draw).collect();
+        let drawn = parallel::map(&charts, |chart| charts::draw(chart));
         let (figures, tables): (Vec<_>, Vec<_>) = drawn.into_iter().unzip();
         let Measured { charts, tables: measured, .. } = &folder.measured;
         let charts = charts.iter().filter(|measured| self.figures.contains(&measured.chart.caption.id));
@@ -244,8 +244,7 @@ impl Wanted {
                 apart.figures.iter().find(|one| one.id == *id).map(|one| (one.id.as_str(), Some(one.clone())))
             }
         };
-        let made: Vec<_> = self.figures.par_iter().filter_map(shown).collect();
-        collect("figure", made.into_iter(), |_| None)
+        collect("figure", parallel::flat_map(&self.figures, shown).into_iter(), |_| None)
     }
 
     fn tables(&self, context: &Context, apart: &Apart) -> Result<Vec<Table>, ReportError> {
@@ -255,7 +254,7 @@ impl Wanted {
                 apart.tables.iter().find(|one| one.id == *id).map(|one| (one.id.as_str(), Some(one.clone())))
             }
         };
-        let made: Vec<_> = self.tables.par_iter().filter_map(shown).collect();
+        let made = parallel::flat_map(&self.tables, shown);
         // A table that needs nothing computed is made of the paper's equations.
         let of_equations = |id: &str| {
             table_maker(id).filter(|maker| maker.needs.is_empty())?;

@@ -1,5 +1,7 @@
 //! What the claims of the first paper notice.
 
+use rayon::prelude::*;
+
 use super::*;
 use crate::claims::procedures;
 use crate::experiments::{Outcome, Scene, SceneOutcome};

@@ -1,6 +1,6 @@
 //! `slipmode boundary` with error bars: the ranges within which the boundary and the transition, or the line of a given ω/ω_n, lie, as CSV, JSON and a picture.
 
-use rayon::prelude::*;
+use slipmode::parallel;
 
 use slipmode::experiments::shared::bands::{BandOf, ranges_at};
 use slipmode::scene::{Problem, Quantity};
@@ -112,13 +112,13 @@ impl Request {
     /// The ranges of the lines at these values of the coordinate that is not sought.
     fn rows(&self, unknown: Unknown, values: &[Rational]) -> Vec<Row> {
         let lines = self.lines();
-        let at = |((line, target), known): (&(&'static str, Target), &Rational)| {
+        let at = |&((line, target), known): &(&(&'static str, Target), &Rational)| {
             let ranges = ranges_at(&self.region, target, unknown, known);
-            ranges.into_iter().map(|range| Row { line, unknown, known: known.clone(), range }).collect()
+            let row = |range| Row { line, unknown, known: known.clone(), range };
+            ranges.into_iter().map(row).collect::<Vec<_>>()
         };
         let places = lines.iter().flat_map(|line| values.iter().map(move |known| (line, known)));
-        let rows: Vec<Vec<Row>> = places.collect::<Vec<_>>().into_par_iter().map(at).collect();
-        rows.into_iter().flatten().collect()
+        parallel::flat_map(&places.collect::<Vec<_>>(), at)
     }
 
     /// The slider in the middle of the error bars.

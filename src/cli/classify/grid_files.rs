@@ -2,11 +2,11 @@
 
 use std::io::Write;
 
-use rayon::prelude::*;
 use slipmode::csv::RowWork;
 use slipmode::experiments::boundary::END_ERROR;
 use slipmode::experiments::pictures::mode_picture;
 use slipmode::experiments::shared::Grid;
+use slipmode::parallel;
 use slipmode::scene::{LogAxis, LogCoordinates};
 use slipmode_core::friction::Slider;
 use slipmode_core::number::format::shortest;
@@ -67,7 +67,7 @@ impl<'g> GridFiles<'g> {
         let columns = self.loading_velocities.points;
         for row in 0..self.normal_stresses.points {
             let stress = stresses.at(row);
-            let part = |first: u32| {
+            let part = |&first: &u32| {
                 let mut text = Vec::new();
                 for column in first..columns.min(first.saturating_add(POINTS_TOGETHER)) {
                     let velocity = velocities.at(column);
@@ -79,8 +79,7 @@ impl<'g> GridFiles<'g> {
                 text
             };
             let firsts: Vec<u32> = (0..columns).step_by(POINTS_TOGETHER as usize).collect();
-            let parts: Vec<Vec<u8>> = firsts.into_par_iter().map(part).collect();
-            for text in parts {
+            for text in parallel::map(&firsts, part) {
                 output.write_all(&text).map_err(|error| machine_write(&error))?;
             }
             done(u64::from(columns));
@@ -108,7 +107,7 @@ impl<'g> GridFiles<'g> {
             let mut cells = vec![undecided; stresses.len()];
             kernel.as_ref()?.classify_row(velocity, &mut cells).map(|_| cells)
         };
-        let columns: Option<Vec<Vec<GridCell>>> = velocities.par_iter().map(column).collect();
+        let columns: Option<Vec<Vec<GridCell>>> = parallel::map(velocities, column).into_iter().collect();
         // Every coordinate of a logarithmic axis in the allowed range is positive and finite.
         let columns = columns.unwrap_or_default();
         let row = |row: usize| columns.iter().map(move |cells| cells[row].slip_mode());

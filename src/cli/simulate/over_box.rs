@@ -1,9 +1,9 @@
 //! Runs over error bars: at the middle values, at every corner, and at points spread between; their ranges are sampled.
 
 use clap::Args;
-use rayon::prelude::*;
 use slipmode::comparison::{Observable, sampled_range, simulated};
 use slipmode::csv::{Column, Datum};
+use slipmode::parallel;
 use slipmode::sweep::LowDiscrepancy;
 use slipmode_core::dynamics::Simulation;
 use slipmode_core::friction::{EvolutionLaw, Parameters};
@@ -90,8 +90,8 @@ impl BoxRuns {
         spread: u64,
     ) -> Self {
         let points = points_within(region, spread);
-        let runs = points.par_iter().map(|point| simulate_point(point, law, settings));
-        let runs: Vec<Shown> = std::iter::once(middle).chain(runs.collect::<Vec<_>>()).collect();
+        let runs = parallel::map(&points, |point| simulate_point(point, law, settings));
+        let runs: Vec<Shown> = std::iter::once(middle).chain(runs).collect();
         let outside_tested_range = points.iter().any(|point| !range::outside_tested(point).is_empty());
         Self { corners: runs.len() - 1 - spread as usize, runs, outside_tested_range }
     }

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use rayon::prelude::*;
+use crate::parallel;
 
 use crate::experiments::certificates::Stored;
 use crate::experiments::certificates::grid::Grid;
@@ -104,7 +104,7 @@ impl Stored {
 #[must_use]
 pub fn prove_again(rows: &[Stored], chosen: &[usize]) -> Vec<ProvedAgain> {
     let chosen: Vec<usize> = chosen.iter().copied().filter(|row| rows[*row].certificate.is_ok()).collect();
-    chosen.into_par_iter().map(|row| ProvedAgain { row, refusal: rows[row].refusal() }).collect()
+    parallel::map(&chosen, |&row| ProvedAgain { row, refusal: rows[row].refusal() })
 }
 
 /// The most rows that are extreme.
@@ -146,7 +146,7 @@ pub fn certify_grid(
     law: EvolutionLaw,
 ) -> Vec<Stored> {
     let grid = Grid::of(slider, section);
-    let certified = |point: usize| {
+    let certified = |&point: &usize| {
         let inputs = grid.inputs(point);
         // What is certified is what the row says.
         let parameters =
@@ -154,7 +154,7 @@ pub fn certify_grid(
         let found = certify(&parameters, law, Start::default());
         Stored::of(inputs, parameters, law, found)
     };
-    (0..grid.points()).into_par_iter().map(certified).collect()
+    parallel::map(&Vec::from_iter(0..grid.points()), certified)
 }
 
 #[cfg(test)]

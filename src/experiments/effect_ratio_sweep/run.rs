@@ -1,6 +1,6 @@
 //! The asymptotes' worst errors against β = b/a, on which alone they depend.
 
-use rayon::prelude::*;
+use crate::parallel;
 
 use crate::experiments::effect_ratio_sweep::EffectRatioSweepSection;
 use crate::experiments::map::run::exactly;
@@ -37,9 +37,7 @@ pub fn sweep_effect_ratio(section: &EffectRatioSweepSection) -> SweepOutcome {
         section.effect_ratio.coordinates().into_iter().map(exactly).chain(near).collect();
     ratios.sort();
     ratios.dedup();
-    let rows = ratios
-        .into_par_iter()
-        .map(|effect_ratio| SweepRow { errors: corner_errors(&effect_ratio, DIGITS), effect_ratio })
-        .collect();
-    SweepOutcome { rows }
+    let row =
+        |ratio: &Rational| SweepRow { errors: corner_errors(ratio, DIGITS), effect_ratio: ratio.clone() };
+    SweepOutcome { rows: parallel::map(&ratios, row) }
 }

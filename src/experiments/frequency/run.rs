@@ -1,6 +1,6 @@
 //! max Im(s) along lines of constant normal stress (fig 2), with eq 23 and ω_n next to it.
 
-use rayon::prelude::*;
+use crate::parallel;
 use slipmode_core::friction::Slider;
 
 use crate::experiments::frequency::FrequencySection;
@@ -48,11 +48,8 @@ fn line(
     stress: Rational,
 ) -> FrequencyLine {
     let threshold = InertialThreshold::default();
-    let max_imaginary_per_s = velocities
-        .par_iter()
-        .map(|&velocity| {
-            classify(&parameters.at(stress.clone(), exactly(velocity)), &threshold).max_imaginary_per_s
-        })
-        .collect();
+    let max_imaginary_per_s = parallel::map(velocities, |&velocity| {
+        classify(&parameters.at(stress.clone(), exactly(velocity)), &threshold).max_imaginary_per_s
+    });
     FrequencyLine { normal_stress_over_critical: ratio, normal_stress_pa: stress, max_imaginary_per_s }
 }

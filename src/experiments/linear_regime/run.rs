@@ -10,7 +10,7 @@
 //! Quadratic terms shift both by a relative amount in proportion to the size of the start. The coefficient follows from
 //! second-order perturbation theory, so that the law *mismatch ∝ amplitude* is predicted with its constant, not fitted.
 
-use rayon::prelude::*;
+use crate::parallel;
 use rug::{Complex, Float};
 
 use crate::experiments::linear_regime::LinearRegimeSection;
@@ -132,7 +132,7 @@ pub fn linear_regime(
     let cases: Vec<Case<'_>> =
         section.points.iter().flat_map(|point| cases(parameters, point, section, threshold)).collect();
     LinearRegimeOutcome {
-        runs: cases.par_iter().map(|case| run_case(case, &amplitudes, &methods)).collect(),
+        runs: parallel::map(&cases, |case| run_case(case, &amplitudes, &methods)),
         steady: steady_sliding(parameters, section),
     }
 }

@@ -1,6 +1,6 @@
 //! Steady sliding over a million time units, and the stress of a run against its slip integrated apart.
 
-use rayon::prelude::*;
+use crate::parallel;
 
 use crate::experiments::linear_regime::LinearRegimeSection;
 use crate::scene::PlanePoint;
@@ -60,7 +60,7 @@ pub fn steady_sliding(
 ) -> Vec<Result<SteadyRun, Failure>> {
     let cases: Vec<(&PlanePoint, EvolutionLaw)> =
         section.points.iter().flat_map(|point| section.laws.iter().map(move |&law| (point, law))).collect();
-    cases.par_iter().map(|&(point, law)| run_case(parameters, point, law)).collect()
+    parallel::map(&cases, |&(point, law)| run_case(parameters, point, law))
 }
 
 fn run_case(

@@ -1,6 +1,6 @@
 //! max Im(s), spectral class and slip mode on a (V, σ) grid (figs 1, 6a and 7).
 
-use rayon::prelude::*;
+use crate::parallel;
 use slipmode_core::friction::Slider;
 
 use crate::experiments::shared::Grid;
@@ -31,12 +31,11 @@ pub fn classify_rectangle(
 ) -> Grid<MapPoint> {
     let velocities = rectangle.loading_velocity_m_per_s.coordinates();
     let stresses = rectangle.normal_stress_pa.coordinates();
-    let values = stresses
-        .par_iter()
-        .flat_map_iter(|&stress| {
-            velocities.iter().map(move |&velocity| map_point(parameters, velocity, stress, threshold))
-        })
-        .collect();
+    let row = |stress: &f64| {
+        let at = |velocity: &f64| map_point(parameters, *velocity, *stress, threshold);
+        velocities.iter().map(at).collect::<Vec<_>>()
+    };
+    let values = parallel::flat_map(&stresses, row);
     Grid { loading_velocity_m_per_s: velocities, normal_stress_pa: stresses, values }
 }
 

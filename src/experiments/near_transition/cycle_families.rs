@@ -2,7 +2,7 @@
 
 use crate::experiments::near_transition::NearTransitionSection;
 use crate::experiments::near_transition::bistability::{Edge, edge};
-use rayon::prelude::*;
+use crate::parallel;
 use slipmode_core::dynamics::certified::certify_coexistence;
 use slipmode_core::dynamics::{CycleFamily, Failure, Member};
 use slipmode_core::friction::{EvolutionLaw, Groups, Slider, critical_stiffness_group};
@@ -149,7 +149,7 @@ pub(crate) fn cycle_families(
         .into_iter()
         .flat_map(|law| inertial.iter().map(move |&inertial| (law, inertial)))
         .collect();
-    cases.par_iter().map(|&(law, inertial)| follow(parameters, law, inertial)).collect()
+    parallel::map(&cases, |&(law, inertial)| follow(parameters, law, inertial))
 }
 
 fn follow(parameters: &Slider<Rational>, law: EvolutionLaw, inertial: &Rational) -> CycleFamilyOutcome {

@@ -5,7 +5,7 @@ use std::cell::Cell;
 use crate::experiments::near_transition::bistability::ends_on_cycle;
 use crate::experiments::near_transition::cycle_families::CycleFamilyOutcome;
 use crate::experiments::near_transition::section::KicksSection;
-use rayon::prelude::*;
+use crate::parallel;
 use slipmode_core::dynamics::{Failure, Kick, Model};
 use slipmode_core::friction::{EvolutionLaw, Groups, critical_stiffness_group};
 use slipmode_core::number::{Rational, nearest_f64};
@@ -48,7 +48,7 @@ pub(crate) fn smallest_kicks(section: &KicksSection, families: &[CycleFamilyOutc
     let families = families.iter().filter(|family| family.inertial_parameter == section.inertial_parameter);
     let ratios = |family| section.stiffness_over_critical.iter().map(move |ratio| (family, ratio));
     let cases: Vec<_> = families.flat_map(ratios).collect();
-    cases.into_par_iter().flat_map_iter(|(family, ratio)| of_slider(family, ratio)).collect()
+    parallel::flat_map(&cases, |(family, ratio)| of_slider(family, ratio))
 }
 
 fn of_slider(family: &CycleFamilyOutcome, ratio: &Rational) -> [SmallestKick; 4] {

@@ -4,7 +4,7 @@ use crate::experiments::near_transition::NearTransitionSection;
 use crate::experiments::near_transition::cycle_families::{CycleFamilyOutcome, cycle_families};
 use crate::experiments::near_transition::kicks::{SmallestKick, smallest_kicks};
 use crate::experiments::simulations::run::options;
-use rayon::prelude::*;
+use crate::parallel;
 use slipmode_core::dynamics::{
     Decay, Failure, LongTerm, Model, Options, Oscillation, Outcome, simulate_model,
 };
@@ -99,14 +99,11 @@ pub fn near_transition(
         .collect();
     let options = options(&section.tolerance);
     let effect_ratio = parameters.effect_ratio();
-    let runs = cases
-        .par_iter()
-        .map(|&(law, inertial, ratio)| {
-            let family =
-                families.iter().find(|family| family.law == law && family.inertial_parameter == *inertial);
-            near_run(law, inertial, ratio, &effect_ratio, family, &options)
-        })
-        .collect();
+    let runs = parallel::map(&cases, |&(law, inertial, ratio)| {
+        let family =
+            families.iter().find(|family| family.law == law && family.inertial_parameter == *inertial);
+        near_run(law, inertial, ratio, &effect_ratio, family, &options)
+    });
     let kicks = section.kicks.iter().flat_map(|kicks| smallest_kicks(kicks, &families)).collect();
     NearTransitionOutcome { runs, families, kicks }
 }

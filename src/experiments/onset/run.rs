@@ -1,6 +1,6 @@
 //! Where oscillation begins along lines of constant normal stress: theory's velocities next to those of simulations (figs 4 and 6).
 
-use rayon::prelude::*;
+use crate::parallel;
 
 use crate::experiments::map::run::exactly;
 use crate::experiments::onset::search::{GivenCoordinate, Line};
@@ -108,8 +108,8 @@ pub fn onset(
         .iter()
         .flat_map(|unit| section.normal_stress_pa.iter().map(move |stress| stress.clone() * unit));
     OnsetOutcome {
-        lines: section.normal_stress_pa.par_iter().filter_map(line).collect(),
-        stress_lines: section.loading_velocity_m_per_s.par_iter().filter_map(stress_line).collect(),
+        lines: parallel::flat_map(&section.normal_stress_pa, line),
+        stress_lines: parallel::flat_map(&section.loading_velocity_m_per_s, stress_line),
         other_unit: other.map(|stress| in_other_unit(parameters, section, stress)).collect(),
         visible: section.visible.clone(),
     }
@@ -138,7 +138,7 @@ fn onset_at(
         normal_stress_pa: stress.clone(),
         asymptote,
         inertial: inertial_velocity(parameters, threshold, stress, at),
-        seen: section.laws.par_iter().map(|&law| line(law).search(from, at, visible)).collect(),
+        seen: parallel::map(&section.laws, |&law| line(law).search(from, at, visible)),
         asymptote_velocity_m_per_s: asymptote_velocity,
         boundary_velocity_m_per_s: boundary,
         shown: section.velocity_over_asymptote.iter().filter_map(|ratio| run(nearest_f64(ratio))).collect(),
@@ -165,7 +165,7 @@ fn stress_onset(
     let line = |law| Line { parameters, given: GivenCoordinate::LoadingVelocity(velocity), law, tolerance };
     Some(StressOnset {
         loading_velocity_m_per_s: velocity.clone(),
-        seen: section.laws.par_iter().map(|&law| line(law).search(from, at, visible)).collect(),
+        seen: parallel::map(&section.laws, |&law| line(law).search(from, at, visible)),
         boundary_pa,
     })
 }

@@ -1,6 +1,6 @@
 //! Exact slip modes in the plane of loading velocity and K/M, where σ = M·g.
 
-use rayon::prelude::*;
+use crate::parallel;
 
 use crate::experiments::map::run::exactly;
 use crate::experiments::own_weight::OwnWeightSection;
@@ -36,7 +36,7 @@ pub fn own_weight(
         classify(&slider.at(weight_pa.clone(), exactly(velocity)), threshold).slip_mode
     };
     let row = |&ratio: &f64| velocities.iter().map(|&velocity| mode(ratio, velocity)).collect::<Vec<_>>();
-    let slip_modes = ratios.par_iter().flat_map_iter(row).collect();
+    let slip_modes = parallel::flat_map(&ratios, row);
     OwnWeightOutcome { loading_velocity_m_per_s: velocities, stiffness_over_mass_per_s2: ratios, slip_modes }
 }
 

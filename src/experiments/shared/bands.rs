@@ -1,7 +1,7 @@
 //! The boundary and the transition over error bars: the normal stresses or loading velocities at which some values have them, and the
 //! parts of a map in which some values have them, as bands.
 
-use rayon::prelude::*;
+use crate::parallel;
 
 use crate::scene::Quantity;
 use slipmode_core::number::Rational;
@@ -108,13 +108,13 @@ impl<'a> Cells<'a> {
         let [columns, rows] = self.edges.each_ref().map(|edges| edges.len().saturating_sub(1));
         let strips: Vec<Block> =
             (0..columns).step_by(BLOCK).map(|from| [[from, 0], [columns.min(from + BLOCK), rows]]).collect();
-        let found = strips.par_iter().map(|strip| {
+        let found = parallel::flat_map(&strips, |strip| {
             let mut blocks = Vec::new();
             self.collect(*strip, &mut blocks);
             blocks
         });
         let mut classes = vec![0; columns * rows];
-        for [[left, bottom], [right, top]] in found.collect::<Vec<_>>().into_iter().flatten() {
+        for [[left, bottom], [right, top]] in found {
             for row in bottom..top {
                 classes[row * columns + left..row * columns + right].fill(1);
             }

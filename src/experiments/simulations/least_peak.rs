@@ -1,6 +1,6 @@
 //! The loading velocity at which the peak velocity is least, by minimisation, against eq 18 (fig 5), and how flat the minimum is.
 
-use rayon::prelude::*;
+use crate::parallel;
 
 use crate::experiments::map::run::exactly;
 use crate::experiments::simulations::SimulationsSection;
@@ -89,7 +89,7 @@ pub fn least_peaks(
         let eq18_velocity_m_per_s = inertial_upper_velocity_m_per_s(&parameters.map(nearest_f64), &stress);
         Line { parameters, law, stress, eq18_velocity_m_per_s, options }.least_peak(threshold)
     };
-    cases.par_iter().filter_map(least).collect()
+    parallel::flat_map(&cases, least)
 }
 
 /// A line of constant normal stress; places on it are offsets from eq 18 in dex.

@@ -1,6 +1,6 @@
 //! The nonlinear slider simulated on a (V, σ) grid, next to the exact classification of the linear theory (figs 3a and 6).
 
-use rayon::prelude::*;
+use crate::parallel;
 
 use crate::experiments::map::run::exactly;
 use crate::experiments::shared::Grid;
@@ -136,26 +136,22 @@ fn simulate_grid(
         .iter()
         .flat_map(|&stress| velocities.iter().map(move |&velocity| (velocity, stress)))
         .collect();
-    let values = places
-        .par_iter()
-        .map(|&(velocity, stress)| {
-            let point = parameters.at(exactly(stress), exactly(velocity));
-            let ratio =
-                || nearest_f64(&(point.slider.stiffness_pa_per_m.clone() / point.critical_stiffness()));
-            let groups = point.groups().map(nearest_f64);
-            let inertial_parameter = groups.inertial_parameter;
-            let model = Model::new(groups, law);
-            let outcome = simulate_model(&model, options);
-            let course = |found: &Outcome| RunCourse::of(&model, found.long_term(), options).ok();
-            SimulatedPoint {
-                course: outcome.as_ref().ok().filter(|_| parameters.has_transition()).and_then(course),
-                simulation: outcome.map(|found| found.in_si(&point.map(nearest_f64))),
-                theory: classify(&point, threshold),
-                stiffness_over_critical: parameters.has_transition().then(ratio),
-                inertial_parameter,
-            }
-        })
-        .collect();
+    let values = parallel::map(&places, |&(velocity, stress)| {
+        let point = parameters.at(exactly(stress), exactly(velocity));
+        let ratio = || nearest_f64(&(point.slider.stiffness_pa_per_m.clone() / point.critical_stiffness()));
+        let groups = point.groups().map(nearest_f64);
+        let inertial_parameter = groups.inertial_parameter;
+        let model = Model::new(groups, law);
+        let outcome = simulate_model(&model, options);
+        let course = |found: &Outcome| RunCourse::of(&model, found.long_term(), options).ok();
+        SimulatedPoint {
+            course: outcome.as_ref().ok().filter(|_| parameters.has_transition()).and_then(course),
+            simulation: outcome.map(|found| found.in_si(&point.map(nearest_f64))),
+            theory: classify(&point, threshold),
+            stiffness_over_critical: parameters.has_transition().then(ratio),
+            inertial_parameter,
+        }
+    });
     Grid { loading_velocity_m_per_s: velocities, normal_stress_pa: stresses, values }
 }
 

@@ -1,6 +1,6 @@
 //! Strong vibration: limit cycles with growing η at κ = 1, where the least friction and the harmonics approach their laws.
 
-use rayon::prelude::*;
+use crate::parallel;
 
 use crate::experiments::simulations::CYCLE_TOLERANCE;
 use slipmode_core::dynamics::{LongTerm, Model, Options, Profile, simulate_model};
@@ -33,7 +33,7 @@ const TOLERANCE: f64 = 1e-6;
 pub fn strong_vibrations(effect_ratio: f64, laws: &[EvolutionLaw]) -> Vec<StrongVibration> {
     let cases = laws.iter().flat_map(|&law| INERTIAL_PARAMETERS.map(|inertial| (law, inertial)));
     let cases: Vec<(EvolutionLaw, f64)> = cases.collect();
-    cases.par_iter().filter_map(|&(law, inertial)| strong_vibration(effect_ratio, law, inertial)).collect()
+    parallel::flat_map(&cases, |&(law, inertial)| strong_vibration(effect_ratio, law, inertial))
 }
 
 fn strong_vibration(

@@ -1,6 +1,6 @@
 //! What the unstated part of the paper's start decides: every completion of V = V_l/10 at a few points, with both laws.
 
-use rayon::prelude::*;
+use crate::parallel;
 
 use crate::experiments::start_sensitivity::StartSensitivitySection;
 use crate::scene::PlanePoint;
@@ -71,7 +71,7 @@ pub fn start_sensitivity(
 ) -> Vec<StartGroup> {
     let cases: Vec<(&PlanePoint, EvolutionLaw)> =
         section.points.iter().flat_map(|point| section.laws.iter().map(move |&law| (point, law))).collect();
-    cases.par_iter().map(|&(point, law)| group(parameters, section, threshold, point, law)).collect()
+    parallel::map(&cases, |&(point, law)| group(parameters, section, threshold, point, law))
 }
 
 fn group(
@@ -98,7 +98,7 @@ fn group(
         inertial_parameter: groups.inertial_parameter,
         stiffness_over_critical: parameters.has_transition().then(ratio),
         slip_mode: classify(&point, threshold).slip_mode,
-        runs: Start::ALL.par_iter().map(|&start| run(start)).collect(),
+        runs: parallel::map(&Start::ALL, |&start| run(start)),
     }
 }
 

@@ -1,6 +1,6 @@
 //! The nonlinear slider followed from its start at named points (figs 3b to 3g and 6b to 6d), thinned for drawing.
 
-use rayon::prelude::*;
+use crate::parallel;
 
 use crate::experiments::simulations::run::options;
 use crate::experiments::trajectories::thinning::kept;
@@ -67,7 +67,7 @@ pub fn trajectories(
     let options = options(&section.tolerance);
     let runs: Vec<(&TrajectoryPoint, EvolutionLaw)> =
         section.points.iter().flat_map(|point| point.laws.iter().map(move |&law| (point, law))).collect();
-    runs.par_iter().map(|&(point, law)| follow(parameters, point, law, threshold, &options)).collect()
+    parallel::map(&runs, |&(point, law)| follow(parameters, point, law, threshold, &options))
 }
 
 fn follow(

@@ -12,7 +12,7 @@ const LIBRARIES: [[&str; 2]; 3] = [
     ["crates/plot/src/", "table < figure"],
     [
         "src/",
-        "scene < sweep comparison fitting < csv experiments < explorer claims charts < theorems < report < archive < cli < main",
+        "parallel < scene < sweep comparison fitting < csv experiments < explorer claims charts < theorems < report < archive < cli < main",
     ],
 ];
 
