@@ -19,7 +19,11 @@ use slipmode_core::number::format::round_digits;
 pub fn results(found: &AvailablePlayers, rows: &[Row]) -> Result<(), String> {
     let folder = measured_on::folder();
     let mut facts = measured_on::facts();
-    facts.extend(found.players.iter().map(|player| (player.name.to_string(), player.version.clone())));
+    let result = |program: &str| rows.iter().any(|row| row.program == program);
+    facts.extend(found.players.iter().map(|player| {
+        let failed = if result(&player.program_and_version()) { "" } else { ": no result" };
+        (player.name.to_string(), format!("{}{failed}", player.version))
+    }));
     facts.extend(found.skipped.iter().map(|(name, reason)| (name.to_string(), format!("skipped: {reason}"))));
     let csv = csv(rows);
     let page = markdown(&(head(&facts) + &summary(&csv)?), rows);
