@@ -82,9 +82,7 @@ struct Cli {
     quiet: bool,
 }
 
-/// A command's options are made when it is called.
 #[derive(Debug, Subcommand)]
-#[command(defer = true)]
 enum Command {
     /// Computes stability, slip mode, growth rate and frequency of one point or of every row of a CSV file, or counts them on a grid
     #[command(after_help = example("classify SLIDER -s 5MPa -v 10um/s"))]

@@ -19,6 +19,18 @@ fn commands(place: &Workplace) -> Vec<String> {
 }
 
 #[test]
+fn the_help_of_a_command_begins_with_what_the_list_says_of_it() {
+    let place = Workplace::new();
+    let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let list = words(&place.run(["--help"]).expect_success());
+    for command in commands(&place).iter().filter(|command| *command != "help") {
+        let help = place.run([command, "--help"]).expect_success();
+        let first = words(help.split("\n\n").next().unwrap());
+        assert!(list.contains(&format!(" {command} {first} ")), "{command}: {first}");
+    }
+}
+
+#[test]
 fn completion_scripts_know_every_command() {
     let place = Workplace::new();
     let commands = commands(&place);
