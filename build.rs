@@ -22,12 +22,8 @@ const SOURCES: [&str; 10] = [
     "src",
     "templates",
 ];
-/// Our other packages: where each says that its sources are, and its folder in the repository.
-const LIBRARIES: [(&str, &str); 3] = [
-    ("DEP_SLIPMODE_ALGEBRA_ROOT", "crates/algebra"),
-    ("DEP_SLIPMODE_CORE_ROOT", "crates/core"),
-    ("DEP_SLIPMODE_PLOT_ROOT", "crates/plot"),
-];
+/// Our other packages, in `crates`; the variable `DEP_SLIPMODE_<NAME>_ROOT` says where the sources of each are.
+const LIBRARIES: [&str; 5] = ["algebra", "certified", "core", "plot", "theory"];
 
 fn main() {
     let compiler = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
@@ -68,11 +64,12 @@ fn source_digest() -> String {
     for source in SOURCES {
         collect(Path::new(source), Path::new(source), &mut files);
     }
-    for (variable, folder) in LIBRARIES {
+    for library in LIBRARIES {
+        let variable = format!("DEP_SLIPMODE_{}_ROOT", library.to_uppercase());
         println!("cargo:rerun-if-env-changed={variable}");
-        let root = PathBuf::from(std::env::var_os(variable).unwrap_or_default());
+        let root = PathBuf::from(std::env::var_os(&variable).unwrap_or_default());
         for source in ["build.rs", "src"] {
-            collect(&root.join(source), &Path::new(folder).join(source), &mut files);
+            collect(&root.join(source), &Path::new("crates").join(library).join(source), &mut files);
         }
     }
     files.sort();

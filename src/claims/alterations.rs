@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use slipmode_algebra::{Expression, Function, Symbol, unknowns};
 use slipmode_core::number::{Ball, Rational};
-use slipmode_core::theory::{Equation, Equations};
+use slipmode_theory::{Equation, Equations};
 
 /// One altered equation.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -3,7 +3,7 @@
 use crate::claims::check::Asked;
 use crate::claims::{Evidence, Finding};
 use crate::experiments::{Context, SceneOutcome};
-use slipmode_core::theory::asymptote_series::{self, AsymptoteSeries};
+use slipmode_theory::asymptote_series::{self, AsymptoteSeries};
 
 /// The order to which the error series of the asymptotes are evidence.
 pub(super) const SERIES_ORDER: usize = 2;

@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
 use serde::{Deserialize, Serialize};
-use slipmode_core::theory::Equations;
+use slipmode_theory::Equations;
 
 use super::{Finding, Part, Reading, sha256_hex};
 

@@ -3,7 +3,7 @@
 use crate::claims::{Evidence, Finding};
 use crate::experiments::{Context, Need};
 use slipmode_core::number::{Rational, parse_quotient};
-use slipmode_core::theory::Role;
+use slipmode_theory::Role;
 
 /// A procedure that decides a part of a claim. `claims.toml` names it.
 #[derive(Debug)]

@@ -5,7 +5,7 @@ use super::procedures::{CHECKS, SHOWS};
 use super::{Finding, Verdict};
 use crate::experiments::{Context, Need};
 use crate::scene::{ClaimEntry, Computed, Fault, Faults, Problem, StatedClaim};
-use slipmode_core::theory::Equations;
+use slipmode_theory::Equations;
 
 /// What the program does not compute of a proof that a report states.
 const OF_STATED_PROOFS: &str = "the certified steps of a stated proof imply what it says.";

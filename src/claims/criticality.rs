@@ -7,7 +7,7 @@ use crate::experiments::Context;
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::format::round_digits;
 use slipmode_core::number::nearest_f64;
-use slipmode_core::theory::hopf::degenerate_inertial_parameter;
+use slipmode_theory::hopf::degenerate_inertial_parameter;
 
 /// Standard gravity, m/s².
 const GRAVITY: f64 = 9.80665;

@@ -7,7 +7,7 @@ use crate::experiments::frequency::{FrequencyLine, FrequencyOutcome};
 use crate::scene::cited;
 use slipmode_core::number::format::{certain_digits, round_digits};
 use slipmode_core::number::{Ball, Rational, Real};
-use slipmode_core::theory::strip_frequency;
+use slipmode_theory::strip_frequency;
 
 /// How far eq 23 and ω_n are from the computed line at σ = σ_c.
 pub(super) fn near_the_limits(context: &Context) -> Vec<Evidence> {

@@ -8,7 +8,7 @@ use crate::scene::cited;
 use slipmode_core::number::Ball;
 use slipmode_core::number::format::{Side, certain_digits, rounded};
 use slipmode_core::stability::asymptote;
-use slipmode_core::theory::frequency_turns::{self, TurningInterval};
+use slipmode_theory::frequency_turns::{self, TurningInterval};
 
 /// Digits of the ratios of normal stresses.
 const DIGITS: usize = 10;

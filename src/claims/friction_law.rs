@@ -4,7 +4,7 @@ use crate::claims::Finding;
 use crate::claims::check::{Asked, NO_NUMBER};
 use crate::experiments::Context;
 use crate::scene::cited;
-use slipmode_core::theory::regularised;
+use slipmode_theory::regularised;
 
 /// In steady sliding with the friction μ0 that it is asked about.
 pub(super) fn in_linear_analysis(context: &Context, asked: Asked) -> Finding {

@@ -12,7 +12,7 @@ use crate::experiments::operating_point::error_bars;
 use crate::experiments::{Context, Needs};
 use crate::scene::{ClaimEntry, ClaimFormula, InAnswer, Sentence, Source, StatedClaim, Subject, filled};
 use slipmode_algebra::Step;
-use slipmode_core::theory::Equations;
+use slipmode_theory::Equations;
 
 /// One line of the ledger.
 #[derive(Debug, Clone, Serialize)]

@@ -9,7 +9,7 @@ use crate::claims::{Evidence, Finding, Resolved, Verdict, computed, formula};
 use crate::experiments::Context;
 use crate::scene::{ClaimEntry, ClaimFormula, Source};
 use slipmode_algebra::Symbol;
-use slipmode_core::theory::Equation;
+use slipmode_theory::Equation;
 
 /// What became of the wrong versions of one equation.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]

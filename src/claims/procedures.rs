@@ -6,7 +6,7 @@ use crate::claims::{
 };
 use crate::experiments::Need;
 use crate::scene::Procedures;
-use slipmode_core::theory::{Role, asymptote_series, hopf};
+use slipmode_theory::{Role, asymptote_series, hopf};
 
 /// What decides.
 pub(super) static CHECKS: [Check; 7] = [

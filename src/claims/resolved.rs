@@ -6,7 +6,7 @@
 
 use sha2::{Digest, Sha256};
 use slipmode_algebra::{Expression, Symbol};
-use slipmode_core::theory::{Equations, Start, without_layout};
+use slipmode_theory::{Equations, Start, without_layout};
 
 use crate::scene::{ClaimEntry, ClaimFormula, Computed, Scope, StatedClaim, Statement};
 

@@ -9,7 +9,7 @@ use crate::experiments::{Context, Need, Outcome, References, Scene, SceneOutcome
 use crate::scene::{ClaimEntry, Limits, read_claims, read_equations};
 use slipmode_core::dynamics::{Behaviour, Simulation};
 use slipmode_core::number::Ball;
-use slipmode_core::theory::Equations;
+use slipmode_theory::Equations;
 
 /// Alters results.
 type Alter = fn(&mut Outcome);

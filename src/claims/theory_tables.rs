@@ -4,8 +4,8 @@ use crate::experiments::shared::cells::Digits;
 use crate::experiments::{Context, TableMaker};
 use slipmode_core::dynamics::PeakLaw;
 use slipmode_core::friction::EvolutionLaw;
-use slipmode_core::theory::asymptote_series;
 use slipmode_plot::table::{Cell, Column, Table};
+use slipmode_theory::asymptote_series;
 
 pub(crate) const TABLES: &[TableMaker] = &[
     TableMaker { id: "equations", needs: &[], make: equations },

@@ -8,7 +8,7 @@ use serde_json::json;
 use slipmode::claims::{Entry, Ledger, procedures};
 use slipmode::experiments::{Context, Outcome};
 use slipmode::scene::{ClaimEntry, Faults, read_equations_and_claims};
-use slipmode_core::theory::Equations;
+use slipmode_theory::Equations;
 
 use crate::cli::answer::Answer;
 use crate::cli::claim::{account, listed, print_warnings, problems};

@@ -15,8 +15,8 @@ use slipmode::scene::{
     ClaimEntry, EquationChart, Fault, Faults, Limits, Problem, ReportPlan, file_text, join_proofs,
     read_chart, read_claims, read_equations, read_equations_partly, read_proofs,
 };
-use slipmode_core::theory::Equations;
-use slipmode_core::theory::stated_proofs::StatedProofs;
+use slipmode_theory::Equations;
+use slipmode_theory::stated_proofs::StatedProofs;
 
 use crate::cli::input::{fault_of, place_inside, read_small_file, unreadable};
 use references::VECTORS;

@@ -6,7 +6,7 @@ use clap::Args;
 use slipmode::scene::{Limits, library_proofs};
 use slipmode::theorems::{Published, file_list, files, ties};
 use slipmode_algebra::{Proof, Refutation};
-use slipmode_core::theory::Role;
+use slipmode_theory::Role;
 
 use crate::cli::diff::ledger;
 use crate::cli::failure::Failure;

@@ -8,8 +8,8 @@ use crate::experiments::Outcome;
 use crate::scene::{ClaimEntry, Kind};
 use slipmode_algebra::Refutation;
 use slipmode_core::friction::EvolutionLaw;
-use slipmode_core::theory::Equations;
-use slipmode_core::theory::hopf::{self, HopfCoefficient, coefficient};
+use slipmode_theory::Equations;
+use slipmode_theory::hopf::{self, HopfCoefficient, coefficient};
 
 /// What a table or a check may look at.
 #[derive(Debug)]

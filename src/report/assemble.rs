@@ -20,8 +20,8 @@ use crate::report::{
 use crate::scene::{Chapter, LogAxis, ReportPlan, Sentence, Source, StatedClaim};
 use slipmode_algebra::{Certificate, Line, Notation};
 use slipmode_core::number::nearest_f64;
-use slipmode_core::theory::Equations;
 use slipmode_plot::table::Table;
+use slipmode_theory::Equations;
 
 /// Everything that a report puts before its reader.
 #[derive(Debug)]

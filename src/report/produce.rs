@@ -16,8 +16,8 @@ use crate::report::blocks::{BlockKind, Piece, pieces};
 use crate::report::theorems::{THEOREMS_FILE, theorems};
 use crate::report::{FactView, InputView, ReportError, render_edition, render_html, render_markdown};
 use crate::scene::{ClaimEntry, EquationChart, Measured, MeasuredChart, ReportPlan};
-use slipmode_core::theory::{Equations, Role, asymptote_series, hopf};
 use slipmode_plot::table::Table;
+use slipmode_theory::{Equations, Role, asymptote_series, hopf};
 
 /// The contents of a report folder, read and valid.
 #[derive(Debug)]

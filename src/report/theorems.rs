@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::assemble::plain;
 use crate::claims::{Entry, Ledger, Tie, definitions, statement, whole_statements};
-use slipmode_core::theory::Equations;
+use slipmode_theory::Equations;
 
 /// The file's name.
 pub(super) const THEOREMS_FILE: &str = "theorems.md";

@@ -5,9 +5,9 @@ use std::collections::BTreeMap;
 use slipmode_algebra::{Domain, Expression, Literal, Relation, Sign, Symbol};
 use slipmode_core::number::format::round_digits;
 use slipmode_core::number::{Rational, nearest_f64, parse_decimal};
-use slipmode_core::theory::Equations;
-use slipmode_core::theory::root_location::{MOST_DEGREE, coefficients};
 use slipmode_plot::figure::{Axis, Caption, Scale};
+use slipmode_theory::Equations;
+use slipmode_theory::root_location::{MOST_DEGREE, coefficients};
 
 use crate::scene::claim_formula::grammar::{read_side, read_variable};
 use crate::scene::claim_names::Names;

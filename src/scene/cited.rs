@@ -45,7 +45,7 @@ fn equations(roles: &str) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use slipmode_core::theory::Role;
+    use slipmode_theory::Role;
 
     #[test]
     fn roles_stand_for_the_numbers_of_the_first_paper() {

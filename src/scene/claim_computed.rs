@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use slipmode_core::theory::Equations;
-use slipmode_core::theory::stated_proofs::StatedProofs;
+use slipmode_theory::Equations;
+use slipmode_theory::stated_proofs::StatedProofs;
 
 use crate::scene::claim_formula::{Computed, Premise};
 use crate::scene::claim_library::library_proofs;

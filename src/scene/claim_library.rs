@@ -2,7 +2,7 @@
 
 use std::sync::{Arc, LazyLock};
 
-use slipmode_core::theory::stated_proofs::StatedProofs;
+use slipmode_theory::stated_proofs::StatedProofs;
 
 use crate::scene::Sentence;
 

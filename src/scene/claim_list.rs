@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use slipmode_core::theory::{Equations, EquationsText};
+use slipmode_theory::{Equations, EquationsText};
 
 use crate::scene::claim_computed::{Known, Procedures};
 use crate::scene::claim_formula::{ClaimFormula, StatedClaim, StatedReading};

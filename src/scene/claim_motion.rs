@@ -1,9 +1,9 @@
 //! `motion` beside a claim's words: a statement on every motion of a system, through a general lemma.
 
 use slipmode_algebra::{Expression, Symbol};
-use slipmode_core::theory::Equations;
-use slipmode_core::theory::lyapunov_sign::LyapunovSign;
-use slipmode_core::theory::planar::{MotionLemma, MotionWord};
+use slipmode_theory::Equations;
+use slipmode_theory::lyapunov_sign::LyapunovSign;
+use slipmode_theory::planar::{MotionLemma, MotionWord};
 
 use crate::scene::Problem;
 use crate::scene::claim_formula::grammar::read_side;

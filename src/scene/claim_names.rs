@@ -4,7 +4,7 @@ use std::ops::Deref;
 use std::sync::Arc;
 
 use slipmode_algebra::{Condition, Domain, Expression, Symbol};
-use slipmode_core::theory::{Equations, Names as Meanings};
+use slipmode_theory::{Equations, Names as Meanings};
 
 use crate::scene::nearest;
 

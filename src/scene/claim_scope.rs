@@ -2,7 +2,7 @@
 
 use slipmode_algebra::Symbol;
 use slipmode_core::number::{DecimalError, Rational, parse_quotient};
-use slipmode_core::theory::Equations;
+use slipmode_theory::Equations;
 
 use crate::scene::Problem;
 use crate::scene::claim_computed::{ComputedEntries, Known};

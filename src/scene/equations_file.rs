@@ -1,6 +1,6 @@
 //! `equations.toml`: a paper's equations, the thing under test.
 
-use slipmode_core::theory::{Equations, EquationsText};
+use slipmode_theory::{Equations, EquationsText};
 
 use crate::scene::file_text::line_at;
 use crate::scene::{Fault, Faults, Problem, file_text};

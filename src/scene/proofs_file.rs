@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use slipmode_core::theory::stated_proofs::{ProofsText, StatedProofs};
+use slipmode_theory::stated_proofs::{ProofsText, StatedProofs};
 
 use crate::scene::claim_library::library_proofs;
 use crate::scene::equations_file::{equation_fault, toml_fault};

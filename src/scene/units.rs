@@ -5,7 +5,7 @@
 
 use slipmode_core::friction::Quantity;
 use slipmode_core::number::{Rational, parse_decimal};
-use slipmode_core::theory::Dimension;
+use slipmode_theory::Dimension;
 
 /// A unit: its symbol, the unit of SI, and its size in that unit as numerator and denominator.
 type Unit = (&'static str, &'static str, u32, u32);

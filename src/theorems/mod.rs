@@ -11,7 +11,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use serde::Deserialize;
 use slipmode_algebra::coq::Theorem;
 use slipmode_algebra::{Certificate, Proof};
-use slipmode_core::theory::Equations;
+use slipmode_theory::Equations;
 
 use crate::claims::{
     Conclusion, Resolved, Strength, TIES, Tied, WholeTheorem, statement_digest, whole_theorems,

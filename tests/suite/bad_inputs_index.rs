@@ -17,7 +17,14 @@ fn rows() -> Vec<(&'static str, &'static str)> {
 fn module(path: &[&str]) -> Option<String> {
     let root = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
     let path = path.join("/");
-    let sources = ["tests/suite", "src", "crates/algebra/src", "crates/core/src", "crates/plot/src"];
+    let sources = [
+        "tests/suite",
+        "src",
+        "crates/algebra/src",
+        "crates/certified/src",
+        "crates/core/src",
+        "crates/plot/src",
+    ];
     let places = sources.iter().flat_map(|source| ["", "/mod"].map(|end| format!("{source}/{path}{end}.rs")));
     places.into_iter().find_map(|place| fs::read_to_string(root.join(place)).ok())
 }

@@ -10,11 +10,13 @@ use std::path::{Path, PathBuf};
 use toml::{Table, Value};
 
 /// Our packages and their manifests.
-const OWN: [(&str, &str); 4] = [
+const OWN: [(&str, &str); 6] = [
     ("slipmode", "Cargo.toml"),
     ("slipmode-algebra", "crates/algebra/Cargo.toml"),
+    ("slipmode-certified", "crates/certified/Cargo.toml"),
     ("slipmode-core", "crates/core/Cargo.toml"),
     ("slipmode-plot", "crates/plot/Cargo.toml"),
+    ("slipmode-theory", "crates/theory/Cargo.toml"),
 ];
 
 fn root() -> PathBuf {

@@ -180,8 +180,10 @@ fn every_package_states_the_same_least_version_of_rust() {
     for path in [
         "README.md",
         "crates/algebra/README.md",
+        "crates/certified/README.md",
         "crates/core/README.md",
         "crates/plot/README.md",
+        "crates/theory/README.md",
         "docs/releases.md",
     ] {
         let page = fs::read_to_string(root().join(path)).unwrap();

@@ -19,7 +19,7 @@ use slipmode::scene::{
 };
 use slipmode_algebra::Expression;
 use slipmode_core::number::{MAX_EXPONENT, Rational, parse_decimal};
-use slipmode_core::theory::Equations;
+use slipmode_theory::Equations;
 
 /// A number that is accepted is the same when it is printed in full and read again.
 pub fn number(bytes: &[u8]) {

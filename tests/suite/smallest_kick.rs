@@ -3,7 +3,7 @@
 use serde_json::Value;
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::{nearest_f64, parse_decimal};
-use slipmode_core::theory::hopf::square_amplitude;
+use slipmode_theory::hopf::square_amplitude;
 
 use crate::harness::{SLIDER, Workplace};
 

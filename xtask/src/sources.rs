@@ -9,16 +9,12 @@ use crate::{machine, verify};
 /// The folder in the file.
 const NAME: &str = "slipmode-sources";
 
-/// The packages of the program, each with its folder.
-const PACKAGES: [[&str; 2]; 4] = [
-    ["slipmode", ""],
-    ["slipmode-algebra", "crates/algebra/"],
-    ["slipmode-core", "crates/core/"],
-    ["slipmode-plot", "crates/plot/"],
-];
+/// The folders of the program's packages.
+const FOLDERS: [&str; 6] =
+    ["", "crates/algebra/", "crates/certified/", "crates/core/", "crates/plot/", "crates/theory/"];
 
 /// The packages of the workspace in the file, besides the first.
-const MEMBERS: &str = "members = [\"crates/algebra\", \"crates/core\", \"crates/plot\"]";
+const MEMBERS: &str = "members = [\"crates/*\"]";
 
 const VENDORED: &str =
     "[source.crates-io]\nreplace-with = \"vendored\"\n\n[source.vendored]\ndirectory = \"vendor\"\n";
@@ -43,8 +39,8 @@ fn make() -> Result<PathBuf> {
     let staging = workshop().join(NAME);
     make_empty(&staging)?;
     let take = |path: &str| copy(&root().join(path), &staging.join(path));
-    for [package, folder] in PACKAGES {
-        let listed = cargo(&format!("package --list --allow-dirty --package {package}")).text()?;
+    for folder in FOLDERS {
+        let listed = cargo("package --list --allow-dirty").current_dir(root().join(folder)).text()?;
         let paths = listed.lines().map(|line| format!("{folder}{line}"));
         // Cargo itself adds files to a package: those that the repository has are enough.
         paths.filter(|path| root().join(path).is_file()).try_for_each(|path| take(&path))?;

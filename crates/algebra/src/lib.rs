@@ -8,6 +8,7 @@
 //! assert_eq!(cubic.isolate_positive_roots().len(), 2);
 //! ```
 
+mod algebraic_root;
 mod budget;
 mod calculus;
 mod certificate;
@@ -47,6 +48,7 @@ mod sturm;
 mod univariate;
 mod value;
 
+pub use algebraic_root::{AlgebraicRoot, MOST_BITS, in_one_variable, nonzero_real_roots, sign_beside_roots};
 pub use budget::{Exhausted, within_budget};
 pub use certificate::Certificate;
 pub use condition::{Condition, Relation};

@@ -43,8 +43,8 @@
 //!
 //! The modules of this crate are the machinery of the program slipmode. They are public because other packages of the program use them;
 //! they are not part of the interface, and may change with any version.
-//! A module imports lower ones only: `number` < `roots` < `friction` < {`theory`, `stability`, `dynamics`} < `checked`.
-//! `theory`, `stability` and `dynamics` do not import each other, so that a simulation is an independent check of the linear theory.
+//! A module imports lower ones only: `number` < `roots` < `friction` < {`stability`, `dynamics`} < `checked`.
+//! `stability` and `dynamics` do not import each other, so that a simulation is an independent check of the linear theory.
 //!
 //! # Features
 //!
@@ -65,8 +65,6 @@ pub mod number;
 pub mod roots;
 #[doc(hidden)]
 pub mod stability;
-#[doc(hidden)]
-pub mod theory;
 
 pub use checked::{
     Boundary, BoundaryPoint, Classification, Enclosed, Exact, InputError, InputErrors, NumberError,

@@ -1,7 +1,7 @@
 //! Formulas as signs of expressions: definitions are put in, and predicates become signs of coefficients by general lemmas.
 
 use slipmode_algebra::{Expression, Literal, Proof, Sign, SignFormula, Symbol};
-use slipmode_core::theory::root_location::{self, MOST_DEGREE, coefficients, pair_crosses};
+use slipmode_theory::root_location::{self, MOST_DEGREE, coefficients, pair_crosses};
 
 use crate::scene::{Formula, Names, Premises};
 

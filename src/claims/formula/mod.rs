@@ -12,7 +12,7 @@ mod truth;
 mod warnings;
 
 use slipmode_algebra::{Certificate, Expression, Literal, Proof, Symbol, within_budget};
-use slipmode_core::theory::Equations;
+use slipmode_theory::Equations;
 
 use crate::claims::gate;
 use crate::claims::over_rows;

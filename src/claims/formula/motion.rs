@@ -1,8 +1,8 @@
 //! Statements on the motions of a system: the hypotheses of a general lemma are certified, its conclusion is argued.
 
 use slipmode_algebra::{Domain, Expression, Literal, Sign, Symbol};
-use slipmode_core::theory::lyapunov_sign::{LyapunovSign, ThreeStates};
-use slipmode_core::theory::planar::{MotionLemma, PlanarSystem};
+use slipmode_theory::lyapunov_sign::{LyapunovSign, ThreeStates};
+use slipmode_theory::planar::{MotionLemma, PlanarSystem};
 
 use super::Problem;
 use super::points::Points;

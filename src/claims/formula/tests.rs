@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use slipmode_algebra::coq::Theorem;
 use slipmode_algebra::{Domain, Expression};
-use slipmode_core::theory::Equations;
+use slipmode_theory::Equations;
 
 use super::verdict_tests::{SMALL, decided};
 use super::*;

@@ -1,7 +1,7 @@
 //! Verdicts on small formulas and claims with known truth.
 
-use slipmode_core::theory::Equations;
-use slipmode_core::theory::root_location::RootStatement;
+use slipmode_theory::Equations;
+use slipmode_theory::root_location::RootStatement;
 
 use super::*;
 use crate::claims::Verdict;

@@ -1,7 +1,7 @@
 //! Warnings about formulas that may say less than they seem to.
 
 use slipmode_algebra::{Comparison, Expression, unknowns, within_budget};
-use slipmode_core::theory::Equations;
+use slipmode_theory::Equations;
 
 use super::lowering::{Lowered, words};
 use super::{Problem, STEPS, decide_equations};

@@ -12,7 +12,7 @@ use std::rc::Rc;
 
 use slipmode_algebra::{Expression, Function};
 use slipmode_core::number::Rational;
-use slipmode_core::theory::{Derivation, Equations, Operation};
+use slipmode_theory::{Derivation, Equations, Operation};
 
 /// The imaginary unit, and the sign that stands for ±.
 pub(super) const UNIT: &str = "i";

@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use slipmode_algebra::{Comparison, End, Toward};
 use slipmode_core::number::Rational;
-use slipmode_core::theory::Equations;
+use slipmode_theory::Equations;
 
 use super::book::{Book, EITHER_SIGN, Term, UNIT};
 use super::evaluate::{AtPoint, NEAR};

@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 
 use slipmode_algebra::Function;
 use slipmode_core::number::Rational;
-use slipmode_core::theory::Operation;
+use slipmode_theory::Operation;
 
 use super::book::{Book, Derived, EITHER_SIGN, Meaning, Term, UNIT};
 use super::number::{Number, Tried, Trouble};

@@ -22,7 +22,7 @@ use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
 use slipmode_core::number::Rational;
-use slipmode_core::theory::Equations;
+use slipmode_theory::Equations;
 
 use crate::claims::finding::NamedPoint;
 use crate::claims::{Finding, Verdict};

@@ -12,7 +12,7 @@ use rug::Float;
 
 use slipmode_algebra::number::Interval;
 use slipmode_core::number::{Ball, Real};
-use slipmode_core::theory::root_location::RootStatement;
+use slipmode_theory::root_location::RootStatement;
 
 use super::evaluate::NEAR;
 use super::number::Number;

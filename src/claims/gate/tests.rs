@@ -8,7 +8,7 @@ use crate::claims::formula::decide_equations;
 use crate::claims::{Evidence, procedures};
 use crate::scene::{ClaimEntry, FormulaCondition, Names, Scope, Statement, read_claims, read_equations};
 use number::{Number, Trouble};
-use slipmode_core::theory::root_location::RootStatement;
+use slipmode_theory::root_location::RootStatement;
 use value::{IMAGINARY, Kind, Mark, Value};
 
 const REPORTS: [&str; 5] =

@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use slipmode_algebra::Comparison;
-use slipmode_core::theory::root_location::RootStatement;
+use slipmode_theory::root_location::RootStatement;
 
 use super::book::{Book, Term};
 use super::evaluate::{AtPoint, NEAR, is_zero};

@@ -13,7 +13,7 @@ use crate::claims::{Finding, Verdict};
 use crate::experiments::certificates::Certificates;
 use crate::experiments::{Context, Need, Outcome, TableMaker, table_makers};
 use crate::scene::{ClaimEntry, Fault, Faults, OverRows, Problem, filled, nearest};
-use slipmode_core::theory::Equations;
+use slipmode_theory::Equations;
 
 /// The finding on a statement over the rows of a table. A stored certificate that is not proved again decides nothing.
 pub(super) fn decide(rows: &OverRows, text: &str, context: &Context) -> Finding {

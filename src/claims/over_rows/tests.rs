@@ -11,7 +11,7 @@ use crate::experiments::certificates::{Certificates, certify_grid};
 use crate::experiments::shared::fixtures::paper;
 use crate::experiments::{Context, Need, Outcome, References, Scene, run};
 use crate::scene::{Kind, Limits, OverRows};
-use slipmode_core::theory::Equations;
+use slipmode_theory::Equations;
 
 /// A row: law, x, y, error of y, value with its enclosure, word with what is proved, failure.
 type Line = [&'static str; 10];

@@ -7,7 +7,7 @@ use crate::claims::procedures;
 use crate::experiments::{Outcome, Scene, SceneOutcome};
 use crate::scene::{Limits, read_claims, read_equations};
 use slipmode_algebra::Expression;
-use slipmode_core::theory::Equations;
+use slipmode_theory::Equations;
 
 /// The first paper's equations, claims and slider, without anything computed.
 fn paper() -> (Equations, Vec<ClaimEntry>, Outcome) {

@@ -3,8 +3,8 @@
 use serde_json::{Value, json};
 use slipmode::csv::{Column, Datum};
 use slipmode::experiments::certificates::BOUNDS;
+use slipmode_certified::{Certificate, Proved, Reason, certify_over, second_coordinate};
 use slipmode_core::dynamics::Start;
-use slipmode_core::dynamics::certified::{Certificate, Proved, Reason, certify_over, second_coordinate};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::stability::ParameterBox;
 

@@ -8,7 +8,7 @@ use slipmode_core::dynamics::{Kick, Model};
 use slipmode_core::friction::{EvolutionLaw, Parameters};
 use slipmode_core::number::format::round_digits;
 use slipmode_core::number::{Rational, nearest_f64};
-use slipmode_core::theory::hopf::Criticality;
+use slipmode_theory::hopf::Criticality;
 
 use crate::cli::answer::{Answer, SHOWN_DIGITS};
 use crate::cli::simulate::view::certain;

@@ -7,8 +7,8 @@ use crate::parallel;
 use crate::experiments::certificates::Stored;
 use crate::experiments::certificates::grid::Grid;
 use crate::experiments::simulations::SimulationsSection;
+use slipmode_certified::{Certificate, Proved, certify};
 use slipmode_core::dynamics::Start;
-use slipmode_core::dynamics::certified::{self, Certificate, Proved, certify};
 use slipmode_core::friction::{EvolutionLaw, Parameters, Slider};
 use slipmode_core::number::format::rational_to_decimal;
 use slipmode_core::number::{Rational, nearest_f64, parse_decimal};
@@ -93,7 +93,7 @@ impl Stored {
     /// Why the row is not proved; none where it is, or where it states no certificate.
     fn refusal(&self) -> Option<String> {
         let stated = self.certificate.as_ref().ok()?;
-        match certified::prove_again(&self.parameters, self.law, Start::default(), &stated.proved) {
+        match slipmode_certified::prove_again(&self.parameters, self.law, Start::default(), &stated.proved) {
             Ok(proof) => self.contradiction(&proof).map(|what| format!("the stored {what} is another one")),
             Err(reason) => Some(reason.to_string()),
         }

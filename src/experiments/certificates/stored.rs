@@ -5,7 +5,7 @@
 
 use crate::experiments::certificates::CertificateFile;
 use crate::scene::{CsvProblem, Fault, Faults, Problem, Quantity};
-use slipmode_core::dynamics::certified::{Certificate, Proved, Reason, second_coordinate};
+use slipmode_certified::{Certificate, Proved, Reason, second_coordinate};
 use slipmode_core::friction::{EvolutionLaw, Parameters};
 use slipmode_core::number::format::shortest;
 use slipmode_core::number::{Rational, parse_decimal};

@@ -3,7 +3,7 @@
 use crate::experiments::certificates::{Certificates, Stored};
 use crate::experiments::tables::table_of;
 use crate::experiments::{Context, Need, TableMaker};
-use slipmode_core::dynamics::certified::Certificate;
+use slipmode_certified::Certificate;
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_plot::table::Table;
 

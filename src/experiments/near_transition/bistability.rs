@@ -1,7 +1,7 @@
 //! The edge of bistability: the largest K/K_c at which a limit cycle coexists with stable sliding, and what start reaches it.
 
 use crate::experiments::near_transition::EdgeLaw;
-use slipmode_core::dynamics::certified::{Coexistence, Reason, certify_coexistence};
+use slipmode_certified::{Coexistence, Reason, certify_coexistence};
 use slipmode_core::dynamics::{
     Control, CycleFamily, Failure, Fold, Integrator, LongTerm, Member, Model, Radau, Start, State,
     long_term_behaviour, start_threshold,

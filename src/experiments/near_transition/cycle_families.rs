@@ -3,11 +3,11 @@
 use crate::experiments::near_transition::NearTransitionSection;
 use crate::experiments::near_transition::bistability::{Edge, edge};
 use crate::parallel;
-use slipmode_core::dynamics::certified::certify_coexistence;
+use slipmode_certified::certify_coexistence;
 use slipmode_core::dynamics::{CycleFamily, Failure, Member};
 use slipmode_core::friction::{EvolutionLaw, Groups, Slider, critical_stiffness_group};
 use slipmode_core::number::{Rational, nearest_f64};
-use slipmode_core::theory::hopf::{Criticality, square_amplitude};
+use slipmode_theory::hopf::{Criticality, square_amplitude};
 
 /// One cycle of a family.
 #[derive(Debug, Clone)]

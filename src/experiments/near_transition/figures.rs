@@ -6,8 +6,8 @@ use crate::experiments::{Drawer, Outcome, SceneOutcome, Words};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::format::rational_to_decimal;
 use slipmode_core::number::{Rational, nearest_f64};
-use slipmode_core::theory::hopf::degenerate_inertial_parameter;
 use slipmode_plot::figure::{Axis, LineChart, PointMark, Side, ZoneMap};
+use slipmode_theory::hopf::degenerate_inertial_parameter;
 
 pub(crate) const FIGURES: &[Drawer] = &[
     ("criticality", |outcome, words| criticality(outcome, words)),

@@ -8,8 +8,8 @@ use slipmode_core::dynamics::Outcome;
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::format::round_digits;
 use slipmode_core::number::nearest_f64;
-use slipmode_core::theory::hopf::degenerate_inertial_parameter;
 use slipmode_plot::table::Table;
+use slipmode_theory::hopf::degenerate_inertial_parameter;
 
 const NEEDS: &[Need] = &[Need::NearTransition];
 

@@ -10,8 +10,8 @@ use slipmode_core::dynamics::{
 };
 use slipmode_core::friction::{EvolutionLaw, Slider};
 use slipmode_core::number::{Rational, nearest_f64};
-use slipmode_core::theory::{Equations, Role, emergence};
 use slipmode_plot::table::Table;
+use slipmode_theory::{Equations, Role, emergence};
 
 const NEEDS: &[Need] = &[Need::Simulations];
 

@@ -7,7 +7,7 @@ use crate::experiments::simulations::deep_stick_slip::LawOfLeast;
 use crate::experiments::simulations::{LeastPeak, SIDE_WIDTH, SimulatedPoint};
 use crate::experiments::tables::{Rows, table_of};
 use crate::experiments::{Context, Need, SceneOutcome, TableMaker};
-use slipmode_core::dynamics::certified::Certificate;
+use slipmode_certified::Certificate;
 use slipmode_core::dynamics::{Behaviour, Estimate, Simulation};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::format::{Side, rounded};

@@ -1,7 +1,7 @@
 //! The grammar of formulas: every fault has the column at which it was found.
 
 use slipmode_algebra::{Comparison, End, Expression, Source, Symbol, Toward};
-use slipmode_core::theory::root_location::RootStatement;
+use slipmode_theory::root_location::RootStatement;
 
 use super::{Crossing, Formula, Statement};
 use crate::scene::claim_names::Names;

@@ -29,8 +29,8 @@ use slipmode_algebra::{
     within_budget,
 };
 use slipmode_core::number::Rational;
-use slipmode_core::theory::Equations;
-use slipmode_core::theory::root_location::{MOST_DEGREE_OF_OTHERS, RootStatement, coefficients};
+use slipmode_theory::Equations;
+use slipmode_theory::root_location::{MOST_DEGREE_OF_OTHERS, RootStatement, coefficients};
 
 use crate::scene::claim_motion::ClaimMotion;
 use crate::scene::claim_names::Names;

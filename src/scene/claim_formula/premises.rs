@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use slipmode_algebra::{Comparison, Condition, Domain, Expression, Literal, Relation, Sign, Symbol};
 use slipmode_core::number::Rational;
-use slipmode_core::theory::Equations;
+use slipmode_theory::Equations;
 
 use super::{FormulaCondition, Scope};
 use crate::scene::claim_names::Names;

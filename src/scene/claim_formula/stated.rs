@@ -58,7 +58,7 @@ pub struct Computed {
     /// The procedures that compute evidence beside it.
     pub shows: Vec<String>,
     /// The proofs as they are stated.
-    pub stated: Arc<slipmode_core::theory::stated_proofs::StatedProofs>,
+    pub stated: Arc<slipmode_theory::stated_proofs::StatedProofs>,
 }
 
 /// A claim that has to hold.

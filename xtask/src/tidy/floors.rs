@@ -8,7 +8,7 @@ use crate::prelude::*;
 /// The source folder of each library with its top modules, from the lowest floor to the highest; modules on one floor may not import
 /// each other. What one library may take from another is in its `Cargo.toml`.
 const LIBRARIES: [[&str; 2]; 3] = [
-    ["crates/core/src/", "number < roots < friction < theory stability dynamics < checked"],
+    ["crates/core/src/", "number < roots < friction < stability dynamics < checked"],
     ["crates/plot/src/", "table < figure"],
     [
         "src/",
@@ -96,8 +96,8 @@ mod tests {
     #[test]
     fn equal_and_higher_floors_are_refused() {
         assert_eq!(complaints("crates/core/src/stability/curve.rs", "\nuse crate::dynamics::Slider;"), [2]);
-        assert_eq!(complaints("crates/core/src/theory/mod.rs", "use crate::stability::Arc;"), [1]);
-        assert_eq!(complaints("crates/core/src/dynamics/x.rs", "fn f() { crate::theory::g() }"), [1]);
+        assert_eq!(complaints("crates/core/src/dynamics/mod.rs", "use crate::stability::Arc;"), [1]);
+        assert_eq!(complaints("crates/core/src/dynamics/x.rs", "fn f() { crate::checked::g() }"), [1]);
         assert_eq!(
             complaints(
                 "crates/core/src/number/ball.rs",

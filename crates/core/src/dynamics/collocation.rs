@@ -12,8 +12,7 @@ use rug::{Assign, Complex, Float};
 use super::dense_matrix::{Matrix, inverse};
 use super::scalar::Scalar;
 use crate::number::Ball;
-use crate::roots::AlgebraicRoot;
-use slipmode_algebra::UnivariatePolynomial;
+use slipmode_algebra::{AlgebraicRoot, UnivariatePolynomial};
 
 /// Bits of all computations here: enough for the constants of every number type in use.
 const PRECISION_BITS: u32 = 640;

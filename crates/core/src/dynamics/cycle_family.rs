@@ -36,7 +36,8 @@ pub struct Member {
 
 impl Member {
     /// The cycle of a run that begins on it: a member closes on itself, and begins where it ends.
-    pub(super) fn cycle(&self) -> Cycle<f64> {
+    #[must_use]
+    pub fn cycle(&self) -> Cycle<f64> {
         let (orbit, from) = (self.orbit.clone(), self.orbit.end);
         Cycle { orbit, returns_per_cycle: 1, contraction: None, distance: 0.0, from }
     }

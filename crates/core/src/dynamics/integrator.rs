@@ -181,7 +181,7 @@ impl<'m, R: Scalar, M: Stepper<R>> Integrator<'m, R, M> {
     }
 
     /// Takes a stop from where it becomes predictable to the slow motion after it, in one step without a polynomial; false when there is none.
-    pub(super) fn arrest(&mut self) -> bool {
+    pub fn arrest(&mut self) -> bool {
         let permitted = self.weight(&self.state).absolute;
         let Some(Arrest { to, time, slow_rate }) = arrest(self.model, &self.state, permitted) else {
             return false;

@@ -47,7 +47,6 @@
 mod arrest;
 mod arrow;
 mod barely_stops;
-pub mod certified;
 #[cfg(test)]
 mod checks;
 #[cfg(test)]
@@ -126,6 +125,8 @@ pub use outcome::{Behaviour, Outcome, Simulation};
 pub use peak_law::{DEEP, DeepCycle, PeakLaw, drop_over_impedance, least_loading};
 #[doc(hidden)]
 pub use profile::{Estimate, Profile};
+#[doc(hidden)]
+pub use quick_exp::exponentials;
 #[doc(hidden)]
 pub use radau::Radau;
 #[doc(hidden)]

@@ -37,7 +37,7 @@ const INVERSE_FACTORIALS: [f64; 12] = [
 
 /// e^x and e^x − 1.
 #[inline(always)]
-pub(super) fn exponentials(x: f64) -> (f64, f64) {
+pub fn exponentials(x: f64) -> (f64, f64) {
     let low = if x < LEAST { LEAST } else { x };
     let clamped = if low > LARGEST { LARGEST } else { low };
     let shifted = clamped * std::f64::consts::LOG2_E + ROUNDER;

@@ -12,7 +12,6 @@ slipmode_algebra::named! {
     /// assert_eq!(Start::ALL.len(), 4);
     /// ```
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
-    #[non_exhaustive]
     pub enum Start {
         /// θ = D_c/V, spring in equilibrium with friction: steady sliding at V, before loading goes on at V_l (the default).
         #[default]

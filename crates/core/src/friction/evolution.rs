@@ -23,8 +23,8 @@ slipmode_algebra::named! {
 impl EvolutionLaw {
     /// Numerator and denominator of A²/(K/K_c − 1) of the small cycle next to K = K_c, to leading order, A the amplitude of ln(V/V_l).
     ///
-    /// The denominator vanishes where the first Lyapunov coefficient does. `theory::hopf` proves the formula.
-    pub(crate) fn square_amplitude<R: Field>(self, inertial_parameter: &R, effect_ratio: &R) -> [R; 2] {
+    /// The denominator vanishes where the first Lyapunov coefficient does. `slipmode_theory::hopf` proves the formula.
+    pub fn square_amplitude<R: Field>(self, inertial_parameter: &R, effect_ratio: &R) -> [R; 2] {
         let (eta, one) = (inertial_parameter, || R::from(1));
         let excess = effect_ratio.clone() - one();
         let sum = one() + eta;

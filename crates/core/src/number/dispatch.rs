@@ -3,13 +3,13 @@
 //! Every version executes the same IEEE operations in the same order (no contraction), so the bits are the same.
 
 /// A loop whose `run` must be `#[inline(always)]`, so that it is compiled anew for each vector unit.
-pub(crate) trait Kernel {
+pub trait Kernel {
     /// Does the work.
     fn run(self);
 }
 
 /// Runs the kernel with AVX-512 or AVX2 where the machine has them, plainly elsewhere.
-pub(crate) fn run_on_widest_unit<K: Kernel>(kernel: K) {
+pub fn run_on_widest_unit<K: Kernel>(kernel: K) {
     #[cfg(target_arch = "x86_64")]
     {
         if is_x86_feature_detected!("avx512f")

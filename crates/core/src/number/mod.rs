@@ -9,7 +9,8 @@
 //! ```
 
 mod dd_decimal;
-pub(crate) mod dispatch;
+#[doc(hidden)]
+pub mod dispatch;
 mod double_double;
 #[doc(hidden)]
 pub mod format;

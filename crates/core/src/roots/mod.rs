@@ -21,7 +21,6 @@ mod discriminant;
 mod forward;
 mod kahan;
 mod multiple;
-mod polynomial;
 mod precision_level;
 
 pub use certified::{CertifiedRoot, CertifiedRoots, certified_roots};
@@ -29,7 +28,4 @@ pub(crate) use depressed::Depressed;
 pub use discriminant::discriminant;
 #[doc(hidden)]
 pub use forward::{Bounded, BoundedCubic, BranchlessRoots, Pair, Spectrum, Working, bounded_roots};
-pub(crate) use polynomial::{
-    AlgebraicRoot, MOST_BITS, in_one_variable, nonzero_real_roots, sign_beside_roots,
-};
 pub use precision_level::PrecisionLevel;

@@ -8,7 +8,7 @@ use std::sync::LazyLock;
 
 use slipmode_algebra::coq::{self, Theorem};
 use slipmode_algebra::{Certificate, Comparison, End, Expression, Proof, Symbol, Toward};
-use slipmode_core::theory::Equations;
+use slipmode_theory::Equations;
 
 use super::behaviour::other_value;
 use super::points::Point;

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use slipmode_algebra::coq;
 use slipmode_algebra::{Certificate, Comparison, Expression, Proof, Sign, SignFormula, Symbol};
 use slipmode_core::number::Rational;
-use slipmode_core::theory::root_location::{self, RootStatement};
+use slipmode_theory::root_location::{self, RootStatement};
 
 use super::{Stated, Steps, same_sides};
 use crate::claims::formula::lowering::{Lowered, located};

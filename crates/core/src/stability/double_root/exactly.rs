@@ -6,14 +6,13 @@
 use std::cmp::Ordering;
 
 use rug::Rational;
-use slipmode_algebra::UnivariatePolynomial;
+use slipmode_algebra::{AlgebraicRoot, MOST_BITS, UnivariatePolynomial};
 
 use super::GivenGroup;
 use super::equation::coefficients;
 use super::line::parameter_at;
 use super::unknown::Factors;
 use crate::number::{Ball, Real};
-use crate::roots::{AlgebraicRoot, MOST_BITS};
 use crate::stability::Arc;
 
 /// Bits of the first attempt beyond those requested.

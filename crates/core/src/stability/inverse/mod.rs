@@ -21,13 +21,13 @@ use thiserror::Error;
 
 use crate::friction::{Parameters, Quantity};
 use crate::number::{Ball, Field, bits_for_digits};
-use crate::roots::{MOST_BITS, discriminant};
+use crate::roots::discriminant;
 use crate::stability::{Arc, DampingRatio, InertialThreshold};
 use family::{Family, hurwitz, shifted};
 use frequency::FrequencyCondition;
 pub use over_box::{SolutionRange, is_nowhere, solve_over_box};
 use root::Root;
-use slipmode_algebra::UnivariatePolynomial;
+use slipmode_algebra::{MOST_BITS, UnivariatePolynomial};
 
 slipmode_algebra::named! {
     /// What is solved for; every solution is positive.

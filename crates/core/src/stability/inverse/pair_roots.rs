@@ -9,7 +9,8 @@ use super::family::{Family, lead, skew, spread};
 use super::frequency::{FrequencyCondition, squared_angular_frequency};
 use super::root::Root;
 use crate::number::Field;
-use crate::roots::{self, MOST_BITS};
+use crate::roots;
+use slipmode_algebra::MOST_BITS;
 
 /// Precision of the first attempt, in bits.
 const FIRST_BITS: u32 = 128;

@@ -6,10 +6,9 @@ use std::sync::Arc;
 use rug::Rational;
 
 use crate::number::Ball;
-use crate::roots::{AlgebraicRoot, sign_beside_roots};
 use crate::stability::inverse::Undecided;
 use crate::stability::inverse::frequency::{FrequencyCondition, squared_angular_frequency};
-use slipmode_algebra::{UnivariatePolynomial, enclose_root};
+use slipmode_algebra::{AlgebraicRoot, UnivariatePolynomial, enclose_root, sign_beside_roots};
 
 /// A positive solution.
 pub(super) enum Root {

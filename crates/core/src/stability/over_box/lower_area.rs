@@ -2,7 +2,7 @@
 //!
 //! With the order "M, K, V, D_c up; σ, a, b down" a box meets the area exactly when a path along its edges does, which goes from
 //! its least to its greatest corner and changes D_c, b, K, σ, a, M, V in this order. A box lies in the area exactly when
-//! its least and its greatest corner do (`theory::monotone::lower_area_between`), so the path meets it in one piece.
+//! its least and its greatest corner do (the proof `lower-area-between-two-corners` of the report on Im and Avouac), so the path meets it in one piece.
 //!
 //! A point is in the area when G(w) = M V0² w/σ + K/(σw) − a − b/(D_c w − 1) has G(w₁) ≥ 0 ≥ G(w₂) for some 1/D_c < w₁ < w₂ (or a
 //! triple root). G rises along the order. The ratio ∂G(w₁)/∂G(w₂) does not grow from one parameter of the path to the next:

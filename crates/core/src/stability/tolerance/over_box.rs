@@ -2,7 +2,7 @@
 //! the box have the least and the greatest one.
 //!
 //! K, D_c and M act by their powers: V0 of eqs 15 and 16 is D_c √(K/M) times a function of β, σ of eqs 18 and 20 is K D_c/a times one.
-//! For a and b let K = D_c = M = 1, u = √β, ε the relative error, and |s| = V0 w as in [`theory::monotone`](crate::theory::monotone).
+//! For a and b let K = D_c = M = 1, u = √β, ε the relative error, and |s| = V0 w as in the proofs of `reports/im-avouac/proofs/monotone.toml`.
 //!
 //! **Eqs 15 and 16.** At the limit κ = (1 ∓ u)²/(1 + ε), and V0² is an extremum over w of a function φ(u, w): the greatest value for
 //! eq 15, the least value next to the asymptote for eq 16. With e = u − 1 (eq 15) or e = −(u + 1) (eq 16) and w = |e| z,

@@ -1,0 +1,117 @@
+//! Stated proofs carried out on equations, and which of the equations they reach.
+
+use std::collections::BTreeSet;
+
+use super::names::Named;
+use super::{DEEPEST, DomainForm, NONE, StatedProof, StatedProofs, StepForm, names, steps};
+use crate::{Equation, Equations};
+use slipmode_algebra::{Domain, Expression, Proof, Refutation};
+
+impl StatedProofs {
+    /// Carries out a proof on these equations.
+    ///
+    /// # Errors
+    /// The first step that does not hold.
+    pub fn prove(&self, id: &str, equations: &Equations) -> Result<Proof, Refutation> {
+        let Some(stated) = self.proofs.get(id) else {
+            return Err(Proof::new(id, "").refute("a proof that is stated", &[], "there is no such proof"));
+        };
+        let proof = Proof::new(id, "");
+        let named = Named::new(self, stated, &equations.iter().collect::<Vec<_>>());
+        let says = named.filled(&stated.says).map_err(|reason| proof.refute(&stated.says, &[], reason))?;
+        self.add_steps(Proof::new(id, says), stated, equations, 0)
+    }
+
+    fn add_steps(
+        &self,
+        proof: Proof,
+        stated: &StatedProof,
+        equations: &Equations,
+        depth: usize,
+    ) -> Result<Proof, Refutation> {
+        let named = Named::new(self, stated, &equations.iter().collect::<Vec<_>>());
+        stated.steps.iter().try_fold(proof, |proof, step| {
+            let Some(name) = step.refers_to() else { return step.add(proof, &named) };
+            if depth == DEEPEST {
+                return Err(proof.refute(&step.says, &[], "lemmas stand too deep in each other"));
+            }
+            match (self.blocks.get(name), self.proofs.contains_key(name), steps::built_in(name)) {
+                (Some(block), ..) => self.add_steps(proof, block, equations, depth + 1),
+                (None, true, _) => Ok(proof.using(self.prove(name, equations)?)),
+                (None, false, Some(lemma)) => lemma(proof),
+                (None, false, None) => Err(proof.refute(&step.says, &[], "there is no such lemma")),
+            }
+        })
+    }
+
+    /// The domain of this name, with the meanings of the names in it.
+    pub(super) fn domain(&self, name: &str, named: &Named<'_>) -> Result<Domain, String> {
+        match self.domains.get(name) {
+            _ if name.is_empty() || name == NONE => Ok(Domain::default()),
+            Some(form) => form.add_to(self.domain(&form.of, named)?, named),
+            None => Err(format!("there is no domain `{name}`")),
+        }
+    }
+
+    /// The numbers of the equations that a proof reaches, in the order of the file.
+    #[must_use]
+    pub fn reached<'e>(&self, id: &str, equations: &'e Equations) -> Vec<&'e str> {
+        let mut sides = BTreeSet::new();
+        self.proofs.get(id).into_iter().for_each(|proof| self.sides_of(proof, 0, &mut sides));
+        let is_reached = |equation: &&Equation| {
+            equation.sides().iter().any(|(side, _)| sides.contains(&format!("{side}_{}", equation.word())))
+        };
+        equations.iter().filter(is_reached).map(|equation| equation.number.as_str()).collect()
+    }
+
+    /// What a proof names and the file does not have: a sentence for each.
+    #[must_use]
+    pub fn missing(&self, id: &str, equations: &Equations) -> Vec<String> {
+        let mut sides = BTreeSet::new();
+        self.proofs.get(id).into_iter().for_each(|proof| self.sides_of(proof, 0, &mut sides));
+        for equation in equations.iter() {
+            for (side, _) in equation.sides() {
+                sides.remove(&format!("{side}_{}", equation.word()));
+            }
+        }
+        sides.into_iter().map(|side| format!("there is no equation for the name `{side}`")).collect()
+    }
+
+    /// The sides of equations that a proof names, by its steps, their domains, and what both refer to.
+    fn sides_of(&self, proof: &StatedProof, depth: usize, sides: &mut BTreeSet<String>) {
+        let steps = proof.steps.iter();
+        for inner in steps.clone().filter_map(StepForm::refers_to).filter(|_| depth < DEEPEST) {
+            let inner = self.blocks.get(inner).or_else(|| self.proofs.get(inner));
+            inner.into_iter().for_each(|inner| self.sides_of(inner, depth + 1, sides));
+        }
+        let of_steps = steps.clone().flat_map(StepForm::names);
+        let over = steps.flat_map(|step| [step.over.as_str(), step.besides.of.as_str()]);
+        let mut over: Vec<&str> = over.chain([proof.over.as_str()]).collect();
+        let mut domains = BTreeSet::new();
+        while let Some(name) = over.pop() {
+            if domains.insert(name) {
+                over.extend(self.domains.get(name).map(|domain| domain.of.as_str()));
+            }
+        }
+        let values = domains.iter().filter_map(|name| self.domains.get(*name)).flat_map(DomainForm::values);
+        let of_domains = values.flat_map(Expression::variables);
+        let open = of_steps.chain(of_domains).map(|name| name.to_string()).collect();
+        sides.extend(self.sides_behind(open, proof));
+    }
+
+    /// The sides of equations behind some names of a proof.
+    pub(super) fn sides_behind(&self, names: Vec<String>, proof: &StatedProof) -> BTreeSet<String> {
+        let (mut open, mut seen, mut sides) = (names, BTreeSet::new(), BTreeSet::new());
+        while let Some(name) = open.pop() {
+            if !seen.insert(name.clone()) {
+                continue;
+            }
+            match proof.names.get(&name).or_else(|| self.names.get(&name)) {
+                Some(form) => open.extend(form.names().iter().map(ToString::to_string)),
+                None if names::is_side(&name) => _ = sides.insert(name),
+                None => {}
+            }
+        }
+        sides
+    }
+}
