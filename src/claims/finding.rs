@@ -44,7 +44,7 @@ pub struct Finding {
 }
 
 impl Finding {
-    /// Starts from derivations: holds when all succeed, fails with the first refutation, and is not checked without any.
+    /// Starts from derivations: holds when all succeed, fails with the first counter-example, and is not checked without any.
     #[must_use]
     pub fn from_proofs(attempts: impl IntoIterator<Item = Result<Proof, Refutation>>) -> Self {
         let finding = attempts.into_iter().fold(None, |finding: Option<Finding>, attempt| {
@@ -56,12 +56,16 @@ impl Finding {
         finding.unwrap_or_else(|| Finding::not_checked("No derivation was tried."))
     }
 
-    /// Starts from one derivation: holds when it succeeds, fails otherwise.
+    /// Starts from one derivation: holds when it succeeds, and fails when a step of it has a counter-example. A step that the rules do not
+    /// decide decides nothing.
     #[must_use]
     pub fn from_proof(attempt: Result<Proof, Refutation>) -> Self {
         match rechecked(attempt) {
             Ok(proof) => Finding::holding(Evidence::Proof { proof }),
-            Err(refutation) => Finding::failing(refutation.to_string()),
+            Err(refutation) if refutation.counter_example.is_some() => {
+                Finding::failing(refutation.to_string())
+            }
+            Err(refutation) => Finding::not_checked(refutation.to_string()),
         }
     }
 
@@ -89,6 +93,15 @@ impl Finding {
     pub fn failing(counter_example: impl Into<String>) -> Self {
         let (verdict, strength) = (Verdict::Fails, Strength::Exact);
         Finding { verdict, strength, counter_example: Some(counter_example.into()), ..Finding::default() }
+    }
+
+    /// It rests on enclosures with outward rounding, unless what decides it is rational.
+    #[must_use]
+    pub fn enclosed_unless(mut self, is_rational: bool) -> Self {
+        if !is_rational {
+            self.strength = self.strength.max(Strength::Certified);
+        }
+        self
     }
 
     /// A claim that this report gives no ground to decide. No evidence added later turns it into one that holds.
@@ -127,7 +140,11 @@ impl Finding {
     pub fn with_proof(mut self, attempt: Result<Proof, Refutation>) -> Self {
         match rechecked(attempt) {
             Ok(proof) => return self.with_evidence(Evidence::Proof { proof }),
-            Err(refutation) => self.refute(refutation.to_string()),
+            Err(refutation) if refutation.counter_example.is_some() => self.refute(refutation.to_string()),
+            Err(refutation) if self.verdict == Verdict::Holds => {
+                return Finding::not_checked(refutation.to_string());
+            }
+            Err(refutation) => return self.remark(refutation.to_string()),
         }
         self
     }
@@ -176,12 +193,16 @@ impl Finding {
         self
     }
 
-    /// Adds what another claim found, which must hold.
+    /// Adds what another claim found, which must hold; its limit limits this one too.
     #[must_use]
     pub fn with_premise(self, premise: Finding) -> Self {
         match premise.verdict {
             Verdict::Holds | Verdict::HoldsWithin => {
-                premise.evidence.into_iter().fold(self, Finding::with_evidence)
+                let found = premise.evidence.into_iter().fold(self, Finding::with_evidence);
+                match premise.limit.filter(|_| premise.verdict == Verdict::HoldsWithin) {
+                    Some(limit) if found.verdict != Verdict::Fails => found.limited(limit),
+                    _ => found,
+                }
             }
             Verdict::Fails => self.refuted(premise.counter_example.unwrap_or_default()),
             Verdict::NotChecked => Finding {
@@ -250,6 +271,11 @@ impl Finding {
         self
     }
 
+    /// A claim about more than these things: it holds within them.
+    pub(super) fn decided_for(self, things: &str) -> Self {
+        if self.verdict == Verdict::Holds { self.limited(things.to_owned()) } else { self }
+    }
+
     /// The points that a universal statement was looked at on, or how far a statement goes; the verdict stays.
     #[must_use]
     pub fn on(mut self, points: impl Into<String>) -> Self {
@@ -307,7 +333,7 @@ mod tests {
         assert_eq!(Finding::from_proofs([]).verdict, Verdict::NotChecked);
         assert_eq!(Finding::from_evidence(sample(0)).verdict, Verdict::NotChecked);
         let proof = Proof::new("no-step", "A statement without a certificate.").reason("Because.");
-        assert_eq!(Finding::from_proof(Ok(proof)).verdict, Verdict::Fails);
+        assert_eq!(Finding::from_proof(Ok(proof)).verdict, Verdict::NotChecked);
         let undecided = Finding::from_proofs([]).with_evidence(sample(1)).limited("a limit".into());
         assert_eq!(undecided.verdict, Verdict::NotChecked);
     }

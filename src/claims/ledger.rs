@@ -85,8 +85,8 @@ impl Entry {
 
     /// Where the sentence is about more than was decided, what limits it; and the replacement of a sentence that fails, with its numbers.
     fn with_what_the_sentence_needs(mut self) -> Self {
-        if let (Verdict::Holds, Some(decided)) = (self.finding.verdict, &self.sentence.decided_for) {
-            self.finding = self.finding.limited(decided.clone());
+        if let Some(decided) = &self.sentence.decided_for {
+            self.finding = self.finding.decided_for(decided);
         }
         self.sentence.change = self.sentence.change.filter(|_| self.finding.verdict == Verdict::Fails);
         let parts = self.stated.iter().flat_map(StatedClaim::parts);

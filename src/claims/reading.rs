@@ -71,8 +71,12 @@ pub(super) fn of_readings(drafts: impl IntoIterator<Item = Draft>) -> Finding {
         };
         let parts: Vec<Part> = parts.into_iter().map(&mut part).collect();
         let verdicts: Vec<Verdict> = parts.iter().map(|part| part.verdict).collect();
-        let strength = parts.iter().map(|part| part.strength).max().unwrap_or(Strength::Sampled);
-        Reading { words, verdict: verdict_of_parts(&verdicts), strength, parts }
+        let verdict = verdict_of_parts(&verdicts);
+        // A part that is not decided is no evidence of what a false one decides.
+        let decided =
+            parts.iter().filter(|part| verdict != Verdict::Fails || part.verdict != Verdict::NotChecked);
+        let strength = decided.map(|part| part.strength).max().unwrap_or(Strength::Sampled);
+        Reading { words, verdict, strength, parts }
     };
     let readings: Vec<Reading> = drafts.into_iter().map(&mut reading).collect();
     let Some(written) = readings.first() else { return Finding::not_checked("The claim has no reading.") };

@@ -273,7 +273,11 @@ pub fn claim_line(entry: &Entry) -> String {
     let is_open = finding.verdict == Verdict::NotChecked;
     let strength = if is_open { "" } else { finding.strength.as_str() };
     let reason = finding.remarks.first().filter(|_| is_open);
-    let because = finding.limit.as_ref().or(finding.counter_example.as_ref()).or(reason);
+    let [first, second] = match finding.verdict {
+        Verdict::Fails => [&finding.counter_example, &finding.limit],
+        _ => [&finding.limit, &finding.counter_example],
+    };
+    let because = first.as_ref().or(second.as_ref()).or(reason);
     let line = format!(
         "{:<4} {:<13} {strength:<14}  {}",
         entry.id,

@@ -69,7 +69,7 @@ impl<'t> ComputedEntries<'t> {
         let shows = shows.and_then(|entry| entry.list(|member| name(member, &known.procedures.shows)));
         let proofs = self.0.texts("proofs");
         // What they say is put in when all claims of the file are read.
-        let premise = |id| Premise { id, stated: Arc::default() };
+        let premise = |id| Premise { id, stated: Arc::default(), decided_for: None };
         Computed {
             check,
             of: self.0.texts("of"),

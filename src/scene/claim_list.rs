@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use slipmode_theory::{Equations, EquationsText};
+use slipmode_theory::{Equations, EquationsText, circle};
 
 use crate::scene::claim_computed::{Known, Procedures};
 use crate::scene::claim_formula::{ClaimFormula, StatedClaim, StatedReading};
@@ -130,10 +130,40 @@ fn claims_of(
         return Some(claims);
     }
     for (id, premise) in &unknown {
-        let needs = "the id of a claim that does not rest on this one: of this file, or of the first paper";
-        top.fault(&format!("claim {id}: premises: {premise}"), Problem::Needs(needs.into()));
+        let needs = format!(
+            "the id of a claim that does not rest on this one: of this file, or of the first paper; at most {MOST_BEHIND} stand behind a claim"
+        );
+        top.fault(&format!("claim {id}: premises: {premise}"), Problem::Needs(needs));
     }
-    unknown.is_empty().then_some(claims)
+    let wrong = wrong_references(&claims);
+    for (key, needs) in &wrong {
+        top.fault(key, Problem::Needs((*needs).into()));
+    }
+    (unknown.is_empty() && wrong.is_empty()).then_some(claims)
+}
+
+/// What claims refer to that is no claim, or no earlier one; a claim that rests on itself.
+fn wrong_references(claims: &[ClaimEntry]) -> Vec<(String, &'static str)> {
+    let place = |id: &String| claims.iter().position(|claim| claim.id == *id);
+    let is_unknown = |id: &String| place(id).is_none() && library_file(id).is_none();
+    let uses =
+        claims.iter().map(|claim| (claim.id.clone(), claim.rests_on.iter().cloned().collect())).collect();
+    let mut wrong = Vec::new();
+    for (claim, at) in claims.iter().zip(0..) {
+        let mut tell = |key: &str, needs| wrong.push((format!("claim {}: {key}", claim.id), needs));
+        for id in claim.rests_on.iter().filter(|id| is_unknown(id)) {
+            tell(&format!("rests_on: {id}"), "the id of a claim, of this file or of the first paper");
+        }
+        if circle(&claim.id, &uses).is_some() {
+            tell("rests_on", "claims that do not rest on this one");
+        }
+        if let Some(id) = &claim.sentence.same_as
+            && (is_unknown(id) || place(id).is_some_and(|earlier| earlier >= at))
+        {
+            tell(&format!("same_as: {id}"), "the id of an earlier claim");
+        }
+    }
+    wrong
 }
 
 fn read_claim(
@@ -182,6 +212,17 @@ fn read_claim(
     })
 }
 
+/// The most premises behind a claim, those of its premises counted.
+const MOST_BEHIND: usize = 256;
+
+/// A claim with all its premises.
+struct Done {
+    stated: Arc<StatedClaim>,
+    decided_for: Option<String>,
+    /// How many claims stand behind it, itself counted.
+    behind: usize,
+}
+
 /// The claims with what their premises say, and each premise that is no claim or rests on its own claim. A premise that the file
 /// does not list is one of the first paper's claims.
 fn with_premises(
@@ -193,18 +234,23 @@ fn with_premises(
     for premise in stated.flat_map(StatedClaim::premises_mut).filter(|one| !ids.contains(&one.id)) {
         premise.stated = of_library(&premise.id).map(Arc::new).unwrap_or_default();
     }
-    let mut done: BTreeMap<String, Arc<StatedClaim>> = BTreeMap::new();
+    let mut done: BTreeMap<String, Done> = BTreeMap::new();
     loop {
         let known = done.len();
         for claim in &mut claims {
             let Some(stated) = claim.stated.as_mut().filter(|_| !done.contains_key(&claim.id)) else {
                 continue;
             };
-            stated.premises_mut().filter(|one| one.stated.readings.is_empty()).for_each(|premise| {
-                premise.stated = done.get(&premise.id).cloned().unwrap_or_default();
-            });
-            if stated.premises_mut().all(|premise| !premise.stated.readings.is_empty()) {
-                done.insert(claim.id.clone(), Arc::new(stated.clone()));
+            let mut behind = 1;
+            for premise in stated.premises_mut() {
+                if let Some(found) = done.get(&premise.id) {
+                    (premise.stated, premise.decided_for) = (found.stated.clone(), found.decided_for.clone());
+                    behind += found.behind;
+                }
+            }
+            if behind <= MOST_BEHIND && stated.premises_mut().all(|one| !one.stated.readings.is_empty()) {
+                let (stated, decided_for) = (Arc::new(stated.clone()), claim.sentence.decided_for.clone());
+                done.insert(claim.id.clone(), Done { stated, decided_for, behind });
             }
         }
         if done.len() == known {

@@ -40,6 +40,7 @@ mod decimal_layouts;
 mod digit_for_digit;
 mod documented_times;
 mod doors;
+mod edges_of_claims;
 mod error_bars;
 mod estimated_errors;
 mod explore;

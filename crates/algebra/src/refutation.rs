@@ -19,7 +19,7 @@ pub struct CounterExample {
     pub right: Expression,
 }
 
-/// A statement that could not be proved because it is false (or is no statement at all under the assumptions).
+/// A step that could not be proved: it is false at the counter-example, or, without one, the rules do not decide it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Refutation {
@@ -37,7 +37,8 @@ pub struct Refutation {
 
 impl fmt::Display for Refutation {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(formatter, "{}: refuted: {}", self.id, self.statement)?;
+        let found = if self.counter_example.is_some() { "refuted" } else { "not proved" };
+        write!(formatter, "{}: {found}: {}", self.id, self.statement)?;
         if !self.equations.is_empty() {
             write!(formatter, " (equations {})", self.equations.join(", "))?;
         }

@@ -54,7 +54,7 @@ pub use equations::{Equations, EquationsError};
 pub use equations_text::{
     AssumptionsText, DefinitionText, EquationText, EquationsText, FunctionText, SystemText,
 };
-pub use names::{Meaning, Names};
+pub use names::{Meaning, Names, circle};
 pub use quantities::QUANTITIES;
 pub use reached::{Start, without_layout};
 pub use units::Dimension;

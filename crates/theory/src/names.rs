@@ -272,8 +272,8 @@ pub(super) fn defined_by_equations(
 }
 
 /// The way from a name back to itself through what the names use, if there is one.
-pub(super) fn circle(start: &Symbol, uses: &BTreeMap<Symbol, BTreeSet<Symbol>>) -> Option<Vec<Symbol>> {
-    let mut from: BTreeMap<&Symbol, &Symbol> = BTreeMap::new();
+pub fn circle<N: Ord + Clone>(start: &N, uses: &BTreeMap<N, BTreeSet<N>>) -> Option<Vec<N>> {
+    let mut from: BTreeMap<&N, &N> = BTreeMap::new();
     let mut open = vec![start];
     while let Some(name) = open.pop() {
         for next in uses.get(name).into_iter().flatten() {

@@ -101,8 +101,8 @@ impl Attempt<'_> {
         self.points.meeting(&self.problem.premises.conditions, count)
     }
 
-    fn text(&self, point: &Point) -> String {
-        points::text(&self.problem.full(point))
+    fn place(&self, point: &Point) -> String {
+        points::place(&self.problem.full(point))
     }
 
     fn named(&self, point: &points::Point) -> NamedPoint {
@@ -147,10 +147,12 @@ impl Attempt<'_> {
             let opposite = if comparison == Comparison::Less { order.is_gt() } else { order.is_lt() };
             let value = points::value(&slope, &point)?;
             (opposite && self.can_move(&point, variable))
-                .then(|| (format!("at {}: its slope in {variable} is {value}", self.text(&point)), point))
+                .then(|| (format!("{}its slope in {variable} is {value}", self.place(&point)), point))
         });
         match refuted {
-            Some((words, point)) => Finding::failing(words).seen_at([self.named(&point)]),
+            Some((words, point)) => Finding::failing(words)
+                .enclosed_unless(slope.rational_value(&point).is_some())
+                .seen_at([self.named(&point)]),
             None => self.undecided("coefficients of one sign were not found"),
         }
     }
@@ -191,7 +193,9 @@ impl Attempt<'_> {
             proof.certify("the limit", &self.numbers, certificate)
         };
         self.proved(prove).unwrap_or_else(|| match self.other_limit(expression, end, variable, toward) {
-            Some((words, point)) => Finding::failing(words).seen_at([self.named(&point)]),
+            Some((words, point, is_rational)) => {
+                Finding::failing(words).enclosed_unless(is_rational).seen_at([self.named(&point)])
+            }
             None => Finding::not_checked(format!(
                 "Not decided: the limit was not found to be {end} in {} forms of the conditions, and {} points do not refute it.",
                 self.domains.len(),
@@ -200,21 +204,23 @@ impl Attempt<'_> {
         })
     }
 
-    /// A point that meets the conditions and at which the limit is another one.
+    /// A point that meets the conditions and at which the limit is another one, and whether both are rational there.
     fn other_limit(
         &self,
         expression: &Expression,
         claimed: &End,
         variable: &Symbol,
         toward: Toward,
-    ) -> Option<(String, Point)> {
+    ) -> Option<(String, Point, bool)> {
         let found = self.domains.first()?.end(expression, variable, toward).ok()?;
         self.all_points(Points::MOST).find_map(|point| {
-            let differ = match (&found, claimed) {
+            let (differ, is_rational) = match (&found, claimed) {
                 (End::Finite(found), End::Finite(claimed)) => {
-                    (found.clone() - claimed.clone()).order_at(&point).is_some_and(Ordering::is_ne)
+                    let difference = found.clone() - claimed.clone();
+                    let order = difference.order_at(&point);
+                    (order.is_some_and(Ordering::is_ne), difference.rational_value(&point).is_some())
                 }
-                (found, claimed) => found != claimed,
+                (found, claimed) => (found != claimed, true),
             };
             let shown = |end: &End| match end {
                 End::Finite(value) => points::value(value, &point).unwrap_or_else(|| value.to_string()),
@@ -223,11 +229,8 @@ impl Attempt<'_> {
             let words = [&found, claimed].map(shown);
             let others: Point = point.into_iter().filter(|(name, _)| name != variable).collect();
             let [limit, claimed] = words;
-            let place = match others.is_empty() {
-                true => String::new(),
-                false => format!("at {}: ", self.text(&others)),
-            };
-            differ.then(|| (format!("{place}the limit is {limit}, not {claimed}"), others))
+            let place = self.place(&others);
+            differ.then(|| (format!("{place}the limit is {limit}, not {claimed}"), others, is_rational))
         })
     }
 
@@ -288,18 +291,17 @@ impl Attempt<'_> {
         let moved = at_moved[variable].clone();
         let shown = |point: &Point| points::value(expression, point).unwrap_or_default();
         let words = format!(
-            "at {}: {}, and {} with {variable} = {moved}",
-            self.text(&point),
+            "{}{}, and {} with {variable} = {moved}",
+            self.place(&point),
             shown(&point),
             shown(&at_moved)
         );
         let pair = [&point, &at_moved].map(|one| self.named(one));
+        let values = expression.rational_value(&point).zip(expression.rational_value(&at_moved));
         if !claimed {
-            return Finding::failing(words).seen_at(pair);
+            return Finding::failing(words).enclosed_unless(values.is_some()).seen_at(pair);
         }
-        let Some((value, changed_value)) =
-            expression.rational_value(&point).zip(expression.rational_value(&at_moved))
-        else {
+        let Some((value, changed_value)) = values else {
             return self.undecided("no rational values were found");
         };
         let mut listed: Vec<(Symbol, Expression)> =

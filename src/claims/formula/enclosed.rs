@@ -83,7 +83,7 @@ impl Problem<'_> {
         } else {
             format!("false for all {}; ", sides.collect::<Vec<_>>().join(", "))
         };
-        let place = format!("at {}: {everywhere}{}", points::text(&point), enclosures(lowered, part));
+        let place = format!("{}{everywhere}{}", points::place(&point), enclosures(lowered, part));
         let quantity = format!("'{}', by enclosures", self.formula.text);
         let value = format!("false in part {looked_at} of the box, at most {MOST_PARTS}");
         Finding::from_evidence(Evidence::Enclosure { quantity, value })

@@ -157,7 +157,10 @@ fn decide_formula(id: &str, words: &str, formula: &ClaimFormula, context: &Conte
         return over_rows::decide(rows, &formula.text, context);
     }
     if let Some(part) = formula.computed() {
-        let premises = part.premises.iter().map(|premise| decide(&premise.id, &premise.stated, context));
+        let premises = part.premises.iter().map(|premise| {
+            let found = decide(&premise.id, &premise.stated, context);
+            premise.decided_for.iter().fold(found, |found, things| found.decided_for(things))
+        });
         return computed::decide(part, premises.collect(), context);
     }
     // A claim is a premise of others, too.

@@ -220,6 +220,11 @@ pub(super) fn named(point: &Point) -> NamedPoint {
     point.iter().map(|(name, value)| (name.to_string(), value.clone())).collect()
 }
 
+/// The beginning of a sentence on a point: none where it has no coordinates.
+pub(super) fn place(point: &Point) -> String {
+    if point.is_empty() { String::new() } else { format!("at {}: ", text(point)) }
+}
+
 /// A point in words: the values of variables, and functions as polynomials.
 pub(super) fn text(point: &Point) -> String {
     let letter = LETTERS.iter().find(|letter| point.keys().all(|name| name.as_str() != **letter));

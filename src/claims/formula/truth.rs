@@ -126,22 +126,24 @@ impl Problem<'_> {
     /// The finding that the formula is false at a point.
     fn refuted(&self, formula: &Formula, lowered: &Lowered, point: &Point) -> Option<Finding> {
         let full = self.full(point);
-        let place = format!("at {}", points::text(&full));
+        let place = points::place(&full);
         let side = |side: &Expression| points::value(&self.put_in(side), point);
         let words = match formula {
             Formula::Compare(left, Comparison::Equal, right) => {
-                format!("{place}: {} on the left, {} on the right", side(left)?, side(right)?)
+                format!("{place}{} on the left, {} on the right", side(left)?, side(right)?)
             }
             Formula::Compare(left, _, right) => {
-                format!("{place}: left minus right is {}", side(&(left.clone() - right.clone()))?)
+                format!("{place}left minus right is {}", side(&(left.clone() - right.clone()))?)
             }
-            _ => format!("{place}: {}", truths(lowered, point)),
+            _ => format!("{place}{}", truths(lowered, point)),
         };
         let values = || self.values_at(point, &lowered.signs.negated(), lowered)?.ok();
+        let deciding = lowered.signs.literals().into_iter().chain(&self.premises.conditions);
+        let is_rational = deciding.into_iter().all(|one| one.expression.rational_value(point).is_some());
         self.is_allowed(&full).then(|| {
             let found = match values() {
                 Some(proof) => Finding::from_disproof(Ok(proof), &words),
-                None => Finding::failing(words),
+                None => Finding::failing(words).enclosed_unless(is_rational),
             };
             found.seen_at([points::named(&full)])
         })

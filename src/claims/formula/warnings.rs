@@ -1,7 +1,7 @@
 //! Warnings about formulas that may say less than they seem to.
 
-use slipmode_algebra::{Comparison, Expression, unknowns, within_budget};
-use slipmode_theory::Equations;
+use slipmode_algebra::{Comparison, Expression, Symbol, unknowns, within_budget};
+use slipmode_theory::{Equation, Equations};
 
 use super::lowering::{Lowered, words};
 use super::{Problem, STEPS, decide_equations};
@@ -57,6 +57,7 @@ fn of_formula(
         names.resolved(left) == names.resolved(right) && is_written(left) && is_written(right)
     };
     let mut found = existence(formula, &names);
+    found.extend(not_defined(formula, &names, equations));
     if let Statement::True(said) = &formula.statement {
         found.extend(said.atoms().into_iter().filter_map(|atom| match atom {
             Formula::Compare(left, _, right) if is_same(left, right) => {
@@ -68,7 +69,7 @@ fn of_formula(
     }
     if let Statement::Depends(side, false, variable) = &formula.statement
         && is_written(side)
-        && names.resolved(side).variables().iter().all(|name| name != variable)
+        && problem.put_in(side).variables().iter().all(|name| name != variable)
     {
         found.push(format!(
             "'{}' is so by the equations that define its names: they do not contain {variable}",
@@ -79,6 +80,29 @@ fn of_formula(
         found.extend(forgotten_edges(formula, stated, equations));
     }
     found
+}
+
+/// Variables of the formula that stand alone on the left of one equation, which yet does not say what they are, because they are assumed
+/// of or it has a ±. Where the formula names a side of an equation, its author knows what they are.
+fn not_defined(formula: &ClaimFormula, names: &Names, equations: &Equations) -> Vec<String> {
+    let written = super::all_expressions(formula);
+    if !names.equations_of(&written).is_empty() {
+        return Vec::new();
+    }
+    let left = |name: &Symbol| {
+        let has = |equation: &&Equation| matches!(&equation.left, Expression::Variable(left) if left == name);
+        let mut equations = equations.iter().filter(has);
+        equations.next().filter(|_| equations.next().is_none())
+    };
+    let variables = written.variables();
+    let open = variables
+        .iter()
+        .filter(|name| names.resolved(&Expression::variable(*name)) == Expression::variable(*name));
+    open.filter_map(|name| {
+        let number = &left(name)?.number;
+        Some(format!("{name} is a variable in '{}': equation {number} does not define it", formula.text))
+    })
+    .collect()
 }
 
 /// Variables of which there is a value, but on which nothing depends.

@@ -296,6 +296,14 @@ impl ClaimFormula {
         compared.try_for_each(|[left, right]| names.same_units(left, right))?;
         formula.statement.check_units(&names)?;
         formula.statement.atoms().into_iter().try_for_each(|atom| check_atom(atom, &names, &premises))?;
+        if let Some(name) = formula.statement.variable() {
+            if !formula.scope.there_is.is_empty() {
+                return Err("`there_is` is for comparisons: a limit, `rises`, `falls` and `depends` are said for all values".into());
+            }
+            if formula.scope.at.iter().any(|(known, _)| known == name) {
+                return Err(format!("{name} moves, and `at` gives it a value"));
+            }
+        }
         match &formula.statement {
             Statement::Limit(_, End::Finite(value), name, _)
                 if premises.put_in(&names.resolved(value)).variables().contains(name) =>

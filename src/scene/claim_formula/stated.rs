@@ -68,4 +68,6 @@ pub struct Premise {
     pub id: String,
     /// What it says.
     pub stated: Arc<StatedClaim>,
+    /// What its sentence is decided for, where that is about more.
+    pub decided_for: Option<String>,
 }

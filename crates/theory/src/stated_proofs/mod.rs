@@ -13,11 +13,12 @@ pub use text::{
     DifferenceText, DomainText, GrowthText, LimitText, ProofText, ProofsText, RootText, StepText, ValueText,
 };
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
-use names::{Form, read_names};
+use names::{Form, check_names, read_names};
 
 use super::EquationFault;
+use super::names::circle;
 use domain::DomainForm;
 use steps::StepForm;
 
@@ -74,7 +75,46 @@ impl StatedProofs {
         for (key, proof) in all.blocks.iter().chain(&all.proofs) {
             faults.under(&format!("proof {key}"), |faults| all.check(proof, faults));
         }
+        all.check_circles(&mut faults);
         if faults.found.is_empty() { Ok(all) } else { Err(faults.found) }
+    }
+
+    /// The block or the proof that a step of this name stands for.
+    fn named(&self, name: &str) -> Option<&StatedProof> {
+        self.blocks.get(name).or_else(|| self.proofs.get(name))
+    }
+
+    /// Proofs, blocks and domains that rest on themselves, and names that mean themselves.
+    fn check_circles(&self, faults: &mut Faults) {
+        let blocks = self.blocks.iter().map(|(name, block)| (format!("block {name}"), block));
+        let all: Vec<(String, &StatedProof)> =
+            blocks.chain(self.proofs.iter().map(|(name, proof)| (format!("proof {name}"), proof))).collect();
+        let of_step = |name: &str| {
+            let kind = if self.blocks.contains_key(name) { "block" } else { "proof" };
+            format!("{kind} {name}")
+        };
+        let behind =
+            |proof: &StatedProof| proof.steps.iter().filter_map(StepForm::refers_to).map(of_step).collect();
+        let domains = self.domains.iter().map(|(name, domain)| {
+            (format!("domain {name}"), BTreeSet::from([format!("domain {}", domain.of)]))
+        });
+        let uses: BTreeMap<String, BTreeSet<String>> =
+            all.iter().map(|(key, proof)| (key.clone(), behind(proof))).chain(domains).collect();
+        for key in uses.keys() {
+            if let Some(way) = circle(key, &uses) {
+                faults.under(key, |faults| faults.add(format!("it rests on itself: {}", way.join(" -> "))));
+            }
+        }
+        let told = faults.found.len();
+        faults.under("let", |faults| check_names(&self.names, faults));
+        if faults.found.len() > told {
+            return;
+        }
+        for (key, proof) in &all {
+            let mut names = self.names.clone();
+            names.extend(proof.names.clone());
+            faults.under(key, |faults| check_names(&names, faults));
+        }
     }
 
     /// What refers to something that is not there.

@@ -29,6 +29,10 @@ pub(super) fn read_names(
             faults.once(known.insert(name.clone(), form).is_some());
         });
     }
+}
+
+/// Complains about names that mean themselves.
+pub(super) fn check_names(known: &BTreeMap<String, Form>, faults: &mut Faults) {
     let of = |name: &String| name.parse::<Symbol>().ok();
     let uses: BTreeMap<_, _> =
         known.iter().filter_map(|(name, form)| Some((of(name)?, form.names()))).collect();

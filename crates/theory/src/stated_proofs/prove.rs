@@ -81,8 +81,7 @@ impl StatedProofs {
     fn sides_of(&self, proof: &StatedProof, depth: usize, sides: &mut BTreeSet<String>) {
         let steps = proof.steps.iter();
         for inner in steps.clone().filter_map(StepForm::refers_to).filter(|_| depth < DEEPEST) {
-            let inner = self.blocks.get(inner).or_else(|| self.proofs.get(inner));
-            inner.into_iter().for_each(|inner| self.sides_of(inner, depth + 1, sides));
+            self.named(inner).into_iter().for_each(|inner| self.sides_of(inner, depth + 1, sides));
         }
         let of_steps = steps.clone().flat_map(StepForm::names);
         let over = steps.flat_map(|step| [step.over.as_str(), step.besides.of.as_str()]);

@@ -206,6 +206,9 @@ impl StepForm {
                 Certificate::Growth { expression, variable, order: *order, domain }
             }
             Kind::Connected(_) => Certificate::Connected { image: listed, domain },
+            Kind::Value { .. } | Kind::Difference { .. } if !is_inside(&domain, &listed) => {
+                return Err("the point is outside of what is assumed".to_owned());
+            }
             Kind::Value { of, value, .. } => {
                 Certificate::Value { expression: meant(of)?, point: listed, value: meant(value)? }
             }
@@ -224,6 +227,16 @@ impl StepForm {
         let over = if self.over.is_empty() { &named.proof.over } else { &self.over };
         self.besides.add_to(named.all.domain(over, named)?, named)
     }
+}
+
+/// Whether a point meets every assumption on its coordinates.
+fn is_inside(domain: &Domain, point: &[Equal]) -> bool {
+    let has = |name: &Symbol| point.iter().any(|(known, _)| known == name);
+    let positive = point.iter().map(|(name, _)| name.clone()).filter(|name| domain.is_positive(name));
+    let met = domain.conditions().iter().filter(|one| one.expression.variables().iter().all(has));
+    let bare =
+        met.fold(Domain::of_positive(positive), |bare, one| bare.given(one.expression.clone(), one.relation));
+    point.iter().fold(bare, |bare, (name, value)| bare.example(name.clone(), value.clone())).check().is_ok()
 }
 
 fn read(text: &str) -> Result<Form, String> {

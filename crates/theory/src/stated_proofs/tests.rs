@@ -150,6 +150,51 @@ over = "none"
 }
 
 #[test]
+fn what_rests_on_itself_is_refused() {
+    let text = r#"
+[let]
+one = "two"
+[[domain]]
+name = "x"
+of = "y"
+[[domain]]
+name = "y"
+of = "x"
+[[block]]
+id = "b"
+[[block.step]]
+lemma = "p"
+[[proof]]
+id = "p"
+says = "P."
+let = { two = "one" }
+[[proof.step]]
+block = "b"
+[[proof]]
+id = "q"
+says = "Q."
+[[proof.step]]
+lemma = "q"
+[[proof]]
+id = "sound"
+says = "It uses one that is not."
+[[proof.step]]
+lemma = "q"
+"#;
+    let faults = read(text).expect_err("faults");
+    for part in [
+        "block b: it rests on itself: block b -> proof p -> block b",
+        "domain y: it rests on itself: domain y -> domain x -> domain y",
+        "proof p: it rests on itself: proof p -> block b -> proof p",
+        "proof p: the names go round in a circle: one -> two -> one",
+        "proof q: it rests on itself: proof q -> proof q",
+    ] {
+        assert!(faults.contains(part), "{part} is not in:\n{faults}");
+    }
+    assert!(!faults.contains("sound"), "{faults}");
+}
+
+#[test]
 fn the_example_of_the_documentation_is_a_proof() {
     let page = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/claims-derivations.md");
     let text = std::fs::read_to_string(page).expect("the page");

@@ -15,22 +15,23 @@ use super::points::Point;
 use crate::claims::sha256_hex;
 use crate::scene::{ClaimFormula, Formula, Names, Premises, Statement};
 
-/// The digests of statements that Coq has accepted; `cargo xtask prove` writes and checks the list.
-static ACCEPTED: LazyLock<BTreeSet<&str>> = LazyLock::new(|| accepted(crate::claims::ACCEPTED));
+/// The statements that Coq has accepted; `cargo xtask prove` writes and checks the list.
+static ACCEPTED: LazyLock<Accepted<'static>> = LazyLock::new(|| accepted(crate::claims::ACCEPTED));
 
-/// The second word of each line that begins with the name of a whole theorem, or of one on derivatives.
-pub(super) fn accepted(list: &str) -> BTreeSet<&str> {
-    list.lines()
-        .filter(|line| line.starts_with(PREFIX) || DIFFERENTIATED.iter().any(|kind| line.starts_with(kind)))
-        .filter_map(|line| Some(line.split_once(' ')?.1))
-        .collect()
+/// Whether a theorem states a whole formula, and the digest of what it states.
+pub(super) type Accepted<'l> = BTreeSet<(bool, &'l str)>;
+
+/// The theorems of a list with a name and a digest in each line.
+pub(super) fn accepted(list: &str) -> Accepted<'_> {
+    let words = list.lines().filter_map(|line| line.split_once(' '));
+    words.map(|(name, digest)| (name.starts_with(PREFIX), digest)).collect()
 }
 
 /// What the name of a whole theorem begins with.
 const PREFIX: &str = "formula_";
 
-/// The kinds of certificates that say what a derivative is.
-const DIFFERENTIATED: [&str; 2] = ["derivative", "characteristic"];
+/// The kinds of certificates that say what a name by a limit process means: nothing else in the theorem says it.
+const OF_NAMES: [&str; 4] = ["derivative", "characteristic", "limit", "series"];
 
 /// SHA-256 of what the theorem of a step states: the text between its name and the full stop before its proof.
 #[must_use]
@@ -90,9 +91,9 @@ pub(super) fn accepted_statement<'c>(
     Some(WholeStatement { words, formula, name, statement })
 }
 
-/// The name and the statement, if this list has its digest, and those of all derivatives behind the names of the formula.
+/// The name and the statement, if this list has its digest, and those of all derivatives, limits and series behind the names of the formula.
 pub(super) fn accepted_in(
-    list: &BTreeSet<&str>,
+    list: &Accepted<'_>,
     formula: &ClaimFormula,
     equations: &Equations,
     is_refuted: bool,
@@ -101,13 +102,14 @@ pub(super) fn accepted_in(
     let (name, digest) = named(&statement);
     let names = Names::of(equations);
     let steps = names.proofs_of(&super::all_expressions(formula)).into_iter().flat_map(|proof| &proof.steps);
-    let mut derivatives = steps
+    let mut of_names = steps
         .filter_map(|step| step.certificate.as_ref())
-        .filter(|certificate| DIFFERENTIATED.contains(&certificate.kind()));
-    let is_known = derivatives.all(|certificate| {
-        Theorem::of(certificate).is_ok_and(|theorem| list.contains(statement_digest(&theorem).as_str()))
+        .filter(|certificate| OF_NAMES.contains(&certificate.kind()));
+    let is_known = of_names.all(|certificate| {
+        Theorem::of(certificate)
+            .is_ok_and(|theorem| list.contains(&(false, statement_digest(&theorem).as_str())))
     });
-    (is_known && list.contains(digest.as_str())).then_some((name, statement))
+    (is_known && list.contains(&(true, digest.as_str()))).then_some((name, statement))
 }
 
 /// The formula as a theorem, proved from the steps of this proof, or its negation where they are its values at a point.
