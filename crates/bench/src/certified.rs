@@ -2,7 +2,7 @@
 //! at points of the grid of fig 3a.
 //!
 //! The command line with the profile `dist` is measured, into `crates/bench/results/certified.csv`, and `docs/certified-cost.svg` is drawn.
-//! A test draws the figure again, and compares it and the summary in `docs/performance.md` with the file.
+//! A test draws the figure again, and compares it and the summary in `docs/evidence/times-certified.csv` with the file.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -28,6 +28,7 @@ const INPUTS: usize = 8;
 
 const FILE: &str = "certified.csv";
 const FIGURE: &str = "docs/certified-cost.svg";
+const SUMMARY: &str = "docs/evidence/times-certified.csv";
 const HEADER: &str = "law,certificate,normal_stress_pa,loading_velocity_m_per_s,certified_cpu_s,plain_cpu_s,relative_width_of_peak,relative_width_of_period,certified_error_bars\n";
 const CERTIFICATES: [&str; 2] = ["cycle", "decay"];
 
@@ -57,7 +58,7 @@ impl Cost {
     }
 }
 
-/// Measures every point of the sample, and writes the rows, the machine and the figure.
+/// Measures every point of the sample, and writes the rows, the machine, the figure and the summary.
 ///
 /// # Errors
 /// When the build or a measured command fails, or a file cannot be read or written.
@@ -80,7 +81,7 @@ pub fn run() -> Result<(), String> {
     write(&measured_on::folder().join(FILE), &text)?;
     write(&repository::root().join(FIGURE), &figure(&costs))?;
     measured_on::write(FILE, &measured_on::facts())?;
-    print!("{}", summary(&costs));
+    write(&repository::root().join(SUMMARY), &summary(&costs))?;
     Ok(())
 }
 
@@ -258,11 +259,10 @@ fn figure(costs: &[Cost]) -> String {
 /// A name, and the value of a point that has one.
 type Quantity = (&'static str, fn(&Cost) -> Option<f64>);
 
-/// Least, lower quartile, median, upper quartile and largest value of each law and certificate, as a table in Markdown.
+/// Least, lower quartile, median, upper quartile and largest value of each law and certificate, as a table.
 fn summary(costs: &[Cost]) -> String {
-    let mut text = String::from(
-        "| certificate | points | what | least | lower quartile | median | upper quartile | largest |\n|---|---|---|---|---|---|---|---|\n",
-    );
+    let mut text =
+        String::from("certificate,points,what,least,lower quartile,median,upper quartile,largest\n");
     let quantities: [Quantity; 6] = [
         ("CPU time, s", |cost| Some(cost.certified_s)),
         ("CPU time, plain runs", |cost| Some(cost.ratio())),
@@ -279,7 +279,7 @@ fn summary(costs: &[Cost]) -> String {
                 let quarters =
                     [0, 1, 2, 3, 4].map(|quarter| format!("{:.1e}", values[(last * quarter + 2) / 4]));
                 // Writing to a string cannot fail.
-                let _ = writeln!(text, "| {name} | {} | {what} | {} |", values.len(), quarters.join(" | "));
+                let _ = writeln!(text, "\"{name}\",{},\"{what}\",{}", values.len(), quarters.join(","));
             }
         }
     }
@@ -298,12 +298,7 @@ mod tests {
             figure(&costs) == include_str!("../../../docs/certified-cost.svg"),
             "draw docs/certified-cost.svg again"
         );
-        let performance = include_str!("../../../docs/performance.md");
-        assert!(
-            performance.contains(&summary(&costs)),
-            "docs/performance.md has another table than\n{}",
-            summary(&costs)
-        );
+        assert_eq!(summary(&costs), include_str!("../../../docs/evidence/times-certified.csv"));
     }
 
     #[test]
@@ -315,8 +310,9 @@ mod tests {
         assert!((costs[0].share().sqrt() - 0.087_150_175_7 / 0.25).abs() < 1e-9);
         assert_eq!(read(&format!("{HEADER}{row}slip,decay\n")), None);
         assert_eq!(read(row), None);
-        assert!(summary(&costs).contains(
-            "| decay, slip law | 1 | CPU time, s | 5.0e-1 | 5.0e-1 | 5.0e-1 | 5.0e-1 | 5.0e-1 |\n"
-        ));
+        assert!(
+            summary(&costs)
+                .contains("\"decay, slip law\",1,\"CPU time, s\",5.0e-1,5.0e-1,5.0e-1,5.0e-1,5.0e-1\n")
+        );
     }
 }
