@@ -214,6 +214,7 @@ fn statements_over_rows_at_fault_are_refused_all_at_once() {
             "between neighbours along normal_stress_pa: period_s grows",
             "expected `… rises` or `… falls`",
         ),
+        ("simulations", "period_s is near 0", "`period_s` has the unit s, and 10 % of 0 is 0"),
         ("simulations", "between neighbours along lwa: period_s rises", "did you mean `law`?"),
         ("simulations", "between neighbours along law period_s rises", "`between neighbours` needs a ':'"),
     ];

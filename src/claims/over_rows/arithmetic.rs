@@ -41,8 +41,11 @@ pub(super) fn magnitude(value: &Ball) -> Ball {
     }
 }
 
-/// Pearson's correlation; none for fewer than three values, or without spread.
-pub(super) fn correlation(x: &[Ball], y: &[Ball]) -> Option<Ball> {
+/// Pearson's correlation.
+///
+/// # Errors
+/// Why there is none.
+pub(super) fn correlation(x: &[Ball], y: &[Ball]) -> Result<Ball, &'static str> {
     let number = |count: usize| Ball::from_rational(&Rational::from(count), BITS);
     let centred = |values: &[Ball]| -> Vec<Ball> {
         let mean = values.iter().fold(number(0), |sum, value| sum + value) / number(values.len());
@@ -52,11 +55,14 @@ pub(super) fn correlation(x: &[Ball], y: &[Ball]) -> Option<Ball> {
         one.iter().zip(other).fold(number(0), |sum, (one, other)| sum + one.clone() * other)
     };
     if x.len() < 3 {
-        return None;
+        return Err("fewer than 3 values");
     }
     let (x, y) = (centred(x), centred(y));
     let spread = product(&x, &x) * product(&y, &y);
-    (spread.sign() == Some(Ordering::Greater)).then(|| product(&x, &y) / spread.sqrt())
+    match spread.sign() {
+        Some(Ordering::Greater) => Ok(product(&x, &y) / spread.sqrt()),
+        _ => Err("one side has no certainly different values"),
+    }
 }
 
 /// The ball around a value with at least this radius.

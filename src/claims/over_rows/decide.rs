@@ -1,5 +1,6 @@
 //! How a statement over rows is decided: in every row true, false, or open where an estimated error could turn it.
 
+use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
 use slipmode_algebra::{Comparison, Expression, Symbol};
@@ -9,7 +10,7 @@ use slipmode_plot::table::Table;
 
 use super::arithmetic::{BITS, compared, correlation, magnitude};
 use super::neighbours::neighbours;
-use super::statement::{Form, RowStatement};
+use super::statement::{Form, RowStatement, is_zero};
 use super::truth::{Rows, Truth};
 use super::values::{self, error_column};
 use crate::claims::rule::{Deviations, Measure};
@@ -18,6 +19,8 @@ use crate::scene::Kind;
 
 /// How many columns name a row in a table that does not say it: scene, law and place in most tables.
 const FIRST_COLUMNS: usize = 4;
+/// How many open groups are named.
+const MOST_NAMED: usize = 5;
 
 /// The finding on a statement over the rows of a table that has some, in a sentence of this kind.
 pub(super) fn decide(text: &str, statement: &RowStatement, table: &Table, kind: Kind) -> Finding {
@@ -25,13 +28,11 @@ pub(super) fn decide(text: &str, statement: &RowStatement, table: &Table, kind: 
         Ok(rows) => Rows { statement, rows },
         Err(contradiction) => return Finding::not_checked(contradiction),
     };
-    let numbers: Vec<(String, String)> = statement
-        .numbers
-        .iter()
-        .filter_map(|(name, number)| Some((name.clone(), number.text(&rows)?)))
-        .collect();
-    let found = All { text, statement, table, rows, used: statement.names() }.found(kind);
-    numbers.into_iter().fold(found, |found, (name, value)| found.number(name, value))
+    let all = All { text, statement, table, rows, used: statement.names(false) };
+    let numbers = statement.numbers.iter();
+    let numbers = numbers.filter_map(|(name, number)| Some((name, number.text(&all.rows)?)));
+    let found = all.found(kind).unwrap_or_else(|undecided| undecided);
+    numbers.fold(found, |found, (name, value)| found.number(name.clone(), value))
 }
 
 /// The rows with what is said of them.
@@ -51,24 +52,31 @@ struct Case {
     value: String,
 }
 
-/// Whether the statement is true, and the value; none for too few rows or without different values.
-type InGroup = Option<(Option<bool>, String)>;
+/// A row of the group that stands for it, whether the statement is true, and the value; or why there is no value.
+type InGroup = Result<(usize, Option<bool>, String), &'static str>;
 
 impl All<'_> {
-    fn found(&self, kind: Kind) -> Finding {
-        match &self.statement.form {
+    fn found(&self, kind: Kind) -> Result<Finding, Finding> {
+        Ok(match &self.statement.form {
             Form::Every(claimed) => self.in_rows(|at| self.rows.truth(claimed, at)),
             Form::Agrees(sides) => self.in_rows(|at| self.rows.agree(sides, at)),
-            Form::Neighbours { along, changes } => self.between(along, changes),
+            Form::Neighbours { along, changes } => self.between(along, changes)?,
             Form::Count(comparison, number) => self.count(*comparison, number),
             Form::Correlation(sides, comparison, number) => {
-                self.in_groups(|group| self.correlation(group, sides, *comparison, number))
+                let number = Ball::from_rational(number, BITS);
+                self.in_groups(|group| {
+                    let [x, y] = self.rows.values(group, sides)?;
+                    let found = correlation(&x, &y)?;
+                    let is = compared(&(found.clone() - &number), *comparison, true);
+                    Ok((group[0], is, round_digits(found.to_f64(), 4)))
+                })?
             }
             Form::Extreme { least, of, at, place } => {
-                self.in_groups(|group| self.extreme(group, (*least, of), at, place))
+                let sides = [if *least { of.clone() } else { -of.clone() }, at.clone()];
+                self.in_groups(|group| self.extreme(group, &sides, place))?
             }
-            Form::Near(sides, to) => self.near(kind, sides, to),
-        }
+            Form::Near(sides, to) => self.near(kind, sides, to)?,
+        })
     }
 
     /// Every row with whether it meets the condition.
@@ -114,12 +122,8 @@ impl All<'_> {
         // Whatever does not meet the condition has to be out of the way as surely as the others are true.
         let (met, left_out): (Vec<_>, Vec<_>) = cases.partition(|(_, chosen, _)| chosen.is != Some(false));
         let left_out = left_out.into_iter().map(|(_, chosen, _)| chosen.strength).max();
-        let met = met.into_iter().map(|(at, chosen, claimed)| Case {
-            at,
-            truth: chosen.implies(claimed),
-            value: String::new(),
-        });
-        let met: Vec<Case> = met.collect();
+        let met = met.into_iter().map(|(at, chosen, claimed)| (at, chosen.implies(claimed)));
+        let met: Vec<Case> = met.map(|(at, truth)| Case { at, truth, value: String::new() }).collect();
         match met.is_empty() {
             true => self.nothing(of.trim_end_matches('s')),
             false => self.conclude(of, met, left_out),
@@ -127,18 +131,15 @@ impl All<'_> {
     }
 
     /// The finding that between neighbours that both meet the condition the values change so.
-    fn between(&self, along: &[String], changes: &[(Expression, bool)]) -> Finding {
-        let pairs = match neighbours(self.table, along, &self.statement.groups) {
-            Ok(pairs) => pairs,
-            Err(reason) => return Finding::not_checked(reason),
-        };
+    fn between(&self, along: &[String], changes: &[(Expression, bool)]) -> Result<Finding, Finding> {
+        let pairs = neighbours(self.table, along, &self.statement.groups).map_err(Finding::not_checked)?;
         let all = |truths: &mut dyn Iterator<Item = Truth>| Truth::joined(truths, false);
         let cases = pairs.into_iter().map(|pair| {
             let chosen = &mut pair.into_iter().map(|at| self.rows.truth(&self.statement.selected, at));
             let changes = &mut changes.iter().map(|(side, rises)| self.rows.changes(side, *rises, pair));
             (pair.to_vec(), all(chosen), all(changes))
         });
-        self.implied("neighbours", cases)
+        Ok(self.implied("neighbours", cases))
     }
 
     fn count(&self, comparison: Comparison, number: &Rational) -> Finding {
@@ -158,41 +159,48 @@ impl All<'_> {
     }
 
     /// The finding that values are near another one in the chosen rows.
-    fn near(&self, kind: Kind, sides: &[Expression], to: &Expression) -> Finding {
-        let chosen = match self.chosen() {
-            Ok(chosen) => chosen,
-            Err(undecided) => return undecided,
-        };
-        let is_place =
-            sides.iter().flat_map(|side| side.variables()).all(|name| name.as_str().ends_with("_dex"));
+    fn near(&self, kind: Kind, sides: &[Expression], to: &Expression) -> Result<Finding, Finding> {
+        let chosen = self.chosen()?;
+        let is_place = self.statement.is_place();
         let deviation = |(side, at): (&Expression, usize)| {
+            let is_absolute = is_place || is_zero(side) || is_zero(to);
             let (value, to) = (self.rows.value(side, at)?, self.rows.value(to, at)?);
             let difference = value - &to;
-            let is_relative = !is_place && to.sign().is_some_and(|sign| sign.is_ne());
-            let deviation = if is_relative { difference / to } else { difference };
+            let deviation = match (to.sign(), difference.sign()) {
+                _ if is_absolute => difference,
+                (Some(Ordering::Less | Ordering::Greater), _) => difference / to,
+                // What may be zero has no percentage that differs from zero.
+                (_, Some(Ordering::Equal)) => difference,
+                (_, None) => return difference.is_bounded().then_some((0.0, f64::INFINITY)),
+                (_, Some(_)) => {
+                    let excess = magnitude(&difference) - magnitude(&to);
+                    return (excess.sign() == Some(Ordering::Greater)).then_some((f64::INFINITY, 0.0));
+                }
+            };
             deviation.is_bounded().then(|| (deviation.to_f64(), deviation.radius().to_f64()))
         };
         let compared = chosen.iter().flat_map(|&at| sides.iter().map(move |side| (side, at)));
-        let Some(each) = compared.map(deviation).collect::<Option<Vec<_>>>() else {
-            return Finding::not_checked("A value that is compared is missing or has no bounds.");
-        };
+        let each = compared.map(deviation).collect::<Option<Vec<_>>>();
+        let missing = || Finding::not_checked("A value that is compared is missing or has no bounds.");
+        let each = each.ok_or_else(missing)?;
         let deviations = Deviations::new(if is_place { Measure::Place } else { Measure::Value }, each);
         let strength = self.weakest(&chosen);
         let found = self.finding(strength, format!("off by {}", deviations.range()), chosen.len());
-        found.near(kind, &deviations).number("count", chosen.len().to_string())
+        Ok(found.near(kind, &deviations).number("count", chosen.len().to_string()))
     }
 
     /// The finding of cases that each are true, false or open, where what was left out is as sure as this.
     fn conclude(&self, of: &str, cases: Vec<Case>, left_out: Option<Strength>) -> Finding {
         let with = |wanted: Option<bool>| cases.iter().filter(move |case| case.truth.is == wanted);
         let strengths = |wanted| with(wanted).map(|case| case.truth.strength);
-        let first = |wanted: Option<bool>| {
-            let sure = strengths(wanted).min();
-            let first = with(wanted).find(|case| Some(case.truth.strength) == sure);
-            first.map_or_else(String::new, |case| match case.value.is_empty() {
-                true => self.places(&case.at),
-                false => format!("{}: {}", case.value, self.places(&case.at)),
-            })
+        let named = |case: &Case| {
+            let texts = [case.value.clone(), self.places(&case.at)];
+            texts.into_iter().filter(|text| !text.is_empty()).collect::<Vec<_>>().join(": ")
+        };
+        let first = |wanted: Option<bool>, most: usize| {
+            let mut cases: Vec<&Case> = with(wanted).collect();
+            cases.sort_by_key(|case| case.truth.strength);
+            cases.into_iter().take(most).map(named).collect::<Vec<_>>().join("; ")
         };
         let (count, wrong, open) = (cases.len(), with(Some(false)).count(), with(None).count());
         if let Some(strength) = strengths(Some(false)).min() {
@@ -200,13 +208,17 @@ impl All<'_> {
             return found
                 .number("share", format!("{wrong} of {count}"))
                 .number("count", count.to_string())
-                .refuted(format!("in {wrong} of {count} {of}; the first: {}", first(Some(false))));
+                .refuted(format!("in {wrong} of {count} {of}; the first: {}", first(Some(false), 1)));
         }
         if open > 0 {
+            let (why, most) = match with(None).all(|case| case.value.is_empty()) {
+                true => ("a missing value or an estimated error leaves it open", 1),
+                false => ("it is open", MOST_NAMED),
+            };
             return Finding::not_checked(format!(
-                "Not decided: in {open} of {count} {of} of `{}` a missing value or an estimated error leaves it open; the first: {}.",
+                "Not decided: in {open} of {count} {of} of `{}` {why}; the first: {}.",
                 self.table.id,
-                first(None)
+                first(None, most)
             ));
         }
         let values: BTreeSet<&str> =
@@ -218,11 +230,8 @@ impl All<'_> {
     }
 
     /// The rows in groups of the same cells in the statement's columns, and what is found in each.
-    fn in_groups(&self, decide: impl Fn(&[usize]) -> InGroup) -> Finding {
-        let mut rows = match self.chosen() {
-            Ok(chosen) => chosen,
-            Err(undecided) => return undecided,
-        };
+    fn in_groups(&self, decide: impl Fn(&[usize]) -> InGroup) -> Result<Finding, Finding> {
+        let mut rows = self.chosen()?;
         let by: Vec<usize> = (0..self.table.columns.len())
             .filter(|&at| self.statement.groups.contains(&self.table.columns[at].name))
             .collect();
@@ -231,16 +240,11 @@ impl All<'_> {
         };
         rows.sort_by_key(|&row| key(row));
         let case = |group: &[usize]| {
-            let (is, value) = decide(group)?;
-            let truth = Truth { is, strength: self.weakest(group) };
-            Some(Case { at: vec![group[0]], truth, value })
+            let (at, is, value) = decide(group).unwrap_or_else(|reason| (group[0], None, reason.into()));
+            Case { at: vec![at], truth: Truth { is, strength: self.weakest(group) }, value }
         };
-        let found: Vec<Case> =
-            rows.chunk_by(|&one, &other| key(one) == key(other)).filter_map(case).collect();
-        match found.is_empty() {
-            true => Finding::not_checked("No group of rows has enough rows with different values."),
-            false => self.conclude("groups of rows", found, None),
-        }
+        let found = rows.chunk_by(|&one, &other| key(one) == key(other)).map(case).collect();
+        Ok(self.conclude("groups of rows", found, None))
     }
 
     /// The strength of the least sure value that the statement names in these rows.
@@ -251,44 +255,22 @@ impl All<'_> {
         strengths.max().unwrap_or(Strength::Sampled)
     }
 
-    fn correlation(
-        &self,
-        group: &[usize],
-        sides: &[Expression; 2],
-        comparison: Comparison,
-        number: &Rational,
-    ) -> InGroup {
-        let Some([x, y]) = self.rows.values(group, sides) else {
-            return Some((None, "a value is missing".into()));
-        };
-        let found = correlation(&x, &y)?;
-        let difference = found.clone() - Ball::from_rational(number, BITS);
-        Some((compared(&difference, comparison, true), round_digits(found.to_f64(), 4)))
-    }
-
-    fn extreme(
-        &self,
-        group: &[usize],
-        (least, of): (bool, &Expression),
-        at: &Expression,
-        [place, distance]: &[Rational; 2],
-    ) -> InGroup {
-        let of = if least { of.clone() } else { -of.clone() };
-        let Some([values, places]) = self.rows.values(group, &[of, at.clone()]) else {
-            return Some((None, "a value is missing".into()));
-        };
+    /// The row with the least first value: whether its second one is as near as this to the place.
+    fn extreme(&self, group: &[usize], sides: &[Expression; 2], place: &[Rational; 2]) -> InGroup {
+        let [values, places] = self.rows.values(group, sides)?;
+        let upper: Vec<_> = values.iter().map(Ball::upper).collect();
+        let least = (1..group.len()).fold(0, |least, at| if upper[at] < upper[least] { at } else { least });
         // Each row that may have the least value, as far as errors tell.
-        let below = values.iter().map(Ball::upper).min_by(|one, other| one.total_cmp(other))?;
-        let places =
-            places.iter().zip(&values).filter(|(_, value)| value.lower() <= below).map(|(place, _)| place);
-        let [place, distance] = [place, distance].map(|number| Ball::from_rational(number, BITS));
+        let may_be_least = |at: &usize| values[*at].lower() <= upper[least];
+        let places = (0..group.len()).filter(may_be_least).map(|at| &places[at]);
+        let [place, distance] = place.each_ref().map(|number| Ball::from_rational(number, BITS));
         let near =
             |at: &Ball| compared(&(magnitude(&(at.clone() - &place)) - &distance), Comparison::AtMost, true);
         let found: Vec<(Option<bool>, String)> =
             places.map(|at| (near(at), round_digits(at.to_f64(), 4))).collect();
         let text = found.iter().map(|(_, text)| text.as_str()).collect::<Vec<_>>().join(" or ");
         let truth = found[0].0.filter(|first| found.iter().all(|(near, _)| *near == Some(*first)));
-        Some((truth, format!("at {text}")))
+        Ok((group[least], truth, format!("at {text}")))
     }
 
     /// A finding that holds, as sure as this.
@@ -332,15 +314,20 @@ impl All<'_> {
     }
 
     /// A row for people: the columns that name it, and those that the statement names, but for words that the condition fixes.
+    /// Where it stands for a group, also the columns that name the group, and only these for a correlation.
     fn cells(&self, at: usize) -> Vec<String> {
         let names = if self.table.names > 0 { self.table.names } else { FIRST_COLUMNS };
+        let RowStatement { form, groups, .. } = self.statement;
         let fixed = self.statement.fixed();
+        let is_correlation = matches!(form, Form::Correlation(..));
+        let is_of_group = is_correlation || matches!(form, Form::Extreme { .. });
         let cells = self.table.columns.iter().zip(&self.table.rows[at]).enumerate();
         let shown = cells.filter(|(place, (column, cell))| {
             let is = |name: &&Symbol| name.as_str() == column.name;
+            let is_named = || *place < names || self.used.iter().any(|name| is(&name));
             !cell.text.is_empty()
                 && !fixed.iter().any(is)
-                && (*place < names || self.used.iter().any(|name| is(&name)))
+                && (is_of_group && groups.contains(&column.name) || !is_correlation && is_named())
         });
         shown.map(|(_, (column, cell))| format!("{} = {}", column.name, cell.text)).collect()
     }

@@ -17,12 +17,14 @@
 //! A side is an expression in the names of the table's columns, and a condition a formula in them. A word in single quotes is compared
 //! with a column of words; `''` is an empty cell.
 
+use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 
 use slipmode_algebra::{Comparison, Expression, Function, Source, Symbol};
 use slipmode_core::number::format::Side;
-use slipmode_core::number::{Rational, parse_decimal};
+use slipmode_core::number::{Ball, Rational, parse_decimal};
 
+use super::arithmetic::BITS;
 use crate::scene::{Formula, Names, nearest};
 use slipmode_plot::table::{Column, Kind};
 
@@ -57,16 +59,6 @@ pub(super) enum What {
     Extreme { least: bool, of: Expression, digits: usize, side: Option<Side> },
 }
 
-impl Number {
-    /// The expressions whose value is needed.
-    pub fn side(&self) -> Option<&Expression> {
-        match &self.what {
-            What::Count => None,
-            What::Extreme { of, .. } => Some(of),
-        }
-    }
-}
-
 /// What is said of the rows.
 #[derive(Debug, Clone)]
 pub(super) enum Form {
@@ -87,24 +79,26 @@ pub(super) enum Form {
 }
 
 impl RowStatement {
-    /// The comparisons in its conditions.
-    fn comparisons(&self) -> impl Iterator<Item = (&Expression, Comparison, &Expression)> {
-        let claimed = match &self.form {
-            Form::Every(claimed) => comparisons(claimed),
-            _ => Vec::new(),
-        };
-        comparisons(&self.selected).into_iter().chain(claimed)
-    }
-
-    /// Its expressions outside conditions.
-    fn sides(&self) -> Vec<&Expression> {
-        match &self.form {
+    /// The comparisons in its conditions, and its expressions outside of them; on request also those of its numbers.
+    fn parts(&self, with_numbers: bool) -> (Vec<Compared<'_>>, Vec<&Expression>) {
+        let mut compared = comparisons(&self.selected);
+        let mut sides: Vec<&Expression> = match &self.form {
             Form::Every(_) | Form::Count(..) => Vec::new(),
             Form::Correlation(sides, ..) | Form::Agrees(sides) => sides.iter().collect(),
             Form::Near(sides, to) => sides.iter().chain([to]).collect(),
             Form::Extreme { of, at, .. } => vec![of, at],
             Form::Neighbours { changes, .. } => changes.iter().map(|(side, _)| side).collect(),
+        };
+        if let Form::Every(claimed) = &self.form {
+            compared.extend(comparisons(claimed));
         }
+        for (_, number) in self.numbers.iter().filter(|_| with_numbers) {
+            compared.extend(comparisons(&number.selected));
+            if let What::Extreme { of, .. } = &number.what {
+                sides.push(of);
+            }
+        }
+        (compared, sides)
     }
 
     /// Whether a name stands for a quoted word.
@@ -112,19 +106,11 @@ impl RowStatement {
         name.as_str().starts_with(PLACEHOLDER)
     }
 
-    /// The columns that it names, with what stands for words.
-    pub fn names(&self) -> BTreeSet<Symbol> {
-        let compared = self.comparisons().flat_map(|(left, _, right)| [left, right]);
-        compared.chain(self.sides()).flat_map(Expression::variables).collect()
-    }
-
-    /// The same, with those that its numbers name.
-    pub fn all_names(&self) -> BTreeSet<Symbol> {
-        let numbers = || self.numbers.iter().map(|(_, number)| number);
-        let compared = numbers().flat_map(|number| comparisons(&number.selected));
-        let sides =
-            compared.flat_map(|(left, _, right)| [left, right]).chain(numbers().filter_map(Number::side));
-        sides.flat_map(Expression::variables).chain(self.names()).collect()
+    /// The columns that it names, with what stands for words; on request also those that its numbers name.
+    pub fn names(&self, with_numbers: bool) -> BTreeSet<Symbol> {
+        let (compared, sides) = self.parts(with_numbers);
+        let compared = compared.into_iter().flat_map(|(left, _, right)| [left, right]);
+        compared.chain(sides).flat_map(Expression::variables).collect()
     }
 
     /// The columns that have to be a certain word.
@@ -139,6 +125,22 @@ impl RowStatement {
         fixed.collect()
     }
 
+    /// Whether places on a logarithmic axis are compared: all its columns outside conditions are in decades.
+    pub fn is_place(&self) -> bool {
+        let mut names = self.parts(false).1.into_iter().flat_map(Expression::variables).peekable();
+        names.peek().is_some() && names.all(|name| name.as_str().ends_with("_dex"))
+    }
+
+    /// The column with a unit that is compared with 0: 10 % of 0 is 0.
+    fn near_zero<'c>(&self, columns: &'c [Column]) -> Option<&'c Column> {
+        let sides = self.parts(false).1;
+        let is_near_zero = matches!(self.form, Form::Near(..)) && sides.iter().any(|side| is_zero(side));
+        let mut names = sides.into_iter().flat_map(Expression::variables).filter(|_| is_near_zero);
+        let with_unit =
+            |name: Symbol| columns.iter().find(|one| one.name == name.as_str() && !one.unit.is_empty());
+        names.find_map(with_unit).filter(|_| !self.is_place())
+    }
+
     /// The column that is compared with `''`.
     pub fn compared_with_nothing<'e>(&self, sides: [&'e Expression; 2]) -> Option<&'e Symbol> {
         let [Expression::Variable(column), Expression::Variable(word)] = sides else { return None };
@@ -146,20 +148,25 @@ impl RowStatement {
         self.words.get(number)?.is_empty().then_some(column)
     }
 
-    /// Words are compared as a whole: they stand alone on a side of = or !=, and a number is compared with the empty word only.
-    fn check_words(self, columns: &[Column]) -> Result<Self, String> {
+    /// Words are compared as a whole: they stand alone on a side of = or !=, and a number is compared with the empty word only. A value
+    /// with a unit is not near the number 0.
+    fn check(self, columns: &[Column]) -> Result<Self, String> {
+        if let Some(Column { name, unit, .. }) = self.near_zero(columns) {
+            return Err(format!(
+                "`{name}` has the unit {unit}, and 10 % of 0 is 0: write `… is near` another number, \
+                 `for every row: abs(…) < …` or `… agrees with 0 within errors`"
+            ));
+        }
         let is_word = |name: &Symbol| {
             let of_words = |column: &Column| column.name == name.as_str() && column.kind == Kind::Text;
             Self::is_word(name) || columns.iter().any(of_words)
         };
         let lone = |side: &Expression| matches!(side, Expression::Variable(name) if is_word(name));
-        let of_numbers = || self.numbers.iter().map(|(_, number)| number);
-        let compared = of_numbers().flat_map(|number| comparisons(&number.selected));
-        let numbers = self.comparisons().chain(compared).filter(|(left, comparison, right)| {
+        let (compared, sides) = self.parts(true);
+        let numbers = compared.into_iter().filter(|(left, comparison, right)| {
             let whole = lone(left) && lone(right) || self.compared_with_nothing([left, right]).is_some();
             !(whole && matches!(comparison, Comparison::Equal | Comparison::Unequal))
         });
-        let sides = self.sides().into_iter().chain(of_numbers().filter_map(Number::side));
         let numbers = numbers.flat_map(|(left, _, right)| [left, right]).chain(sides);
         let along = match &self.form {
             Form::Neighbours { along, .. } => &along[..],
@@ -179,7 +186,10 @@ impl RowStatement {
     }
 }
 
-fn comparisons(formula: &Formula) -> Vec<(&Expression, Comparison, &Expression)> {
+/// The two sides of a comparison with what stands between them.
+type Compared<'a> = (&'a Expression, Comparison, &'a Expression);
+
+fn comparisons(formula: &Formula) -> Vec<Compared<'_>> {
     match formula {
         Formula::Compare(left, comparison, right) => vec![(left, *comparison, right)],
         Formula::Not(inner) => comparisons(inner),
@@ -195,6 +205,12 @@ const PLACEHOLDER: &str = "quoted_word_";
 /// What stands for the quoted word of this number in expressions.
 pub(super) fn placeholder(number: usize) -> String {
     format!("{PLACEHOLDER}{number}")
+}
+
+/// Whether an expression without columns is zero.
+pub(super) fn is_zero(side: &Expression) -> bool {
+    let value = side.enclosed(&BTreeMap::<Symbol, Ball>::new(), BITS);
+    value.is_some_and(|value| value.sign() == Some(Ordering::Equal))
 }
 
 const FORMS: &str = "a statement over rows is `for every row: …`, `count … = n`, `correlation of x with y … > r`, `least y at x = v within d`, \
@@ -223,7 +239,7 @@ pub(super) fn read(
         Err(message) => Err(format!("the number `{name}`: {message}")),
     };
     let numbers = numbers.into_iter().map(number).collect::<Result<_, _>>()?;
-    RowStatement { form, selected, groups: reader.groups, words, numbers }.check_words(columns)
+    RowStatement { form, selected, groups: reader.groups, words, numbers }.check(columns)
 }
 
 /// The text with a placeholder for each word in single quotes; the words are added to the others.

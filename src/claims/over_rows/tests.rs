@@ -36,6 +36,7 @@ fn table(lines: &[Line]) -> Table {
         .number("x", "x", "", number(1))
         .number("y", "y", "", number(2))
         .named()
+        .number("x_dex", "x", "dex", number(1))
         .number("value_error", "Its error", "", number(3))
         .number("value_m", "Value", "m", number(4))
         .number("value_m_low", "from", "m", |line| Cell::number(line[5]).certain())
@@ -153,6 +154,93 @@ fn nearness_is_that_of_the_kind_of_the_sentence_and_agreement_that_of_the_errors
     assert_eq!(found(&altered(4, 4, "10.2"), agrees).0, Verdict::Fails);
     assert_eq!(found(&altered(4, 4, ""), agrees).0, Verdict::NotChecked);
     assert_eq!(found(&altered(4, 3, ""), agrees).0, Verdict::NotChecked);
+}
+
+/// Every pair of these values, as columns and as numbers in the text, on both sides. The truth is known: 10 % of y, and 0.1 of a pure
+/// number from the number 0.
+#[test]
+fn nearness_is_ten_percent_of_the_right_side_whether_it_is_a_column_or_a_number() {
+    let values = ["-1", "0", "0.02", "0.3", "1", "1.05", "2"];
+    for (x, y) in values.iter().flat_map(|x| values.map(|y| (*x, y))) {
+        let [left, right] = [x, y].map(|text| text.parse::<f64>().unwrap());
+        let within = (left - right).abs() <= 0.1 * right.abs();
+        let of_numbers = within || (x == "0" || y == "0") && left.abs().max(right.abs()) < 0.1;
+        let cases = [
+            ("x is near y".to_owned(), within),
+            (format!("x is near {y}"), if y == "0" { of_numbers } else { within }),
+            (format!("{x} is near y"), if x == "0" { of_numbers } else { within }),
+            (format!("{x} is near {y}"), of_numbers),
+        ];
+        for (text, is_near) in cases {
+            let found = found_on(&[["slip", x, y, "0.1", "", "", "", "", "", ""]], &text, Kind::Approximate);
+            let verdict = if is_near { Verdict::Holds } else { Verdict::Fails };
+            assert_eq!(found.verdict, verdict, "x = {x}, y = {y}: {text}: {found:?}");
+        }
+    }
+}
+
+#[test]
+fn decades_are_compared_on_either_side_and_zero_within_an_error_has_no_percentage() {
+    for (text, verdict) in [
+        ("x_dex is near 0.8 where x = 1", Verdict::Holds),
+        ("0.8 is near x_dex where x = 1", Verdict::Holds),
+        ("0 is near x_dex - 0.9 where x = 1", Verdict::Holds),
+        ("x_dex is near 0.7 where x = 1", Verdict::Fails),
+        ("0.7 is near x_dex where x = 1", Verdict::Fails),
+    ] {
+        assert_eq!(found_on(&GRID, text, Kind::Approximate).verdict, verdict, "{text}");
+    }
+    // The value is 0 ± 0.1.
+    let zero = altered(4, 4, "0");
+    for (side, approximate, universal) in [
+        ("x - 1", Verdict::NotChecked, Verdict::Holds),
+        ("x/20", Verdict::NotChecked, Verdict::Holds),
+        ("x", Verdict::Fails, Verdict::Fails),
+    ] {
+        let text = format!("{side} is near value_m where word = 'none'");
+        assert_eq!(found_on(&zero, &text, Kind::Approximate).verdict, approximate, "{text}");
+        assert_eq!(found_on(&zero, &text, Kind::Universal).verdict, universal, "{text}");
+    }
+    for text in ["value_m is near 0", "0 is near value_m", "x and value_m are near 1 - 1"] {
+        let refused = super::statement::read(text, &BTreeMap::new(), &table(&GRID).columns);
+        assert!(refused.unwrap_err().starts_with("`value_m` has the unit m, and 10 % of 0 is 0"), "{text}");
+    }
+}
+
+#[test]
+fn a_group_without_a_certain_correlation_leaves_the_statement_open_unless_another_group_refutes_it() {
+    let of = |lines: &[Line], text: &str| {
+        let found = found_on(lines, &format!("correlation of x with {text}"), Kind::Universal);
+        let told = found.counter_example.or(found.remarks.first().cloned()).unwrap_or_default();
+        (found.verdict, told)
+    };
+    // The correlation is 0.4472 for the slip law and 0 for the aging law.
+    assert_eq!(of(&GRID, "value_m at each law > -0.5").0, Verdict::Holds);
+    let mut wide = GRID;
+    wide[4..].iter_mut().for_each(|line| line[3] = "50");
+    for (lines, text, reason) in [
+        (GRID, "value_m at each law > -0.5 where law = 'slip' or y = 1", "fewer than 3 values: law = aging"),
+        (GRID, "x^2 at each law, y > -0.5", "fewer than 3 values: law = aging, y = 1; fewer than 3 values: "),
+        (GRID, "1 at each law > -0.5", "one side has no certainly different values: law = aging; one side"),
+        (wide, "value_m at each law > -0.5", "one side has no certainly different values: law = aging."),
+        (altered(4, 4, ""), "value_m at each law > -0.5", "a value is missing: law = aging."),
+    ] {
+        let (verdict, told) = of(&lines, text);
+        assert_eq!(verdict, Verdict::NotChecked, "{text}");
+        assert!(told.contains(&format!("it is open; the first: {reason}")), "{text}: {told}");
+    }
+    let refuted = of(&wide, "value_m at each law > 0.5");
+    let told = "in 1 of 2 groups of rows; the first: 0.4472: law = slip";
+    assert_eq!(refuted, (Verdict::Fails, told.to_owned()));
+}
+
+#[test]
+fn the_row_of_an_extreme_value_is_the_one_that_has_it() {
+    let found = found_on(&GRID, "largest value_m at x = 1 within 0.1 at each law", Kind::Universal);
+    let told = "in 1 of 2 groups of rows; the first: at 2: law = slip, x = 2, y = 2, value_m = 40";
+    assert_eq!(found.counter_example.as_deref(), Some(told));
+    let found = found_on(&GRID, "least value_m at y = 2 within 0.1 at each law", Kind::Universal);
+    assert!(found.counter_example.unwrap().ends_with("at 1: law = slip, x = 1, y = 1, value_m = 10"));
 }
 
 #[test]

@@ -99,11 +99,13 @@ impl Rows<'_> {
         }
     }
 
-    /// The values of two expressions in rows; none where one is missing.
-    pub fn values(&self, group: &[usize], sides: &[Expression; 2]) -> Option<[Vec<Ball>; 2]> {
-        let of =
-            |side: &Expression| group.iter().map(|&at| self.value(side, at)).collect::<Option<Vec<Ball>>>();
-        Some([of(&sides[0])?, of(&sides[1])?])
+    /// The values of two expressions in rows.
+    ///
+    /// # Errors
+    /// Where one is missing.
+    pub fn values(&self, group: &[usize], sides: &[Expression; 2]) -> Result<[Vec<Ball>; 2], &'static str> {
+        let of = |side: &Expression| group.iter().map(|&at| self.value(side, at)).collect::<Option<_>>();
+        of(&sides[0]).zip(of(&sides[1])).map(Into::into).ok_or("a value is missing")
     }
 
     /// Whether two values differ by no more than their errors.

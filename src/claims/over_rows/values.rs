@@ -89,7 +89,7 @@ impl Beside {
 /// Which row contradicts what is proved of it, in whatever column.
 pub(super) fn rows(table: &Table, statement: &RowStatement) -> Result<Vec<Row>, String> {
     let beside: Vec<Beside> = table.columns.iter().map(|column| Beside::of(&column.name, table)).collect();
-    let named = statement.all_names();
+    let named = statement.names(true);
     let columns = table.columns.iter().enumerate();
     let columns = columns.filter_map(|(at, column)| Some((at, column, column.name.parse::<Symbol>().ok()?)));
     let is_proved = |beside: &Beside| beside.ends.is_some() || beside.proved.is_some();
