@@ -106,7 +106,7 @@ fn evidence(item: &EvidenceView, proof: &Value, html: &mut dyn FnMut(&str, &str)
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::sample;
+    use crate::report::tests::sample;
 
     #[test]
     fn proofs_are_left_out_where_the_parts_say_the_same_and_only_there() {

@@ -16,8 +16,6 @@ mod claim_text;
 mod claims_picture;
 mod error;
 mod explorer;
-#[cfg(test)]
-mod hostile_tests;
 mod html;
 mod junit;
 mod markdown;
@@ -26,8 +24,6 @@ mod packed;
 mod page_style;
 mod parts;
 mod produce;
-#[cfg(test)]
-mod sample;
 mod symbols;
 mod templates;
 #[cfg(test)]

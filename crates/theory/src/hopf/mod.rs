@@ -152,6 +152,4 @@ fn of_normal_form(proof: Proof) -> Result<Proof, Refutation> {
 }
 
 #[cfg(test)]
-mod simulated;
-#[cfg(test)]
 mod tests;

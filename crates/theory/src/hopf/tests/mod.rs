@@ -1,5 +1,7 @@
 //! The coefficient of both laws, its sign, and what becomes of it when an equation is altered.
 
+mod simulated;
+
 use super::*;
 use crate::equations::tests::paper;
 use slipmode_core::number::Rational;

@@ -1,6 +1,6 @@
 //! A report with the parts of a real one, for tests and for looking at; its numbers are made up.
 
-use super::*;
+use crate::report::*;
 use crate::scene::{Source, Verdict};
 use slipmode_plot::figure::{Axis, Caption, LineChart, Series};
 use slipmode_plot::table::{Cell, Column, Table};

@@ -1,5 +1,8 @@
 //! The page and the Markdown report as a whole, on the sample view.
 
+mod hostile;
+pub(in crate::report) mod sample;
+
 use super::*;
 use packed::tests::pieces_of;
 use sample::view;

@@ -1,8 +1,8 @@
 //! Hostile values in every field of a view: they stay text in every template.
 
-use super::*;
-use packed::tests::pieces_of;
-use sample::view;
+use super::sample::view;
+use crate::report::packed::tests::pieces_of;
+use crate::report::*;
 use slipmode_plot::table::Cell;
 
 /// Tries to leave text, attributes, links, code, tables and formulas of both outputs.

@@ -1,7 +1,7 @@
 //! Cycles of the nonlinear slider next to K = K_c, integrated, against the amplitude and frequency predicted.
 
-use super::closed_form::{frequency_slope, square_amplitude};
-use super::*;
+use crate::hopf::closed_form::{frequency_slope, square_amplitude};
+use crate::hopf::*;
 use slipmode_core::number::nearest_f64;
 
 const EFFECT_RATIO: f64 = 1.5;
