@@ -18,7 +18,7 @@ use super::extreme_point::Known;
 use super::pair_conditions::{CONDITIONS, Slopes, Terms, TwoRoots, VARIABLES};
 use super::pair_point::point_with;
 use super::ranked::Ranked;
-use super::root_discs::{RootDiscs, RootPart, Values, cubic};
+use super::root_discs::{RootDiscs, RootPart, Values, cubic, value_at};
 use crate::number::Interval;
 
 /// How often the end of a place is cut.
@@ -129,7 +129,7 @@ impl PairSearch<'_> {
         let value = place.value.or_else(|| {
             let middle = place.values.map(Interval::middle);
             let point = point_with(&place.parameters, place.kind, &middle, self.ceiling)?;
-            Some(RootDiscs::of(&point.map(Interval::point))?.largest(RootPart::Real))
+            value_at(RootPart::Real, &point, [self.lower, self.upper])
         });
         value.is_some_and(|value| value.high <= self.ceiling)
     }

@@ -7,7 +7,7 @@ use std::cmp::Ordering;
 
 use super::corners::{A, B, D, K, M, Point, S, V};
 use super::pair_search::{FEW, PairSearch, Sought};
-use super::root_discs::{RootDiscs, RootPart, Values};
+use super::root_discs::{RootPart, Values, value_at};
 use super::summit::Summit;
 use super::{OverBox, ParameterBox, boundary_signs};
 use crate::number::{Interval, Rational};
@@ -145,13 +145,13 @@ impl Scaled {
     /// The range of a quantity, 1/s, of which some ends are known to be zero; none beyond the range of 64-bit numbers.
     fn range(&self, quantity: RootPart, is_zero: [bool; 2]) -> Option<ValueRange> {
         let sides = [(Side::Least, is_zero[0]), (Side::Greatest, is_zero[1])];
-        let mut attained = [0.0; 2];
-        for (attained, (side, is_zero)) in attained.iter_mut().zip(sides) {
+        let mut values = [Interval::point(0.0); 2];
+        for (value, (side, is_zero)) in values.iter_mut().zip(sides) {
             if !is_zero {
-                *attained =
-                    side.inner(self.value_at(quantity, &self.summit(quantity, side).near_a_corner())?);
+                *value = self.value_at(quantity, &self.summit(quantity, side).near_a_corner())?;
             }
         }
+        let attained = [values[0].high, values[1].low];
         let width = (attained[1] - attained[0]).abs();
         let mut ends = [[0.0; 2]; 2];
         for ((end, attained), (side, is_zero)) in ends.iter_mut().zip(attained).zip(sides) {
@@ -166,11 +166,12 @@ impl Scaled {
         }
         let in_si = |value: f64| Interval::point(value) * self.rate;
         let [[least_bound, least], [greatest_bound, greatest]] = ends.map(|end| end.map(in_si));
-        let range = ValueRange {
-            enclosure: [least_bound.low, greatest_bound.high],
-            // Towards the inside, so that a point has this value or one nearer to the bound.
-            attained: [least.high.min(greatest.low), least.high.max(greatest.low)],
-        };
+        // Towards the inside, so that a point has this value or one nearer to the bound. Where rounding is wider than the range,
+        // the values of both points.
+        let of_points = values.map(|value| in_si(value.middle()).middle());
+        let mut attained = if least.high <= greatest.low { [least.high, greatest.low] } else { of_points };
+        attained.sort_by(f64::total_cmp);
+        let range = ValueRange { enclosure: [least_bound.low, greatest_bound.high], attained };
         [range.enclosure, range.attained].as_flattened().iter().all(|end| end.is_finite()).then_some(range)
     }
 
@@ -263,26 +264,12 @@ impl Scaled {
         }
     }
 
-    /// The value at a point, which has the enclosures of the ends where it is at one.
     fn value_at(&self, quantity: RootPart, point: &[f64; 7]) -> Option<Interval> {
-        let values = std::array::from_fn(|i| match point[i] {
-            value if value <= self.lower[i].high => self.lower[i],
-            value if value >= self.upper[i].low => self.upper[i],
-            value => Interval::point(value),
-        });
-        Some(RootDiscs::of(&values)?.largest(quantity))
+        value_at(quantity, point, [&self.lower, &self.upper])
     }
 }
 
 impl Side {
-    /// The end of a value at which a point of the box is at least as far out.
-    const fn inner(self, value: Interval) -> f64 {
-        match self {
-            Self::Least => value.high,
-            Self::Greatest => value.low,
-        }
-    }
-
     const fn outward(self, value: f64) -> f64 {
         match self {
             Self::Least => -value,

@@ -49,10 +49,7 @@ impl RootDiscs {
     pub(super) fn of(values: &Values) -> Option<Self> {
         let cubic = cubic(values);
         let centres = approximate_roots(&cubic)?;
-        let mut radii = [0.0; 3];
-        for (i, radius) in radii.iter_mut().enumerate() {
-            *radius = weight(&cubic, &centres, i).high;
-        }
+        let radii = [0, 1, 2].map(|i| weight(&cubic, &centres, i).high);
         let apart = |i: usize, j: usize| {
             let distance = distance(centres[i], centres[j]);
             let reach = Interval::point(radii[i]) + Interval::point(radii[j]);
@@ -120,6 +117,16 @@ impl RootDiscs {
     }
 }
 
+/// The value at a point of a box, which has the enclosures of the box's ends where it is at one.
+pub(super) fn value_at(quantity: RootPart, point: &[f64; 7], ends: [&Values; 2]) -> Option<Interval> {
+    let values = std::array::from_fn(|i| match point[i] {
+        value if value <= ends[0][i].high => ends[0][i],
+        value if value >= ends[1][i].low => ends[1][i],
+        value => Interval::point(value),
+    });
+    Some(RootDiscs::of(&values)?.largest(quantity))
+}
+
 /// Half the sum of the roots beside a real one, and a quarter of the square of their difference: negative for a pair.
 fn other_two([c0, c1, c2, c3]: &[Interval; 4], real: Interval) -> [Interval; 2] {
     let steep = *c3 * real;
@@ -152,11 +159,18 @@ fn distance(one: Complex64, other: Complex64) -> Interval {
     (part(one.re, other.re) + part(one.im, other.im)).square_root()
 }
 
+/// Half the sum and the product of the roots beside a real one: the sum by that of all three, or by the sum of their products, whichever cancels less.
+pub(super) fn beside([c0, c1, c2, c3]: [f64; 4], real: f64) -> [f64; 2] {
+    let (product, sum, products) = (-c0 / (c3 * real), c2 / c3, c1 / c3);
+    let is_by_sum = sum.abs() + real.abs() < (products.abs() + product.abs()) / real.abs();
+    [0.5 * if is_by_sum { -(sum + real) } else { (products - product) / real }, product]
+}
+
 /// Roots of the cubic with the middle coefficients, moved apart by about as much as the coefficients leave open.
 fn approximate_roots(cubic: &[Interval; 4]) -> Option<[Complex64; 3]> {
     let [c0, c1, c2, c3] = cubic.map(Interval::middle);
     let real = bounded_roots([c0, c1, c2, c3]).real.value;
-    let (half_sum, product) = (-0.5 * (c2 / c3 + real), -c0 / (c3 * real));
+    let [half_sum, product] = beside([c0, c1, c2, c3], real);
     let quarter_discriminant = half_sum * half_sum - product;
     let spread = cubic.iter().rev().fold(0.0, |sum, c| sum * half_sum.abs() + 0.5 * c.width());
     let gap = (half_sum - real).abs().max(quarter_discriminant.abs().sqrt()).max(libm::cbrt(spread / c3));

@@ -4,7 +4,7 @@
 //! one real part, or roots meet. No single parameter leads along such a place; differences of other points do (differential evolution,
 //! Storn and Price 1997).
 
-use super::root_discs::{RootPart, cubic};
+use super::root_discs::{RootPart, beside, cubic};
 use crate::number::search::golden_section;
 use crate::number::split_mix::SplitMix64;
 use crate::roots::{Pair, Spectrum, bounded_roots};
@@ -101,7 +101,7 @@ impl Summit {
                 [high.value, -half * half]
             }
             Pair::Complex { re, im } => [re.value, im.value * im.value],
-            Pair::NotSeparated => [-0.5 * (cubic[2] / cubic[3] + real.value), 0.0],
+            Pair::NotSeparated => [beside(cubic, real.value)[0], 0.0],
         };
         let value = if self.quantity == RootPart::Real { largest.max(real.value) } else { square };
         (if self.is_greatest { value } else { -value }, point)

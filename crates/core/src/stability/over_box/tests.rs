@@ -110,6 +110,116 @@ proptest! {
     }
 }
 
+/// Boxes of a laboratory: velocities from 1e-10 to 1 m/s, error bars of 1e-5 to 1e-2 of two or more values.
+fn laboratory_box(random: &mut SplitMix64) -> ParameterBox {
+    let digits = |value: f64| parse_decimal(&format!("{value:.2e}")).unwrap();
+    let a = 0.003 + 0.017 * random.unit();
+    let mut power = |low: f64, high: f64| libm::exp10(random.between(low, high));
+    let [d, k, m, s, v] =
+        [(-6.0, -4.0), (7.0, 11.0), (1.0, 4.0), (5.0, 8.0), (-10.0, 0.0)].map(|(low, high)| power(low, high));
+    let middle = [a, a * power(-0.3, 0.3), d, k, m, s, v].map(digits);
+    let [width, one, other] = [power(-5.0, -2.0), power(0.0, 0.845), power(0.0, 0.845)];
+    let is_wide = |i: usize| i == one as usize % 7 || i == other as usize % 7;
+    let end = |sign: i32| {
+        let factor = |i: usize| if is_wide(i) { digits(width) * sign + 1u32 } else { Rational::from(1) };
+        std::array::from_fn(|i| factor(i) * &middle[i])
+    };
+    ParameterBox { lower: end(-1), upper: end(1) }
+}
+
+/// Boxes at low V0, where one root is far below the others, that once had ranges up to 1e5 times too wide: middles and errors.
+const ONCE_TOO_WIDE: [[[&str; 2]; 7]; 4] = [
+    [
+        ["0.017", "0"],
+        ["0.0102", "0"],
+        ["1e-5", "0"],
+        ["3e8", "3e3"],
+        ["90", "0.0009"],
+        ["5e7", "0"],
+        ["2e-9", "0"],
+    ],
+    [
+        ["0.013", "1e-6"],
+        ["0.00468", "0"],
+        ["9e-5", "8e-9"],
+        ["3e7", "0"],
+        ["100", "0"],
+        ["3e7", "3e3"],
+        ["2e-9", "0"],
+    ],
+    [
+        ["0.012", "12e-8"],
+        ["0.01008", "0"],
+        ["2e-6", "0"],
+        ["2e9", "2e4"],
+        ["30", "0"],
+        ["6e7", "0"],
+        ["1e-8", "0"],
+    ],
+    [
+        ["0.017", "0"],
+        ["0.02057", "0"],
+        ["1e-6", "0"],
+        ["1e7", "0"],
+        ["40", "0.04"],
+        ["3e7", "3e4"],
+        ["1e-9", "0"],
+    ],
+];
+
+/// Certified roots at all corners and at inner points: no value is outside of the enclosure, and what is attained occurs. Where all roots are
+/// real the extremes are at corners, so that the ranges are those of the corners.
+#[test]
+fn ranges_of_laboratory_boxes_are_those_of_certified_roots() {
+    let mut random = SplitMix64(11);
+    let mut real = 0;
+    let known = ONCE_TOO_WIDE.iter().map(|values| {
+        let end = |sign: i32| {
+            std::array::from_fn(|i| {
+                let [middle, error] = values[i].map(|text| parse_decimal(text).unwrap());
+                middle + error * sign
+            })
+        };
+        ParameterBox { lower: end(-1), upper: end(1) }
+    });
+    let mut boxes = SplitMix64(12);
+    for region in known.chain((0..150).map(|_| laboratory_box(&mut boxes))) {
+        let found = over_box(&region, &InertialThreshold::default()).unwrap();
+        let ranges = ranges_over_box(&region, &found);
+        let corners = (0..1_u32 << 7).map(|bits| std::array::from_fn(|i| 16 * (bits >> i & 1)));
+        let is_corner = |shares: &[u32; 7]| (0..7).all(|i| shares[i] == 0 || region.is_wide(i));
+        let inner = (0..8).map(|_| [0; 7].map(|_: u32| (17.0 * random.unit()) as u32));
+        let points = corners.filter(is_corner).chain(inner).map(|shares| at_shares(&region, &shares));
+        let values: Vec<[f64; 2]> = points
+            .map(|point| {
+                let found = classify(&Parameters::from(point), &InertialThreshold::default());
+                [found.max_real_per_s, found.max_imaginary_per_s].map(|value| value.to_f64().unwrap())
+            })
+            .collect();
+        let is_real = found.boundary_signs[0] == 1;
+        real += u32::from(is_real);
+        for (i, range) in
+            [ranges.max_real_per_s, ranges.max_imaginary_per_s].map(Option::unwrap).iter().enumerate()
+        {
+            let ([low, high], [least, greatest]) = (range.enclosure, range.attained);
+            let ends = values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
+                [low.min(value[i]), high.max(value[i])]
+            });
+            let (size, width) = (ends[0].abs().max(ends[1].abs()), ends[1] - ends[0]);
+            let rounding = 1e-13 * size;
+            assert!(low <= ends[0] + rounding && ends[1] <= high + rounding, "{region:?} {range:?} {ends:?}");
+            assert!(low <= least && least <= greatest && greatest <= high, "{range:?}");
+            let beyond = if is_real { rounding } else { rounding + 0.02 * width };
+            assert!(
+                least >= ends[0] - beyond && greatest <= ends[1] + beyond,
+                "{region:?} {range:?} {ends:?}"
+            );
+            assert!(high - low <= 1.01 * (greatest - least) + rounding, "{region:?} {range:?} {ends:?}");
+        }
+    }
+    assert!(real > 20, "{real}");
+}
+
 /// Boxes around the cusp at a = b: η = 1/8, κ = 27/8, with V0 as the only uncertain value.
 #[test]
 fn a_box_that_touches_the_cusp_alone_is_not_certain() {
