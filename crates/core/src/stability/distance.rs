@@ -63,13 +63,13 @@ impl LogDistance {
     }
 }
 
-/// log10(ratio)/divisor of a positive ratio.
-fn log10(ratio: Rational, divisor: u32) -> Option<Wide> {
-    if ratio <= 0 {
-        return None;
-    }
-    let excess = Ball::from_rational(&(ratio - 1u32), 80);
-    Some(Wide::from_float(&Float::with_val(80, log10_one_plus(&excess).centre() / divisor)))
+/// log10(ratio)/divisor of a positive ratio: that of the ratio or its inverse above 1, so that no digits are lost next to −1.
+fn log10(ratio: Rational, divisor: i32) -> Option<Wide> {
+    (ratio > 0).then(|| {
+        let (above, divisor) = if ratio < 1 { (ratio.recip(), -divisor) } else { (ratio, divisor) };
+        let excess = Ball::from_rational(&(above - 1u32), 80);
+        Wide::from_float(&Float::with_val(80, log10_one_plus(&excess).centre() / divisor))
+    })
 }
 
 /// Digits at which a distance is looked for first: enough for all but points made to be near.
@@ -129,6 +129,22 @@ mod tests {
                 .normal_stress
                 .is_none()
         );
+    }
+
+    #[test]
+    fn powers_of_ten_have_their_exponents_far_from_the_transition_and_next_to_it() {
+        for power in [1, 11, 15, 16, 17, 33, 300] {
+            let ratio = parse_decimal(&format!("1e{power}")).unwrap();
+            assert_eq!(number(log10(ratio.clone(), 1)), f64::from(power));
+            assert_eq!(number(log10(ratio.recip(), 2)), -0.5 * f64::from(power));
+        }
+        // log10(1 ± x) = ±x/ln 10 − x²/(2 ln 10) ± …
+        for sign in [1, -1] {
+            let small = parse_decimal("1e-30").unwrap() * sign;
+            let expected = f64::from(sign) * 1e-30 * std::f64::consts::LOG10_E;
+            assert!((number(log10(small + 1u32, 1)) / expected - 1.0).abs() < 1e-15);
+        }
+        assert!(log10(Rational::new(), 1).is_none());
     }
 
     #[test]
