@@ -70,9 +70,8 @@ pub fn enclose_root(polynomial: &impl Coefficients, lower: &Rational, upper: &Ra
 /// Newton steps at doubling precision from a ball that contains a root and on which the method contracts.
 pub fn polish(polynomial: &impl Coefficients, start: Ball, first_precision: u32, bits: u32) -> Ball {
     let (mut root, mut precision) = (start, first_precision);
-    let goal = -f64::from(bits);
     let limit = bits.saturating_add(GUARD_BITS).saturating_mul(64).max(1 << 16);
-    while root.relative_radius_log2() > goal && precision <= limit {
+    while root.relative_radius_log2() > -f64::from(bits) && precision <= limit {
         let certain = (-root.relative_radius_log2()).clamp(1.0, f64::from(u32::MAX / 4)) as u32;
         let wanted = (2 * certain + GUARD_BITS).clamp(precision, bits.max(precision) + GUARD_BITS);
         let next = newton(&polynomial.at_precision(wanted), &root.with_precision(wanted));
@@ -142,7 +141,9 @@ impl Bracket {
         loop {
             let enclosure = self.ball(precision);
             let image = newton(coefficients, &enclosure);
-            if image.is_bounded() && image.lower() > enclosure.lower() && image.upper() < enclosure.upper() {
+            // Next to zero an image has no certain digit, and steps gain none.
+            let is_certain = image.relative_radius_log2() < 0.0;
+            if is_certain && image.lower() > enclosure.lower() && image.upper() < enclosure.upper() {
                 return Contraction::Reached(image);
             }
             let exhausted = enclosure.relative_radius_log2() < 8.0 - f64::from(precision);
@@ -187,6 +188,19 @@ mod tests {
         assert!(root.lower() < exact && exact < root.upper());
         let negative = IsolatingInterval::Between(Rational::from(-2), Rational::from(-1));
         assert!(p.refine(&negative, 100).upper() < 0);
+    }
+
+    #[test]
+    fn a_root_far_below_the_others_is_enclosed_from_a_wide_bracket() {
+        for power in [20_u32, 120, 400, 2000] {
+            // (2ⁿx − 1)(x² + x + 2ⁿ).
+            let scale = Rational::from(1) << power;
+            let other = UnivariatePolynomial::new(vec![scale.clone(), Rational::from(1), Rational::from(1)]);
+            let p = UnivariatePolynomial::new(vec![Rational::from(-1), scale]).times(&other);
+            let root = p.refine(&p.isolate_positive_roots()[0], 64);
+            assert!(root.relative_radius_log2() <= -64.0, "{power}");
+            assert!(root.contains(&(Rational::from(1) >> power)), "{power}");
+        }
     }
 
     #[test]

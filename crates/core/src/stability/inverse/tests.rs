@@ -21,6 +21,23 @@ fn largest(parameters: &Parameters<Rational>, part: fn(&CertifiedRoot) -> f64) -
     roots.iter().map(part).fold(f64::NEG_INFINITY, f64::max)
 }
 
+/// The mass on the boundary is far below the other roots of the discriminant. Where K is so large, it goes with 1/K: 2.0818840579710145e-33 by FLINT.
+#[test]
+fn a_mass_on_the_boundary_is_found_at_a_huge_stiffness() {
+    for (stiffness, expected) in [
+        ("2346e20", 2.081_884_057_971_014_5e-21),
+        ("2346e32", 2.081_884_057_971_014_5e-33),
+        ("2346e80", 2.081_884_057_971_014_5e-81),
+    ] {
+        let values = ["0.0026", "0.00058708", "0.00013", stiffness, "1", "17000", "1"];
+        let parameters = Parameters::from(values.map(|text| parse_decimal(text).unwrap()));
+        let found = solve(&parameters, Unknown::MassPerArea, &Target::Boundary, 20).unwrap();
+        assert_eq!(found.len(), 1);
+        assert!((found[0].value.to_f64() / expected - 1.0).abs() < 1e-15, "{stiffness}");
+        assert_eq!(found[0].kind, SolutionKind::LowerArc);
+    }
+}
+
 /// Whether the numbers of solutions between neighbours of a grid are odd exactly where the sign changes; gives their sum.
 fn count_beside_scan(
     parameters: &Parameters<Rational>,
