@@ -105,7 +105,7 @@ impl Point<'_> {
     }
 
     /// The first change of the slip mode between a value and an end of reach. Between two lines the roots keep their kind, and an
-    /// oscillation crosses the threshold of its frequency once at most: `theory::monotone` proves it of each of the four quantities.
+    /// oscillation crosses the threshold of its frequency once at most: a proof of `monotone.toml` shows it of each of the four quantities.
     fn first_change(&self, quantity: Quantity, now: f64, end: f64, lines: &[f64]) -> Option<(f64, SlipMode)> {
         let present = self.mode(quantity, now);
         let sign = (end - now).signum();
