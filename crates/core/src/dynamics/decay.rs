@@ -82,10 +82,31 @@ pub(super) fn final_rate<R: Scalar, M: Stepper<R>>(run: &Integrator<'_, R, M>) -
 
 #[cfg(test)]
 mod tests {
-    use crate::dynamics::{LongTerm, Model, Options, simulate_model};
-    use crate::friction::{EvolutionLaw, Groups};
+    use crate::dynamics::{LongTerm, Model, Options, Start, simulate_model};
+    use crate::friction::{EvolutionLaw, Groups, Parameters};
     use crate::number::Rational;
     use crate::roots::certified_roots;
+
+    /// The spring is in equilibrium at V_l/10, where friction is lower by (1 − β) ln 10.
+    #[test]
+    fn a_stress_that_only_rises_to_steady_sliding_has_a_range_with_an_error() {
+        for (eta, kappa, beta) in [(2e-8, 1.2e-3, 0.84), (0.2, 1.8e-4, 0.64)] {
+            let groups = Groups { inertial_parameter: eta, stiffness_group: kappa, effect_ratio: beta };
+            for (law, start) in
+                EvolutionLaw::ALL.into_iter().flat_map(|law| Start::ALL.map(|start| (law, start)))
+            {
+                let options = Options::at(1e-8).with_start(start);
+                let found = simulate_model(&Model::new(groups.clone(), law), &options).unwrap();
+                let found = found.in_si(&Parameters::from([1.0; 7]));
+                assert!(found.stress_drop_relative_error.is_finite(), "{found:?}");
+                if start == Start::SteadyAtVelocity {
+                    let off = found.stress_drop_pa / ((1.0 - beta) * std::f64::consts::LN_10) - 1.0;
+                    assert!(off.abs() <= found.stress_drop_relative_error, "{law:?} {found:?}");
+                    assert!(found.stress_drop_relative_error < 1e-6, "{law:?} {found:?}");
+                }
+            }
+        }
+    }
 
     #[test]
     fn the_end_of_a_decay_without_oscillation_has_the_rate_of_the_slowest_mode() {

@@ -114,7 +114,8 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
             let mut by = TIGHTER;
             match self.attempt() {
                 Ok((long_term, errors)) => {
-                    let outcome = self.outcome(long_term, errors, FINER * self.levels.coarse);
+                    let local_tolerance = FINER * self.levels.coarse;
+                    let outcome = Outcome::new(self.model, long_term, errors, self.work, local_tolerance);
                     reached = outcome.largest_error().min(reached);
                     if outcome.largest_error() <= requested {
                         return Ok(outcome);
@@ -136,10 +137,6 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
             Some(failure) if reached.is_infinite() => Err(failure),
             _ => Err(Failure::UnreachableTolerance { requested, reached }),
         }
-    }
-
-    fn outcome(&self, long_term: LongTerm<f64>, errors: Errors, local_tolerance: f64) -> Outcome {
-        Outcome::new(self.model, long_term, errors, self.work, local_tolerance)
     }
 
     fn attempt(&mut self) -> Result<LongTermFound, Failure> {
@@ -174,8 +171,8 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
     }
 
     fn long_term_at(&mut self, local_tolerance: f64) -> Result<LongTerm<f64>, Failure> {
-        let fast = 0.01 * self.options.tolerance.min(LOOSEST_FOLLOWED);
-        let permitted = PermittedDistance { fast, slow: 0.0 };
+        let permitted =
+            PermittedDistance { fast: 0.01 * self.options.tolerance.min(LOOSEST_FOLLOWED), slow: 0.0 };
         self.run(local_tolerance, |run, returns| long_term_within(run, permitted, returns))
     }
 
@@ -205,19 +202,19 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
             let [wide, narrow] = [(finer / FINER).min(1e-6), finer.min(FINER * 1e-6)];
             coarse.oscillation = oscillation_of_small_deviations(self.model, wide)?;
             fine.oscillation = oscillation_of_small_deviations(self.model, narrow)?;
-            let unequal = coarse
-                .oscillation
-                .zip(fine.oscillation)
-                .map_or(coarse.oscillation.is_some() != fine.oscillation.is_some(), |(a, b)| {
-                    OF_DIFFERENCE * libm::log(a.period / b.period).abs() > 0.5 * self.options.tolerance
-                });
+            let permitted = 0.5 * self.options.tolerance;
+            let unequal = match (coarse.oscillation, fine.oscillation) {
+                (Some(a), Some(b)) => OF_DIFFERENCE * libm::log(a.period / b.period).abs() > permitted,
+                (a, b) => a != b,
+            };
             // Next to a double root the propagator's rounding errors are magnified.
             if unequal {
                 coarse.oscillation = oscillation_in_double_double(self.model, FINER * FINER * wide)?;
                 fine.oscillation = oscillation_in_double_double(self.model, FINER * FINER * narrow)?;
             }
         }
-        let (coarse, fine) = (LongTerm::Decay(coarse), LongTerm::Decay(fine));
+        let [coarse, fine] = [coarse, fine]
+            .map(|decay| LongTerm::Decay(Decay { transient: decay.transient.and_steady_sliding(), ..decay }));
         let errors = decay_errors(&coarse, &fine, finer);
         Ok((fine, errors))
     }

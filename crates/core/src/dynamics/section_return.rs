@@ -160,7 +160,7 @@ impl<R: Scalar> Return<R> {
         self
     }
 
-    /// The same, and what follows without a crossing: the stress of steady sliding, ζ = 0.
+    /// The same, and what every decay ends with: the stress of steady sliding, ζ = 0.
     #[must_use]
     pub(super) fn and_steady_sliding(mut self) -> Self {
         let steady = [R::from(0), R::from(0), R::from(0)];

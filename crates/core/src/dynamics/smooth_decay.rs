@@ -204,9 +204,8 @@ impl<'m, M: Stepper<f64> + Clone> SmoothDecay<'m, '_, M> {
                 return None;
             }
             let exact = self.returns(fine, rough.returns)?;
-            let is_followed = rough.last.is_none();
             let [rough, exact] = [(rough.orbit, modes[0]), (exact, modes[1])].map(|(transient, seen)| {
-                let transient = if is_followed { transient.and_steady_sliding() } else { transient };
+                let transient = transient.and_steady_sliding();
                 LongTerm::Decay(Decay { transient, oscillation: Some(seen.oscillation), rate: None })
             });
             let errors = decay_errors(&rough, &exact, self.route.bad_steps * fine / units);
