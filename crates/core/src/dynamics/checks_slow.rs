@@ -7,7 +7,7 @@ use super::slow_pair::SlowPair;
 use super::small_cycle::SmallCycle;
 use super::{Failure, Model, Options, Radau, Start, simulate, simulate_model};
 use crate::dynamics::Behaviour;
-use crate::friction::{EvolutionLaw, Parameters, critical_stiffness_group};
+use crate::friction::{EvolutionLaw, Groups, Parameters, critical_stiffness_group};
 use crate::number::{Dd, Rational, parse_decimal};
 
 /// A slider with these η, β and K/K_c, whose D_c/V_l, V_l and aσ are 1.
@@ -29,9 +29,9 @@ fn model_of(slider: &Parameters<Rational>, law: EvolutionLaw) -> Model<f64> {
 }
 
 /// The first returns in double-double by Radau IIA of order 13.
-fn first_returns(model: &Model<f64>) -> Return<f64> {
+fn first_returns(model: &Model<f64>, start: Start) -> Return<f64> {
     let model = Model::new(model.groups().map(|&group| Dd::from(group)), model.law());
-    let start = Start::default().at_a_tenth(&model);
+    let start = start.at_a_tenth(&model);
     let control = Control { local_tolerance: 1e-20, most_steps: 100_000 };
     let mut run = Integrator::new(&model, Radau::<Dd, 7>::new(), start, control).unwrap();
     let mut next = || next_return(&mut run).unwrap().0;
@@ -49,11 +49,57 @@ fn vibrations_decay_at_any_inertia_and_their_extremes_are_those_of_double_double
             assert!(matches!(outcome.long_term(), LongTerm::Decay(_)), "{eta} {beta} {law:?}");
             assert!(outcome.steps() < 2_000, "{eta} {beta} {law:?}: {}", outcome.steps());
             let found = outcome.in_si(&slider.map(crate::number::nearest_f64));
-            let exact = first_returns(&model_of(&slider, law));
+            let exact = first_returns(&model_of(&slider, law), Start::default());
             let peak = libm::expm1(outcome.log_peak() - exact.peak).abs();
             let drop = found.stress_drop_pa / (exact.highest_stress - exact.lowest_stress) - 1.0;
             assert!(peak <= found.peak_relative_error && found.peak_relative_error <= 1e-8);
             assert!(drop.abs() <= found.stress_drop_relative_error, "{eta} {beta} {law:?}: {drop:e}");
+        }
+    }
+}
+
+/// η, κ, β, law and start of decays whose stress swings by up to 3e7 times as much as ln V.
+fn stiff_decays() -> Vec<(Groups<f64>, EvolutionLaw, Start)> {
+    let groups = [
+        [50.0, 70.0, 1.5],
+        [763.0, 5_740.0, 1.658],
+        [1e3, 2e3, 0.8],
+        [1e4, 3e5, 1.1],
+        [2.29e5, 691_650.0, 1.106],
+        [3.34e5, 6.55e6, 0.817],
+        [5.04e6, 2.13e8, 1.899],
+        // A mode that relaxes slowly.
+        [1e7, 5e3, 0.6],
+        [2e5, 50.0, 0.6],
+    ];
+    let starts =
+        [Start::SteadyAtVelocity, Start::SteadyStateSpringAtLoading, Start::VelocityStepInEquilibrium];
+    let cases = groups.into_iter().flat_map(|group| EvolutionLaw::ALL.map(|law| (group, law)));
+    let of = |[inertial_parameter, stiffness_group, effect_ratio]: [f64; 3]| Groups {
+        inertial_parameter,
+        stiffness_group,
+        effect_ratio,
+    };
+    cases.enumerate().map(|(n, (group, law))| (of(group), law, starts[n % 3])).collect()
+}
+
+#[test]
+fn stiff_decays_have_their_errors() {
+    for (groups, law, start) in stiff_decays() {
+        let model = Model::new(groups.clone(), law);
+        let exact = first_returns(&model, start).and_steady_sliding();
+        for tolerance in [1e-2, 1e-6, 1e-8, 1e-10, 1e-12] {
+            let at = format!("{groups:?} {law:?} {start:?} {tolerance:e}");
+            let outcome = simulate_model(&model, &Options::at(tolerance).with_start(start))
+                .unwrap_or_else(|failure| panic!("{at}: {failure}"));
+            let found = outcome.in_si(&Parameters::from([1.0; 7]));
+            let peak = libm::expm1(outcome.log_peak() - exact.peak.max(0.0)).abs();
+            assert!(
+                peak <= found.peak_relative_error && found.peak_relative_error <= tolerance,
+                "{at}: {peak:e}"
+            );
+            let drop = (found.stress_drop_pa / (exact.highest_stress - exact.lowest_stress) - 1.0).abs();
+            assert!(drop <= found.stress_drop_relative_error, "{at}: {drop:e} {found:?}");
         }
     }
 }

@@ -66,7 +66,7 @@ pub(super) fn inertial_modes<M: Stepper<f64> + Clone>(
         local_tolerance,
         size: LEAST_SIZE,
         first_time: FIRST_PHASE * (groups.inertial_parameter / groups.stiffness_group).sqrt(),
-        stress_unit: (groups.inertial_parameter * groups.stiffness_group).sqrt(),
+        stress_unit: model.stress_swing(),
     };
     modes(model, method, sampling)
 }

@@ -23,9 +23,7 @@ pub(super) fn log_ratio(
     duration: f64,
 ) -> Result<(f64, Work), Failure> {
     let control = Control { local_tolerance: LOCAL_TOLERANCE, most_steps: MOST_STEPS };
-    let groups = model.groups();
-    let stress_unit = (groups.stiffness_group * groups.inertial_parameter).sqrt().max(1.0);
-    let method = Taylor::<f64, TERMS>::new().with_stress_unit(stress_unit);
+    let method = Taylor::<f64, TERMS>::new().with_stress_unit(model.stress_swing().max(1.0));
     let mut run = Integrator::new(model, method, *crossing, control)?;
     let mut work = 0.0;
     loop {
@@ -37,7 +35,7 @@ pub(super) fn log_ratio(
         work += work_of_step(&run);
     }
     let stress = crossing[2];
-    let change = -2.0 * groups.stiffness_group * work / (stress * stress);
+    let change = -2.0 * model.groups().stiffness_group * work / (stress * stress);
     Ok((0.5 * libm::log1p(change), run.work()))
 }
 

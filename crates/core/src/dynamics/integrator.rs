@@ -11,6 +11,11 @@ use super::{Failure, Model, Scalar, State};
 /// The tightest local tolerance, in units of the arithmetic's rounding error.
 const TIGHTEST_IN_UNITS: f64 = 64.0;
 
+/// The tightest local tolerance of a state of this size.
+pub(super) fn tightest<R: Scalar>(size: f64) -> f64 {
+    TIGHTEST_IN_UNITS * R::UNIT_ROUNDOFF * size
+}
+
 /// The most by which a step may exceed the one before: where nothing happens any more it grows to the next time scale quickly.
 const LARGEST_GROWTH: f64 = 8.0;
 
@@ -203,8 +208,7 @@ impl<'m, R: Scalar, M: Stepper<R>> Integrator<'m, R, M> {
         // Where the state is small the equations keep relative accuracy, and so must the steps.
         let scale = if size == 0.0 { 1.0 } else { size.min(1.0) };
         let noise = 2.0 * R::UNIT_ROUNDOFF * size.max(f64::MIN_POSITIVE);
-        let tightest = TIGHTEST_IN_UNITS * R::UNIT_ROUNDOFF * size;
-        Weight { absolute: (self.control.local_tolerance * scale).max(tightest), noise }
+        Weight { absolute: (self.control.local_tolerance * scale).max(tightest::<R>(size)), noise }
     }
 
     /// Takes one step no longer than `limit`.

@@ -80,6 +80,11 @@ impl Model<f64> {
         let exact = |value: &f64| Dd::from(*value);
         Model::with_balance(self.groups.map(exact), self.law, self.balance.map(exact))
     }
+
+    /// √(κη): how far an oscillation at √(K/M) moves ζ, over how far it moves ln V.
+    pub(super) fn stress_swing(&self) -> f64 {
+        (self.groups.stiffness_group * self.groups.inertial_parameter).sqrt()
+    }
 }
 
 impl<R: Scalar> Model<R> {

@@ -20,7 +20,7 @@
 
 use super::deviations::{Modes, inertial_modes};
 use super::history::History;
-use super::integrator::{Control, Integrator, Work};
+use super::integrator::{Control, Integrator, Work, tightest};
 use super::long_term::LongTerm;
 use super::outcome::Outcome;
 use super::search::decay_errors;
@@ -53,6 +53,9 @@ const NEAR: f64 = 1e-4;
 /// Bounds of the coarser local tolerance.
 const TIGHTEST: f64 = 1e-12;
 const LOOSEST: f64 = 1e-3;
+
+/// The part of the requested error that the rounding errors of ζ may take from the error of a step. Above it ζ is in units of its swing.
+const LARGEST_ROUNDING: f64 = 0.01;
 
 /// The most that `Route::units` may be.
 const MOST_UNITS: f64 = 32.0;
@@ -94,7 +97,7 @@ const EVEN: f64 = 0.1;
 /// A method and its tolerances.
 struct Route<M> {
     method: M,
-    /// Local tolerance of the coarser transient over the requested error.
+    /// Local tolerance of the coarser transient.
     coarse: f64,
     /// What the steps of a transient may add up to, in local tolerances.
     bad_steps: f64,
@@ -108,11 +111,8 @@ struct Route<M> {
 pub(super) fn smooth_decay(model: &Model<f64>, options: &Options) -> Option<Outcome> {
     let start = options.start.state(model, &libm::log(options.velocity_ratio));
     let balance = balance_rate(model, &start);
-    let is_slow = balance > 0.0 && balance <= FASTEST_BALANCE;
-    if *model.balance() != Balance::Inertial || !is_slow {
-        return None;
-    }
-    by_cheapest_route(model, options, None)
+    let is_slow = balance > 0.0 && balance <= FASTEST_BALANCE && *model.balance() == Balance::Inertial;
+    is_slow.then(|| by_cheapest_route(model, options, None)).flatten()
 }
 
 /// The outcome of a run whose small deviations grow or die slowly: a decay, or a small cycle near K = K_c. Its errors may be larger than requested.
@@ -123,8 +123,7 @@ pub(super) fn slow_oscillation(model: &Model<f64>, options: &Options, pair: Slow
 
 /// The rate e^{−x}/η of the balance of forces, in units of √(K/M).
 fn balance_rate(model: &Model<f64>, state: &State<f64>) -> f64 {
-    let groups = model.groups();
-    libm::exp(-state[0]) / (groups.inertial_parameter * groups.stiffness_group).sqrt()
+    libm::exp(-state[0]) / model.stress_swing()
 }
 
 fn by_cheapest_route(model: &Model<f64>, options: &Options, slow: Option<SlowPair>) -> Option<Outcome> {
@@ -132,19 +131,22 @@ fn by_cheapest_route(model: &Model<f64>, options: &Options, slow: Option<SlowPai
     let start = options.start.state(model, &libm::log(options.velocity_ratio));
     let work = Work::default();
     let state = (groups.inertial_parameter / groups.stiffness_group).sqrt();
-    let oscillation_units = (groups.stiffness_group * groups.inertial_parameter).sqrt().max(1.0);
+    let oscillation_units = model.stress_swing().max(1.0);
     let fastest = if slow.is_some() { STATE_OF_SLOW } else { STATE_OF_SERIES };
     if balance_rate(model, &start) <= BALANCE_OF_SERIES && state <= fastest {
         let method = Taylor::<f64, TERMS>::new();
-        let method = if slow.is_some() { method.with_stress_unit(oscillation_units) } else { method };
-        let route = Route { method, coarse: 0.5, bad_steps: 20.0, units: 1.0, of_deviations: [1e-10, 1e-13] };
+        let is_rounded = tightest::<f64>(oscillation_units) > LARGEST_ROUNDING * options.tolerance;
+        let method =
+            if is_rounded || slow.is_some() { method.with_stress_unit(oscillation_units) } else { method };
+        let coarse = (0.5 * options.tolerance).clamp(TIGHTEST, LOOSEST);
+        let route = Route { method, coarse, bad_steps: 20.0, units: 1.0, of_deviations: [1e-10, 1e-13] };
         SmoothDecay { model, options, start, route, slow, by_work: slow.is_some(), work }.outcome()
     } else {
         let method = Radau::<f64, 5>::new();
         let (units, loose) =
             (oscillation_units.min(MOST_UNITS), (1e3 * options.tolerance).clamp(1e-10, 1e-5));
-        let route =
-            Route { method, coarse: 35.0, bad_steps: 0.5, units, of_deviations: [loose, FINER * loose] };
+        let coarse = (units * 35.0 * options.tolerance).clamp(TIGHTEST, LOOSEST);
+        let route = Route { method, coarse, bad_steps: 0.5, units, of_deviations: [loose, FINER * loose] };
         SmoothDecay { model, options, start, route, slow, by_work: false, work }.outcome()
     }
 }
@@ -193,8 +195,9 @@ impl<'m, M: Stepper<f64> + Clone> SmoothDecay<'m, '_, M> {
         }
         let modes = self.modes()?;
         let requested = self.options.tolerance;
-        let Route { units, coarse, .. } = self.route;
-        let mut coarse = (units * coarse * requested).clamp(TIGHTEST, LOOSEST);
+        let Route { units, mut coarse, .. } = self.route;
+        // Both runs may have steps no tighter than the rounding errors of ζ permit.
+        let least = 0.5 * tightest::<f64>(self.model.stress_swing() / self.route.method.stress_unit());
         let mut decays = false;
         for _ in 0..ATTEMPTS {
             let fine = FINER * coarse;
@@ -208,7 +211,7 @@ impl<'m, M: Stepper<f64> + Clone> SmoothDecay<'m, '_, M> {
                 let transient = transient.and_steady_sliding();
                 LongTerm::Decay(Decay { transient, oscillation: Some(seen.oscillation), rate: None })
             });
-            let errors = decay_errors(&rough, &exact, self.route.bad_steps * fine / units);
+            let errors = decay_errors(&rough, &exact, self.route.bad_steps * fine.max(least) / units);
             let outcome = Outcome::new(self.model, exact, errors, self.work, fine);
             if outcome.largest_error() <= requested {
                 return Some(outcome);
@@ -220,16 +223,13 @@ impl<'m, M: Stepper<f64> + Clone> SmoothDecay<'m, '_, M> {
 
     /// The small cycle, when the run ends on it.
     fn small_cycle(mut self, pair: &SlowPair, near: NearTransition) -> Option<Outcome> {
-        let Route { units, coarse, .. } = self.route;
-        let coarse = (units * coarse * self.options.tolerance).clamp(TIGHTEST, LOOSEST);
-        let transient = self.transient(coarse, &pair.modes)?;
-        let ends_there = transient.last.is_some() && self.ends_in(&pair.modes, &transient, coarse);
+        let transient = self.transient(self.route.coarse, &pair.modes)?;
+        let ends_there = transient.last.is_some() && self.ends_in(&pair.modes, &transient, self.route.coarse);
         let cycle = if ends_there { SmallCycle::find(self.model, &near)? } else { return None };
         self.work += cycle.work;
         let (cycle, errors) = cycle.with_multiplier_of(&pair.modes.oscillation);
-        let long_term = LongTerm::Cycle(cycle);
         let tolerance = SmallCycle::LOCAL_TOLERANCE;
-        Some(Outcome::new(self.model, long_term, errors, self.work, tolerance))
+        Some(Outcome::new(self.model, LongTerm::Cycle(cycle), errors, self.work, tolerance))
     }
 
     /// The modes of small deviations at two tolerances, when none of them grows.
@@ -272,7 +272,8 @@ impl<'m, M: Stepper<f64> + Clone> SmoothDecay<'m, '_, M> {
             let from = std::mem::replace(&mut amplitude, self.amplitude(run.state(), modes));
             let last = Shrinking { from, to: amplitude, duration: next.duration, start, end: *run.state() };
             history.push(next);
-            if is_near || is_led_by_pair && (repeats(&history) || self.falls_evenly(&history)) {
+            if is_near || is_led_by_pair && (repeats(&history) || self.by_work && self.falls_evenly(&history))
+            {
                 self.work += run.work();
                 // A slider that no longer crosses V = V_l has its extremes behind it, or the search decides.
                 let is_complete = !(is_near && returns == done);
@@ -298,9 +299,6 @@ impl<'m, M: Stepper<f64> + Clone> SmoothDecay<'m, '_, M> {
     fn falls_evenly(&mut self, history: &History<f64>) -> bool {
         let [.., before, last] = history.returns.as_slice() else { return false };
         let (Some(there), Some(here)) = (history.back(2), history.back(1)) else { return false };
-        if !self.by_work {
-            return false;
-        }
         let mut fall = |[y, zeta]: [f64; 2], duration| self.log_ratio_by_work(&[0.0, y, zeta], duration);
         let (Some(first), Some(second)) = (fall(there, before.duration), fall(here, last.duration)) else {
             return false;
