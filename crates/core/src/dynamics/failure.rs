@@ -37,9 +37,8 @@ pub enum Failure {
         time: f64,
     },
     /// Neither a limit cycle nor a decay was reached.
-    #[error(
-        "long-term behaviour undecided after {cycles} oscillations; the last changed by a relative {change:e}"
-    )]
+    #[error("long-term behaviour undecided after {cycles} oscillations; {}",
+        or(*change, format!("the last changed by a relative {change:e}"), "no two of them could be compared"))]
     Undecided {
         /// Oscillations computed.
         cycles: u64,
@@ -47,11 +46,35 @@ pub enum Failure {
         change: f64,
     },
     /// The requested accuracy is below what the arithmetic gives.
-    #[error("a relative error of {requested:e} is not attainable: {reached:.1e} was reached")]
+    #[error("a relative error of {requested:e} is not attainable: {}",
+        or(*reached, format!("{reached:.1e} was reached"), "the errors could not be estimated"))]
     UnreachableTolerance {
         /// Relative error requested.
         requested: f64,
         /// Relative error reached.
         reached: f64,
     },
+}
+
+/// What is known of a number, or other words where it is not finite.
+fn or(value: f64, known: String, otherwise: &str) -> String {
+    if value.is_finite() { known } else { otherwise.into() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Failure;
+
+    #[test]
+    fn no_message_prints_an_infinity() {
+        let (requested, cycles) = (1e-8, 7);
+        for value in [f64::INFINITY, f64::NAN] {
+            let undecided = Failure::Undecided { cycles, change: value }.to_string();
+            let missed = Failure::UnreachableTolerance { requested, reached: value }.to_string();
+            assert!(undecided.ends_with("no two of them could be compared"), "{undecided}");
+            assert!(missed.ends_with("the errors could not be estimated"), "{missed}");
+        }
+        let finite = Failure::UnreachableTolerance { requested, reached: 1e-7 }.to_string();
+        assert!(finite.ends_with("1.0e-7 was reached"), "{finite}");
+    }
 }
