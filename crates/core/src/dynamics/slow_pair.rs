@@ -16,6 +16,9 @@ use crate::roots::certified_roots;
 /// the search takes differences of their changes.
 const LOST_PART: f64 = 1e-7;
 
+/// The swing of ζ over that of ln V from which on the rounding errors of ζ make those of returns larger, in proportion to it.
+const LARGE_SWING: f64 = 1e3;
+
 /// The largest such part for which anything but the search is tried.
 const LARGEST_PART: f64 = 1e-3;
 
@@ -42,7 +45,7 @@ impl Pace {
         let part = growth_rate(model.groups()).abs() * std::f64::consts::TAU / frequency(model.groups());
         if *model.balance() != Balance::Inertial || part.is_nan() || part > LARGEST_PART {
             Self::Fast
-        } else if part > LOST_PART {
+        } else if part > LOST_PART * (model.stress_swing() / LARGE_SWING).max(1.0) {
             Self::Slow
         } else {
             Self::Lost
