@@ -47,16 +47,6 @@
 mod arrest;
 mod arrow;
 mod barely_stops;
-#[cfg(test)]
-mod checks;
-#[cfg(test)]
-mod checks_elsewhere;
-#[cfg(test)]
-mod checks_slow;
-#[cfg(test)]
-mod checks_smooth;
-#[cfg(test)]
-mod checks_transition;
 mod clock;
 mod collocation;
 mod cycle_family;
@@ -100,6 +90,8 @@ mod start;
 mod stepper;
 mod taylor;
 mod taylor_series;
+#[cfg(test)]
+mod tests;
 mod threshold;
 mod trajectory;
 

@@ -1,11 +1,11 @@
 //! Decays whose forces balance slowly: against other integrators, the roots of eq 8 and the search, and what they cost.
 
-use super::integrator::{Control, Integrator};
-use super::long_term::LongTerm;
-use super::search::{Leftover, Search};
-use super::section_return::{Return, ReturnEnd, next_return};
-use super::smooth_decay::smooth_decay;
-use super::{Model, Options, Radau, Start};
+use crate::dynamics::integrator::{Control, Integrator};
+use crate::dynamics::long_term::LongTerm;
+use crate::dynamics::search::{Leftover, Search};
+use crate::dynamics::section_return::{Return, ReturnEnd, next_return};
+use crate::dynamics::smooth_decay::smooth_decay;
+use crate::dynamics::{Model, Options, Radau, Start};
 use crate::friction::{EvolutionLaw, Groups, Parameters, critical_stiffness_group};
 use crate::number::Rational;
 use crate::roots::certified_roots;
@@ -131,7 +131,7 @@ fn limit_cycles_stiff_decays_and_regularised_friction_are_left_to_the_search() {
         for case in [[1.5, 20.0, 0.8], [1.5, 1e-6, 2.0], [0.5, 1e-6, 1.0]] {
             assert!(smooth_decay(&Model::new(groups_of(case), law), &options).is_none(), "{case:?}");
         }
-        let balance = super::Balance::Regularised(60.0);
+        let balance = crate::dynamics::Balance::Regularised(60.0);
         assert!(smooth_decay(&Model::with_balance(stable(0.01), law, balance), &options).is_none());
     }
 }

@@ -1,8 +1,8 @@
 //! Runs next to a transition between slip modes end, with the right verdict, at every tolerance.
 
-use super::checks::paper;
-use super::long_term::LongTerm;
-use super::{Model, Options, simulate_model};
+use super::paper;
+use crate::dynamics::long_term::LongTerm;
+use crate::dynamics::{Model, Options, simulate_model};
 use crate::friction::{EvolutionLaw, Groups};
 
 /// Next to K = K_c a slow decay looks like the approach to a cycle; next to a double root the period magnifies errors.

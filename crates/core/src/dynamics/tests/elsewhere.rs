@@ -2,9 +2,9 @@
 
 use differential_equations::prelude::*;
 
-use super::checks::paper;
-use super::integrator::{Control, Integrator};
-use super::{Balance, Model, Options, Radau, Start, State, simulate_model};
+use super::paper;
+use crate::dynamics::integrator::{Control, Integrator};
+use crate::dynamics::{Balance, Model, Options, Radau, Start, State, simulate_model};
 use crate::friction::{EvolutionLaw, Groups};
 
 /// The equations written out for another crate's Radau method, sharing no code with ours.

@@ -1,5 +1,10 @@
 //! Checks of the whole: linear regime, steady sliding, stated errors, the paper's grid.
 
+mod elsewhere;
+mod slow;
+mod smooth;
+mod transition;
+
 use super::integrator::{Control, Integrator};
 use super::long_term::LongTerm;
 use super::{Model, Options, Oscillation, Radau, Simulation, Start, simulate_model};

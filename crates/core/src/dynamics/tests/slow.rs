@@ -1,12 +1,12 @@
 //! Runs whose amplitude changes by less in a return than f64 resolves: large η, and both sides of K = K_c.
 
-use super::integrator::{Control, Integrator};
-use super::long_term::{Cycle, LongTerm};
-use super::section_return::{Return, next_return};
-use super::slow_pair::{Pace, SlowPair};
-use super::small_cycle::SmallCycle;
-use super::{Failure, Model, Options, Radau, Start, simulate, simulate_model};
 use crate::dynamics::Behaviour;
+use crate::dynamics::integrator::{Control, Integrator};
+use crate::dynamics::long_term::{Cycle, LongTerm};
+use crate::dynamics::section_return::{Return, next_return};
+use crate::dynamics::slow_pair::{Pace, SlowPair};
+use crate::dynamics::small_cycle::SmallCycle;
+use crate::dynamics::{Failure, Model, Options, Radau, Start, simulate, simulate_model};
 use crate::friction::{EvolutionLaw, Groups, Parameters, critical_stiffness_group};
 use crate::number::{Dd, Rational, parse_decimal};
 
