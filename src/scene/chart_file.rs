@@ -109,7 +109,7 @@ impl Reader<'_> {
         }
         let (values, x, y) = (values.unwrap_or_default(), x?, y?);
         let (y, map) = match &map {
-            None => (plain_axis(&y)?, None),
+            None => (y.table(axis)??.0, None),
             Some(entry) => {
                 let map = self.map(entry, &values, &x, self.sampled(&y)?)?;
                 (map.y.axis.clone(), Some(map))
@@ -134,7 +134,7 @@ impl Reader<'_> {
     /// Values of variables, together with those of the whole chart.
     fn values(&self, entry: &Entry<'_>, of_chart: &Values) -> Option<Values> {
         let own = entry.members(|name, member| {
-            let name = member.sound(read_variable(name, &self.names).map_err(Problem::Equation));
+            let name = member.equation(read_variable(name, &self.names));
             let (name, value) = (name?, number(member)?);
             self.check_sign(member, &name, &value)?;
             Some((name, Expression::Number(value)))
@@ -153,9 +153,8 @@ impl Reader<'_> {
     fn sampled(&self, entry: &Entry<'_>) -> Option<Sampled> {
         let (variable, points, axis) = entry.table(|section| {
             let variable = section.required("variable", "the name of a variable");
-            let variable = variable.and_then(|entry| {
-                entry.sound(read_variable(&entry.text()?, &self.names).map_err(Problem::Equation))
-            });
+            let variable =
+                variable.and_then(|entry| entry.equation(read_variable(&entry.text()?, &self.names)));
             let points: u32 = section.whole("points", 2..=MOST_POINTS);
             (variable, points, axis(section))
         })?;
@@ -178,7 +177,7 @@ impl Reader<'_> {
         values: &Values,
         variables: &[&Symbol],
     ) -> Option<(Expression, Expression, Vec<Literal>)> {
-        let read = entry.sound(read_side(&entry.text()?, &self.names).map_err(Problem::Equation))?;
+        let read = entry.equation(read_side(&entry.text()?, &self.names))?;
         let put = |one: &Expression| self.names.resolved(one).substitute(values);
         let of_definitions = self.names.given_of(&read).into_iter().map(|one| {
             let sign = match one.relation {
@@ -194,12 +193,12 @@ impl Reader<'_> {
             of_file.map(|one| one.literal()).map(|one| Literal::new(put(&one.expression), one.sign));
         let (value, given) = (put(&read), of_definitions.chain(of_file).collect::<Vec<_>>());
         if let Some(function) = value.functions().first() {
-            return entry.refuse(Problem::Equation(format!("{function} is a function without values")));
+            return entry.equation(Err(format!("{function} is a function without values")));
         }
         let all = std::iter::once(&value).chain(given.iter().map(|one| &one.expression));
         let open = all.flat_map(Expression::variables).find(|name| !variables.contains(&name));
         match open {
-            Some(name) => entry.refuse(Problem::Needs(format!("a value for {name} in `values`"))),
+            Some(name) => entry.needs(format!("a value for {name} in `values`")),
             None => Some((read, value, given)),
         }
     }
@@ -227,7 +226,7 @@ impl Reader<'_> {
         let [polynomial, roots] =
             entry.table(|section| keys.map(|(key, allowed)| section.required(key, allowed)))?;
         let (polynomial, roots) = (polynomial?, roots?);
-        let root = roots.sound(read_variable(&roots.text()?, &self.names).map_err(Problem::Equation))?;
+        let root = roots.equation(read_variable(&roots.text()?, &self.names))?;
         entry.check_points(x.values.len() as u64 * y.values.len() as u64)?;
         let variables = [&x.variable, &y.variable, &root];
         let (_, value, given) = self.put_in(&polynomial, values, &variables)?;
@@ -236,9 +235,9 @@ impl Reader<'_> {
         let plain = function.filter(|one| one.generators().iter().all(|one| one.symbol().is_some()));
         match plain.and_then(|one| coefficients(&one, &root, MOST_DEGREE)) {
             Some(coefficients) => Some(ChartMap { y, coefficients, given }),
-            None => polynomial.refuse(Problem::Needs(format!(
+            None => polynomial.needs(format!(
                 "a polynomial in {root} of degree 1 to {MOST_DEGREE} with rational coefficients"
-            ))),
+            )),
         }
     }
 
@@ -296,10 +295,6 @@ fn short_decimals(values: &[f64]) -> Vec<Rational> {
         |digits| values.iter().map(|&value| decimal(&round_digits(value, digits))).collect::<Vec<_>>();
     let mut all = (4..=17).map(rounded);
     all.find(|values| values.is_sorted_by(|one, next| one < next)).unwrap_or_else(|| rounded(17))
-}
-
-fn plain_axis(entry: &Entry<'_>) -> Option<Axis> {
-    Some(entry.table(axis)??.0)
 }
 
 #[cfg(test)]

@@ -8,7 +8,6 @@ use slipmode_theory::stated_proofs::StatedProofs;
 use crate::scene::claim_formula::{Computed, Premise};
 use crate::scene::claim_library::library_proofs;
 use crate::scene::section::{Entries, Entry, Section};
-use crate::scene::{Problem, of_word};
 
 /// The procedures of this program that a claim may name.
 #[derive(Debug, Clone, Default)]
@@ -59,11 +58,7 @@ impl<'t> ComputedEntries<'t> {
     }
 
     pub fn read(&self, known: &Known<'_>) -> Computed {
-        let name = |entry: &Entry<'_>, known: &[&'static str]| {
-            let name = entry.text()?;
-            entry.sound(of_word(&name, known, |known| known))?;
-            Some(name)
-        };
+        let name = |entry: &Entry<'_>, known: &[&'static str]| Some(entry.word(known, |one| one)?.to_owned());
         let check = self.0.get("check").and_then(|entry| name(entry, &known.procedures.checks));
         let shows = self.0.get("shows");
         let shows = shows.and_then(|entry| entry.list(|member| name(member, &known.procedures.shows)));
@@ -92,9 +87,8 @@ impl<'t> ComputedEntries<'t> {
             return Some(all.clone());
         }
         let missing = ids.iter().find(|id| !own.has(id))?;
-        self.0.get("proofs")?.refuse(Problem::Needs(format!(
-            "proofs of the report's folder `proofs`: there is no `{missing}`"
-        )))
+        let needs = format!("proofs of the report's folder `proofs`: there is no `{missing}`");
+        self.0.get("proofs")?.needs(needs)
     }
 }
 

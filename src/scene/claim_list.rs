@@ -12,8 +12,9 @@ use crate::scene::claim_scope::FormulaEntries;
 use crate::scene::claim_subject::{InAnswer, Sliders, Subject, read_subjects};
 use crate::scene::document::read_document;
 use crate::scene::equations_file::equations_of;
+use crate::scene::report_plan::distinct;
 use crate::scene::section::{Entry, Section};
-use crate::scene::{Fault, Faults, Limits, Problem, Sentence, Verdict, of_word, same_name};
+use crate::scene::{Fault, Faults, Limits, Problem, Sentence, Verdict};
 
 /// One claim of the paper, in our words.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -181,7 +182,6 @@ fn read_claim(
     let allowed = Verdict::ALL.map(Verdict::as_str).join(", ");
     let expected = section.required("expected", &allowed);
     let expected = expected.and_then(|entry| entry.word(&Verdict::ALL, Verdict::as_str));
-    let is_known = matches!(stated, Some(None)) && reason.is_none();
     let reason = reason.and_then(|entry| read_reason(&entry, &stated, expected));
     let rests_on = section.optionally("rests_on", |entry| entry.list(Entry::text)).unwrap_or_default();
     let in_answer = section.optionally("in_answer", |entry| entry.word(&InAnswer::ALL, InAnswer::as_str));
@@ -194,7 +194,7 @@ fn read_claim(
         own.filter(|own| own.is_empty()).for_each(|own| own.clone_from(&words));
     }
     let entry = ClaimEntry {
-        sentence: sentence.or_else(|| library_sentence(&id).filter(|_| is_known)).unwrap_or_default(),
+        sentence: sentence.or_else(|| library_sentence(&id).filter(|_| !is_stated)).unwrap_or_default(),
         subject: subjects.iter().find(|subject| id.starts_with(&subject.letter)).cloned(),
         id,
         place,
@@ -206,7 +206,7 @@ fn read_claim(
         in_answer,
         sliders,
     };
-    Some(match known.equations.filter(|_| is_known) {
+    Some(match known.equations.filter(|_| !is_stated) {
         Some(equations) => entry.with_library(equations, known.procedures),
         None => entry,
     })
@@ -274,9 +274,9 @@ fn read_stated(section: &mut Section<'_>, known: &Known<'_>) -> Option<Option<St
     if !formula.is_stated() && parts.is_none() && readings.is_none() {
         return match formula.scope().chain(words.iter()).next() {
             None => Some(None),
-            Some(entry) => entry.refuse(Problem::Needs(
-                "`formula`, `motion`, `proofs`, `check`, [[claim.part]] or [[claim.reading]]".into(),
-            )),
+            Some(entry) => {
+                entry.needs("`formula`, `motion`, `proofs`, `check`, [[claim.part]] or [[claim.reading]]")
+            }
         };
     }
     let leaves_out = section.text("leaves_out", "what of the words the formulas leave out, or \"nothing\"");
@@ -293,9 +293,9 @@ fn read_stated(section: &mut Section<'_>, known: &Known<'_>) -> Option<Option<St
                 })?
             })
         }),
-        (_, parts, readings) => readings.or(parts)?.refuse(Problem::Needs(
-            "nothing else beside it: a claim has `formula`, [[claim.part]] or [[claim.reading]]".into(),
-        )),
+        (_, parts, readings) => readings
+            .or(parts)?
+            .needs("nothing else beside it: a claim has `formula`, [[claim.part]] or [[claim.reading]]"),
     };
     let (argued, remarks, criterion) =
         (words.text("argued"), words.texts("remarks"), words.text("criterion"));
@@ -309,15 +309,10 @@ fn read_reason(
     expected: Option<Verdict>,
 ) -> Option<String> {
     let text = entry.text()?;
-    if matches!(stated, Some(Some(_))) {
-        return entry
-            .refuse(Problem::Needs("no formula beside it: a claim with a reason is out of reach".into()));
-    }
-    match expected {
-        Some(Verdict::NotChecked) | None => Some(text),
-        Some(_) => {
-            entry.refuse(Problem::Needs("`expected = \"not-checked\"`: the claim is out of reach".into()))
-        }
+    match (stated, expected) {
+        (Some(Some(_)), _) => entry.needs("no formula beside it: a claim with a reason is out of reach"),
+        (_, Some(Verdict::NotChecked) | None) => Some(text),
+        _ => entry.needs("`expected = \"not-checked\"`: the claim is out of reach"),
     }
 }
 
@@ -335,23 +330,15 @@ fn read_parts(parts: &Entry<'_>, known: &Known<'_>) -> Option<Vec<(String, Claim
 }
 
 fn read_id(entry: &Entry<'_>, is_stated: bool, seen: &mut Vec<String>) -> Option<String> {
-    let id = entry.text()?;
-    if let Some(first) = seen.iter().find(|first| same_name(first, &id)) {
-        let folded = *first != id;
-        return entry.refuse(Problem::Duplicate { of: format!("an earlier claim `{first}`"), folded });
-    }
-    seen.push(id.clone());
+    let id = distinct(entry, entry.text()?, "claim ", seen)?;
     if !is_stated {
-        let known: Vec<&str> = library_ids().collect();
-        entry.sound(of_word(&id, &known, |known| known))?;
+        entry.word(&library_ids().collect::<Vec<_>>(), |known| known)?;
     } else {
         let is_letter = |first: char| first.is_ascii_uppercase();
         let well_formed =
             id.starts_with(is_letter) && id[1..].chars().all(|c| c.is_ascii_digit()) && id.len() > 1;
         if !well_formed {
-            return entry.refuse(Problem::Needs(
-                "the form of an id: a capital letter and a number, such as `R2`".into(),
-            ));
+            return entry.needs("the form of an id: a capital letter and a number, such as `R2`");
         }
     }
     Some(id)

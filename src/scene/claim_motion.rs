@@ -24,11 +24,8 @@ enum Word {
 
 impl Word {
     fn all() -> Vec<Self> {
-        MotionWord::ALL
-            .into_iter()
-            .map(Self::Planar)
-            .chain([Self::WeakInstability, Self::Transition])
-            .collect()
+        let planar = MotionWord::ALL.map(Self::Planar).into_iter();
+        planar.chain([Self::WeakInstability, Self::Transition]).collect()
     }
 
     const fn as_str(self) -> &'static str {
@@ -142,7 +139,7 @@ fn read_said(
     let Some(system) = names.system(&name) else {
         let near = nearest(&name, names.system_names()).map(|near| format!("; did you mean `{near}`?"));
         let near = near.unwrap_or_default();
-        return entry.refuse(Problem::Needs(format!("the name of a [[system]] of equations.toml{near}")));
+        return entry.needs(format!("the name of a [[system]] of equations.toml{near}"));
     };
     let states = system.state.len();
     let is_of_three = states == 3 && !system.steady.is_empty();
@@ -150,11 +147,8 @@ fn read_said(
         Word::Planar(word) if states == 2 => {
             MotionSaid::Planar(read_lemma(section, word, &system.state, &names)?)
         }
-        Word::Planar(_) => return entry.refuse(Problem::Needs("a system with two state variables".into())),
-        _ if !is_of_three => {
-            let needed = "a system with three state variables and a steady state";
-            return entry.refuse(Problem::Needs(needed.into()));
-        }
+        Word::Planar(_) => return entry.needs("a system with two state variables"),
+        _ if !is_of_three => return entry.needs("a system with three state variables and a steady state"),
         Word::WeakInstability => {
             MotionSaid::Lyapunov(LyapunovSign::Positive, read_expression(section, "frequency", &names)?)
         }
@@ -168,7 +162,7 @@ fn read_said(
 
 fn read_expression(section: &mut Section<'_>, key: &'static str, names: &Names) -> Option<Expression> {
     let entry = section.required(key, "an expression")?;
-    entry.sound(read_side(&entry.text()?, names).map_err(Problem::Equation))
+    entry.equation(read_side(&entry.text()?, names))
 }
 
 /// Which of the two state variables `variable` names.

@@ -45,7 +45,7 @@ impl<'t> FormulaEntries<'t> {
     pub fn no_scope(&self) -> Option<()> {
         match self.scope().next() {
             None => Some(()),
-            Some(entry) => entry.refuse(Problem::Needs("`formula` beside it: each part has its own".into())),
+            Some(entry) => entry.needs("`formula` beside it: each part has its own"),
         }
     }
 
@@ -58,11 +58,7 @@ impl<'t> FormulaEntries<'t> {
                     outside.table(|outside| (outside.text("words", "a text"), Self::of(outside)))?;
                 Some(Box::new(FormulaLimit { words: limit.text()?, outside: (words, formula.read(known)?) }))
             }
-            (limit, outside) => {
-                return limit
-                    .or(outside)?
-                    .refuse(Problem::Needs("`limit` and `outside` beside each other".into()));
-            }
+            (limit, outside) => return limit.or(outside)?.needs("`limit` and `outside` beside each other"),
         };
         Some(ClaimFormula { limit, ..self.read_alone(known)? })
     }
@@ -79,7 +75,7 @@ impl<'t> FormulaEntries<'t> {
                 (None, None, None) => "`check`, `proofs` or `premises` beside it",
                 _ => "no formula beside it: it has a part of its own",
             };
-            return first.refuse(Problem::Needs(needs.into()));
+            return first.needs(needs);
         }
         if let Some(motion) = &self.motion {
             return self.read_motion(motion, equations?);
@@ -94,8 +90,7 @@ impl<'t> FormulaEntries<'t> {
             let at_least = at_least.map_or(Some(0), |least| least.whole(1..=u64::MAX))?;
             let rows = OverRows { table: rows.text()?, numbers, at_least, extent: self.computed.extent() };
             return match SCOPE[5..].iter().find_map(|key| self.scope.get(key)) {
-                Some(entry) => entry
-                    .refuse(Problem::Needs("no `rows` beside it: write the condition after `where`".into())),
+                Some(entry) => entry.needs("no `rows` beside it: write the condition after `where`"),
                 None => Some(ClaimFormula {
                     text: text.trim().into(),
                     rows: Some(rows),
@@ -104,20 +99,20 @@ impl<'t> FormulaEntries<'t> {
             };
         }
         if let Some(of_rows) = numbers.or(at_least) {
-            return of_rows.refuse(Problem::Needs("`rows` beside it: the table that it is about".into()));
+            return of_rows.needs("`rows` beside it: the table that it is about");
         }
         let equations = equations?;
         let scope = self.read_whole_scope(equations)?;
-        formula.sound(ClaimFormula::read(&text, scope, equations).map_err(Problem::Equation))
+        formula.equation(ClaimFormula::read(&text, scope, equations))
     }
 
     /// What is said of the motions of a system.
     fn read_motion(&self, motion: &Entry<'_>, equations: &Equations) -> Option<ClaimFormula> {
         if self.formula.is_some() || self.scope.get("rows").is_some() {
-            return motion.refuse(Problem::Needs("no `formula` and no `rows` beside it".into()));
+            return motion.needs("no `formula` and no `rows` beside it");
         }
         let (scope, said) = (self.read_whole_scope(equations), ClaimMotion::read(motion, equations));
-        motion.sound(ClaimFormula::of_motion(said?, scope?, equations).map_err(Problem::Equation))
+        motion.equation(ClaimFormula::of_motion(said?, scope?, equations))
     }
 
     /// The scope with the conditions of the file, which hold for every claim; they were read with it.
@@ -137,13 +132,9 @@ impl<'t> FormulaEntries<'t> {
         ) -> Option<Vec<T>> {
             entry.map_or(Some(Vec::new()), read)
         }
-        let variable = |name: &str, entry: &Entry<'_>| {
-            entry.sound(read_variable(name, names).map_err(Problem::Equation))
-        };
+        let variable = |name: &str, entry: &Entry<'_>| entry.equation(read_variable(name, names));
         let given = all(self.scope.get("given"), |entry| {
-            entry.list(|member| {
-                member.sound(FormulaCondition::read(&member.text()?, names).map_err(Problem::Equation))
-            })
+            entry.list(|member| member.equation(FormulaCondition::read(&member.text()?, names)))
         });
         let [there_is, moves] = ["there_is", "moves"].map(|key| {
             all(self.scope.get(key), |entry| {
@@ -153,9 +144,9 @@ impl<'t> FormulaEntries<'t> {
         });
         let witness = all(self.scope.get("witness"), |entry| {
             entry.members(|name, member| {
-                let value = member.sound(read_side(&member.text()?, names).map_err(Problem::Equation));
+                let value = member.equation(read_side(&member.text()?, names));
                 let Some(known) = there_is.iter().flatten().find(|known| known.as_str() == name) else {
-                    return member.refuse(Problem::Needs(format!("`{name}` in `there_is`")));
+                    return member.needs(format!("`{name}` in `there_is`"));
                 };
                 Some((known.clone(), value?))
             })
@@ -165,7 +156,7 @@ impl<'t> FormulaEntries<'t> {
                 let name = variable(name, member);
                 match <[Rational; 2]>::try_from(member.list(number)?) {
                     Ok([low, high]) if low < high => Some((name?, [low, high])),
-                    _ => member.refuse(Problem::Needs("two numbers, the smaller one first".into())),
+                    _ => member.needs("two numbers, the smaller one first"),
                 }
             })
         });
@@ -175,8 +166,7 @@ impl<'t> FormulaEntries<'t> {
                 let elsewhere =
                     within.iter().flatten().map(|(name, _)| name).chain(there_is.iter().flatten());
                 match elsewhere.into_iter().any(|known| known.as_str() == name) {
-                    true => member
-                        .refuse(Problem::Needs("no `box` and no `there_is` for the same variable".into())),
+                    true => member.needs("no `box` and no `there_is` for the same variable"),
                     false => Some(value),
                 }
             })

@@ -2,7 +2,7 @@
 
 use std::cell::RefCell;
 
-use toml::de::{DeTable, Error};
+use toml::de::DeTable;
 
 use crate::scene::file_text::file_text;
 use crate::scene::section::{Section, Source};
@@ -25,7 +25,11 @@ pub(crate) fn read_document<T>(
     let source = Source { file, text, limits, faults: RefCell::default() };
     let (document, errors) = DeTable::parse_recoverable(text);
     if !errors.is_empty() {
-        errors.iter().take(MOST_SYNTAX_FAULTS).for_each(|error| syntax_fault(&source, error));
+        for error in errors.iter().take(MOST_SYNTAX_FAULTS) {
+            let offset = error.span().map_or(0, |span| span.start);
+            let message = error.message().lines().collect::<Vec<_>>().join("; ");
+            source.fault(offset, String::new(), None, Problem::Syntax(message));
+        }
         return Err(source.faults.into_inner());
     }
     let mut section = Section::top(&source, document.get_ref());
@@ -37,10 +41,4 @@ pub(crate) fn read_document<T>(
         Some(value) if faults.is_empty() => Ok(value),
         _ => Err(faults),
     }
-}
-
-fn syntax_fault(source: &Source<'_>, error: &Error) {
-    let offset = error.span().map_or(0, |span| span.start);
-    let message = error.message().lines().collect::<Vec<_>>().join("; ");
-    source.fault(offset, String::new(), None, Problem::Syntax(message));
 }

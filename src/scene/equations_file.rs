@@ -1,5 +1,6 @@
 //! `equations.toml`: a paper's equations, the thing under test.
 
+use serde::de::DeserializeOwned;
 use slipmode_theory::{Equations, EquationsText};
 
 use crate::scene::file_text::line_at;
@@ -19,10 +20,7 @@ pub fn read_equations(file: &str, bytes: &[u8]) -> Result<Equations, Faults> {
 /// # Errors
 /// TOML that does not parse, and unknown keys.
 pub fn read_equations_partly(file: &str, bytes: &[u8]) -> Result<(Equations, Faults), Faults> {
-    let text = file_text(file, bytes).map_err(|fault| vec![fault])?;
-    let equations: EquationsText =
-        toml::from_str(text).map_err(|error| vec![toml_fault(file, text, &error)])?;
-    Ok(equations_of(file, equations))
+    read_toml(file, bytes).map(|text| equations_of(file, text))
 }
 
 /// The equations that can be read, and the faults of the others.
@@ -31,10 +29,13 @@ pub(super) fn equations_of(file: &str, text: EquationsText) -> (Equations, Fault
     (equations, faults.iter().map(|fault| equation_fault(file, &fault.key, &fault.message)).collect())
 }
 
-/// TOML that does not parse, with its line.
-pub(super) fn toml_fault(file: &str, text: &str, error: &toml::de::Error) -> Fault {
-    let line = error.span().map(|span| line_at(text.as_bytes(), span.start));
-    Fault { line, ..equation_fault(file, "", error.message()) }
+/// What serde reads of a file; TOML that does not parse is a fault with its line.
+pub(super) fn read_toml<T: DeserializeOwned>(file: &str, bytes: &[u8]) -> Result<T, Faults> {
+    let text = file_text(file, bytes).map_err(|fault| vec![fault])?;
+    toml::from_str(text).map_err(|error| {
+        let line = error.span().map(|span| line_at(text.as_bytes(), span.start));
+        vec![equation_fault(file, "", error.message()).at(line)]
+    })
 }
 
 pub(super) fn equation_fault(file: &str, key: &str, message: &str) -> Fault {

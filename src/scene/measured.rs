@@ -73,22 +73,19 @@ pub fn with_rows(mut table: Table, file: &str, text: &str) -> Result<Table, Faul
     // A flexible reader of text in memory has no way to fail.
     let mut records = reader.records().flatten();
     let header = records.next().unwrap_or_default();
-    let names = || table.columns.iter().map(|column| column.name.as_str());
-    if let Some(name) =
-        names().enumerate().find_map(|(at, name)| (header.get(at) != Some(name)).then_some(name))
-    {
+    let mut names = table.columns.iter().map(|column| column.name.as_str()).enumerate();
+    if let Some((_, name)) = names.find(|(at, name)| header.get(*at) != Some(name)) {
         return Err(fault(Some(1), name, CsvProblem::MissingColumn { nearest: None, allowed: name.into() }));
     }
     let wanted = table.columns.len();
     let checked = |record: csv::StringRecord| {
-        let line = || record.position().and_then(|position| usize::try_from(position.line()).ok());
+        let line = record.position().and_then(|position| usize::try_from(position.line()).ok());
         let problem = CsvProblem::CellCount { found: record.len(), wanted };
-        if record.len() == wanted { Ok(record) } else { Err(fault(line(), "", problem)) }
+        if record.len() == wanted { Ok((record, line)) } else { Err(fault(line, "", problem)) }
     };
     checked(header)?;
     for record in records {
-        let record = checked(record)?;
-        let line = record.position().and_then(|position| usize::try_from(position.line()).ok());
+        let (record, line) = checked(record)?;
         let cells = record.iter().zip(&table.columns).map(|(text, column)| {
             cell(text, column).map_err(|problem| {
                 vec![Fault { value: Some(text.into()), ..Fault::of(file, &column.name, problem).at(line) }]

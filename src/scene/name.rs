@@ -43,11 +43,9 @@ pub fn check_name(name: &str) -> Result<(), NameError> {
 
 fn is_device(name: &str) -> bool {
     let stem = name.split('.').next().unwrap_or(name).to_ascii_uppercase();
-    if ["CON", "PRN", "AUX", "NUL"].contains(&stem.as_str()) {
-        return true;
-    }
     let digit = stem.strip_prefix("COM").or_else(|| stem.strip_prefix("LPT"));
-    digit.is_some_and(|rest| rest.len() == 1 && rest.bytes().all(|byte| byte.is_ascii_digit()))
+    ["CON", "PRN", "AUX", "NUL"].contains(&stem.as_str())
+        || digit.is_some_and(|rest| rest.len() == 1 && rest.bytes().all(|byte| byte.is_ascii_digit()))
 }
 
 /// Whether two names meet in a file system that ignores case.

@@ -1,6 +1,5 @@
 //! `[paper]` of `report.toml`: the authors and the reference of the paper that a report accompanies, for those who certify its archive.
 
-use crate::scene::Problem;
 use crate::scene::section::{Entry, Section};
 
 /// What is known of the paper; nothing without the section.
@@ -39,7 +38,7 @@ impl Author {
         let name = section.text("name", "a text");
         let orcid = section.optionally("orcid", |entry| {
             let orcid = entry.text()?;
-            if is_orcid(&orcid) { Some(orcid) } else { entry.refuse(Problem::Needs(ORCID_FORM.into())) }
+            if is_orcid(&orcid) { Some(orcid) } else { entry.needs(ORCID_FORM) }
         });
         Self { name, orcid }
     }

@@ -4,17 +4,16 @@ use std::sync::Arc;
 
 use slipmode_theory::stated_proofs::{ProofsText, StatedProofs};
 
+use crate::scene::Faults;
 use crate::scene::claim_library::library_proofs;
-use crate::scene::equations_file::{equation_fault, toml_fault};
-use crate::scene::{Faults, file_text};
+use crate::scene::equations_file::{equation_fault, read_toml};
 
 /// Reads one file of proofs.
 ///
 /// # Errors
 /// TOML that does not parse, and unknown keys.
 pub fn read_proofs(file: &str, bytes: &[u8]) -> Result<ProofsText, Faults> {
-    let text = file_text(file, bytes).map_err(|fault| vec![fault])?;
-    toml::from_str(text).map_err(|error| vec![toml_fault(file, text, &error)])
+    read_toml(file, bytes)
 }
 
 /// The proofs of all files of a folder, which share their names. Those of the first paper's report are the library's own, which were

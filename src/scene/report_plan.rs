@@ -88,7 +88,7 @@ fn read_date(entry: &Entry<'_>) -> Option<String> {
     let date = entry.text()?;
     let read = date.parse::<toml::value::Datetime>();
     let is_day = read.is_ok_and(|read| read.date.is_some() && read.time.is_none() && read.offset.is_none());
-    if is_day { Some(date) } else { entry.refuse(Problem::Needs("a day such as \"2026-11-29\"".into())) }
+    if is_day { Some(date) } else { entry.needs("a day such as \"2026-11-29\"") }
 }
 
 /// Why the first chapter has no part.
@@ -104,7 +104,7 @@ fn read_chapters(entry: &Entry<'_>) -> Option<Vec<Chapter>> {
             let title = section.text("title", "a text");
             let prose = section.name("prose", "a file of prose/");
             let part = section.optionally("part", |entry| match parts.is_empty() {
-                true => entry.refuse(Problem::Needs(INTRODUCTION_STANDS_APART.into())),
+                true => entry.needs(INTRODUCTION_STANDS_APART),
                 false => Part::read(entry, &parts),
             });
             parts.push(part);
@@ -115,10 +115,19 @@ fn read_chapters(entry: &Entry<'_>) -> Option<Vec<Chapter>> {
 
 /// A name that differs from those before it in more than case.
 pub(crate) fn distinct_name(entry: &Entry<'_>, earlier: &mut Vec<String>) -> Option<String> {
-    let name = entry.name()?;
+    distinct(entry, entry.name()?, "", earlier)
+}
+
+/// A name that is none of the earlier ones, in any case, to which it is added; `what` they name, with a space.
+pub(super) fn distinct(
+    entry: &Entry<'_>,
+    name: String,
+    what: &str,
+    earlier: &mut Vec<String>,
+) -> Option<String> {
     if let Some(first) = earlier.iter().find(|first| same_name(first, &name)) {
         let folded = *first != name;
-        return entry.refuse(Problem::Duplicate { of: format!("an earlier `{first}`"), folded });
+        return entry.refuse(Problem::Duplicate { of: format!("an earlier {what}`{first}`"), folded });
     }
     earlier.push(name.clone());
     Some(name)

@@ -245,6 +245,16 @@ impl<'t> Entry<'t> {
         None
     }
 
+    /// Refuses the value, which needs `what`.
+    pub fn needs<T>(&self, what: impl Into<String>) -> Option<T> {
+        self.refuse(Problem::Needs(what.into()))
+    }
+
+    /// What was read of an equation or a part of one; the fault is noted when there is one.
+    pub fn equation<T>(&self, read: Result<T, String>) -> Option<T> {
+        self.sound(read.map_err(Problem::Equation))
+    }
+
     /// What was read; the problem is noted when there is one.
     pub fn sound<T>(&self, read: Result<T, Problem>) -> Option<T> {
         read.map_err(|problem| self.refuse::<T>(problem)).ok()

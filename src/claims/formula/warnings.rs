@@ -196,7 +196,7 @@ fn forgotten_edges(formula: &ClaimFormula, stated: &StatedClaim, equations: &Equ
                 return None;
             }
             // Where a side has no value the formula cannot say anything.
-            edge.check_values(equations).ok()?;
+            edge.premises(equations).ok()?;
             let there = match decide_equations("warnings", "", &edge, equations).verdict {
                 Verdict::Fails => "where it is false",
                 Verdict::NotChecked => "where it is not decided",

@@ -207,20 +207,12 @@ impl<'t> Reader<'t> {
                 let polynomial = self.side_in(polynomial, Some(&variable))?;
                 let [critical, frequency] = [critical, frequency].map(|part| self.side(part));
                 let (critical, frequency) = (critical?, frequency?);
-                Ok(Formula::Crossing(Box::new(Crossing {
-                    polynomial,
-                    variable,
-                    parameter,
-                    critical,
-                    frequency,
-                })))
+                let crossing = Crossing { polynomial, variable, parameter, critical, frequency };
+                Ok(Formula::Crossing(Box::new(crossing)))
             }
-            (Some(_), given) => {
-                Err(self.fault(text, format!("{word}(P, s) has 2 arguments, not {}", given.len())))
-            }
-            (None, given) => {
-                Err(self
-                    .fault(text, format!("{word}(P, s, K, K_c, omega) has 5 arguments, not {}", given.len())))
+            (_, given) => {
+                let known = if statement.is_some() { "(P, s) has 2" } else { "(P, s, K, K_c, omega) has 5" };
+                Err(self.fault(text, format!("{word}{known} arguments, not {}", given.len())))
             }
         }
     }

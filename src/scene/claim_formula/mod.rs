@@ -162,29 +162,6 @@ pub struct Crossing {
     pub frequency: Expression,
 }
 
-impl ClaimFormula {
-    /// The expressions in it, in its conditions and in its witnesses.
-    #[must_use]
-    pub fn expressions(&self) -> Vec<&Expression> {
-        let conditions = self.scope.given.iter().flat_map(|condition| &condition.sides);
-        let witnesses = self.scope.witness.iter().map(|(_, value)| value);
-        self.statement.sides().into_iter().chain(conditions).chain(witnesses).collect()
-    }
-}
-
-impl Formula {
-    /// Reads a formula in the names of something else than equations, such as the columns of a table.
-    ///
-    /// # Errors
-    /// What is wrong with it, with its column.
-    pub fn read(text: &str, names: &Names) -> Result<Self, String> {
-        match grammar::statement(text, names)? {
-            Statement::True(formula) => Ok(formula),
-            _ => Err(format!("'{text}' is no condition that is true or false in a row")),
-        }
-    }
-}
-
 /// A condition: two sides that compare so.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct FormulaCondition {
@@ -215,6 +192,14 @@ impl FormulaCondition {
 }
 
 impl ClaimFormula {
+    /// The expressions in it, in its conditions and in its witnesses.
+    #[must_use]
+    pub fn expressions(&self) -> Vec<&Expression> {
+        let conditions = self.scope.given.iter().flat_map(|condition| &condition.sides);
+        let witnesses = self.scope.witness.iter().map(|(_, value)| value);
+        self.statement.sides().into_iter().chain(conditions).chain(witnesses).collect()
+    }
+
     /// Reads a formula that is said over a scope.
     ///
     /// # Errors
@@ -291,7 +276,7 @@ impl ClaimFormula {
 
     fn checked_all(self, equations: &Equations) -> Result<Self, String> {
         let (names, formula) = (Names::of(equations), self);
-        let premises = formula.check_values(equations)?;
+        let premises = formula.premises(equations)?;
         let mut compared = formula.scope.given.iter().map(|condition| &condition.sides);
         compared.try_for_each(|[left, right]| names.same_units(left, right))?;
         formula.statement.check_units(&names)?;
@@ -321,9 +306,9 @@ impl ClaimFormula {
     ///
     /// # Errors
     /// The first side without one.
-    pub fn check_values(&self, equations: &Equations) -> Result<Premises, String> {
+    pub fn premises(&self, equations: &Equations) -> Result<Premises, String> {
         let names = Names::of(equations);
-        let mut premises = self.bare_premises(equations)?;
+        let mut premises = Premises::new(&self.scope, self.statement.variable(), equations)?;
         let conditions = self.scope.given.iter().flat_map(|condition| &condition.sides);
         let conditions = conditions.map(|side| (side, None));
         for (side, own) in self.statement.sides_with_roots().into_iter().chain(conditions) {
@@ -345,18 +330,6 @@ impl ClaimFormula {
             }
         }
         Ok(premises)
-    }
-
-    /// What is assumed: the positive variables of the equations and the scope, with the definitions in place of their names.
-    ///
-    /// # Errors
-    /// When an equation among the conditions cannot be solved for a variable, or values do not meet the assumptions.
-    pub fn premises(&self, equations: &Equations) -> Result<Premises, String> {
-        self.check_values(equations)
-    }
-
-    fn bare_premises(&self, equations: &Equations) -> Result<Premises, String> {
-        Premises::new(&self.scope, self.statement.variable(), equations)
     }
 }
 
@@ -440,6 +413,17 @@ impl Statement {
 }
 
 impl Formula {
+    /// Reads a formula in the names of something else than equations, such as the columns of a table.
+    ///
+    /// # Errors
+    /// What is wrong with it, with its column.
+    pub fn read(text: &str, names: &Names) -> Result<Self, String> {
+        match grammar::statement(text, names)? {
+            Statement::True(formula) => Ok(formula),
+            _ => Err(format!("'{text}' is no condition that is true or false in a row")),
+        }
+    }
+
     /// The comparisons and predicates in it.
     #[must_use]
     pub fn atoms(&self) -> Vec<&Self> {

@@ -205,18 +205,14 @@ impl Premises {
         if domain.proves_in_some_form(&there).is_some() {
             return Ok(());
         }
-        let part = &there.expression;
-        Err(match (found, relation) {
-            (Err(error), _) if !error.is_open() => error.to_string(),
-            (_, Relation::NonZero) => {
-                format!("{part} is a divisor and may be zero: the assumptions do not exclude it")
-            }
-            (_, Relation::NonNegative) => format!(
-                "{part} is the argument of a square root and may be negative: the assumptions do not exclude it"
-            ),
-            (_, Relation::Positive) => format!(
-                "{part} is the argument of a logarithm and may be zero or negative: the assumptions do not exclude it"
-            ),
+        let role = match relation {
+            Relation::NonZero => "a divisor and may be zero",
+            Relation::NonNegative => "the argument of a square root and may be negative",
+            Relation::Positive => "the argument of a logarithm and may be zero or negative",
+        };
+        Err(match found {
+            Err(error) if !error.is_open() => error.to_string(),
+            _ => format!("{} is {role}: the assumptions do not exclude it", there.expression),
         })
     }
 
