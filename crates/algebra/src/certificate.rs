@@ -179,17 +179,7 @@ impl Certificate {
             Self::Difference { .. } | Self::Value { .. } => None,
         }
     }
-}
 
-impl Linearisation {
-    /// The certificate that this is the linearisation of the system, and that det(s − J) is this polynomial.
-    #[must_use]
-    pub fn certificate(self, variable: &Symbol, polynomial: Expression, domain: Domain) -> Certificate {
-        Certificate::Characteristic { system: self, variable: variable.clone(), polynomial, domain }
-    }
-}
-
-impl Certificate {
     /// The fact, without the conditions under which it is stated.
     #[must_use]
     pub fn fact(&self, notation: Notation) -> String {
@@ -273,6 +263,14 @@ impl Certificate {
             listed(&system.rates, rates),
             listed(&system.steady, " = "),
         )
+    }
+}
+
+impl Linearisation {
+    /// The certificate that this is the linearisation of the system, and that det(s − J) is this polynomial.
+    #[must_use]
+    pub fn certificate(self, variable: &Symbol, polynomial: Expression, domain: Domain) -> Certificate {
+        Certificate::Characteristic { system: self, variable: variable.clone(), polynomial, domain }
     }
 }
 

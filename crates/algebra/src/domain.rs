@@ -6,7 +6,7 @@ use std::fmt;
 use rug::Rational;
 
 use super::rational_function::evaluate;
-use super::{Condition, Expression, Notation, Relation, Symbol, TooLarge};
+use super::{Condition, Expression, Notation, Relation, Sign, Symbol, TooLarge};
 
 /// Assumptions on variables, and expressions put in their places.
 ///
@@ -320,12 +320,7 @@ impl Domain {
                 expression.order_at(&point.collect())
             };
             let order = value(expression)?.map(|value| value.cmp0()).or_else(enclosed);
-            let holds = order.is_some_and(|order| match condition.relation {
-                Relation::Positive => order.is_gt(),
-                Relation::NonNegative => order.is_ge(),
-                Relation::NonZero => order.is_ne(),
-            });
-            if !holds {
+            if !order.is_some_and(|order| Sign::from(condition.relation).admits(order)) {
                 return Err(DomainError::Impossible(condition.to_string()));
             }
         }

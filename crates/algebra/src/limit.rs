@@ -17,11 +17,12 @@ const MOST_SLOPES: usize = 6;
 const MOST_PARTS: usize = 400;
 
 /// Which way a variable goes in a limit; the others are held fixed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Toward {
     /// Down to zero.
+    #[default]
     Zero,
     /// Up to infinity.
     Infinity,

@@ -37,11 +37,16 @@ impl Sign {
     /// As a condition of a domain; none for an equation.
     #[must_use]
     pub fn relation(self) -> Option<Relation> {
-        match self {
-            Self::Positive => Some(Relation::Positive),
-            Self::NonNegative => Some(Relation::NonNegative),
-            Self::NonZero => Some(Relation::NonZero),
-            Self::Zero => None,
+        Relation::ALL.into_iter().find(|relation| Self::from(*relation) == self)
+    }
+}
+
+impl From<Relation> for Sign {
+    fn from(relation: Relation) -> Self {
+        match relation {
+            Relation::Positive => Self::Positive,
+            Relation::NonNegative => Self::NonNegative,
+            Relation::NonZero => Self::NonZero,
         }
     }
 }
