@@ -123,21 +123,16 @@ fn inertial(
         .with("eta", &(formula("(1 + y)^2") * inverse / factor))
         .with("kappa", &kappa);
     let domain = if small { unequal_effects() } else { Domain::default() };
-    finish(
-        proof,
-        equations,
-        role,
-        ("V_0", if small { "kappa" } else { "1/kappa" }),
-        &relation,
-        &error,
-        domain,
-    )
+    let names = ("V_0", if small { "kappa" } else { "1/kappa" });
+    finish(proof, equations, role, names, &relation, &error, domain)
 }
 
 /// (V0/V_asymptote)² in groups, the same for a < b and a > b.
 fn ratio_squared(proof: &Proof, equations: &Equations, role: Role) -> Result<Expression, Refutation> {
     let [number] = equations.numbers([role]);
-    let ratio = in_groups(&velocity_ratio(equations.with_role(role)).power(2));
+    // left/right of an equation "ratio = 1" is the ratio of V0 to the velocity at which it holds.
+    let Equation { left, right, .. } = equations.with_role(role);
+    let ratio = in_groups(&(left.clone() / right.clone()).power(2));
     let positive = "eta kappa d";
     let case = |beta: &str, distance: &str| {
         let square =
@@ -245,9 +240,4 @@ fn without_powers(function: &RationalFunction) -> Polynomial {
     let lowest = coefficients.iter().position(|coefficient| !coefficient.is_zero()).unwrap_or(0);
     let kept = coefficients.into_iter().skip(lowest).rev();
     kept.fold(Polynomial::zero(), |sum, coefficient| &(&sum * &Polynomial::variable("x")) + &coefficient)
-}
-
-/// left/right of an equation "ratio = 1": the ratio of V0 to the velocity at which it holds.
-fn velocity_ratio(equation: &Equation) -> Expression {
-    equation.left.clone() / equation.right.clone()
 }

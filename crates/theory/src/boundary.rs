@@ -29,7 +29,10 @@ pub fn curve(equations: &Equations) -> Result<Curve, Refutation> {
     let sum = (Expression::integer(-1) * c2 / c3 - formula("2*r"))
         .with("eta", &Expression::from(&inertial_parameter))
         .with("kappa", &Expression::from(&stiffness_group));
-    let third_root = rational(&proof, &cited, &sum, &at_double_root())?;
+    // A double root r is neither 0 nor −1, because F(0) = κ and F(−1) = β are not zero; with η > 0 it is not −1 ± √β either.
+    let at_double_root =
+        given_nonzero(Domain::default(), &["r", "r + 1", "(r + 1)^2 - beta"], &[("r", "1"), ("beta", "1")]);
+    let third_root = rational(&proof, &cited, &sum, &at_double_root)?;
     Ok(Curve { inertial_parameter, stiffness_group, third_root })
 }
 
@@ -67,11 +70,6 @@ fn linear_parts(
         + Expression::from(&parts[1]) * formula("kappa");
     proof.clone().identity("linear in η and κ", cited, expression, &(linear + rest), &domain)?;
     Ok(parts)
-}
-
-/// A double root r is neither 0 nor −1, because F(0) = κ and F(−1) = β are not zero; with η > 0 it is not −1 ± √β either.
-fn at_double_root() -> Domain {
-    given_nonzero(Domain::default(), &["r", "r + 1", "(r + 1)^2 - beta"], &[("r", "1"), ("beta", "1")])
 }
 
 /// The discriminant of F as a polynomial in η, κ, β.

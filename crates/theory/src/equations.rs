@@ -216,10 +216,7 @@ impl Equations {
         let with_role = |role: &Role| self.iter().filter(|one| one.role == Some(*role)).collect::<Vec<_>>();
         let missing = roles.iter().flat_map(|role| match &with_role(role)[..] {
             [] => vec![format!("no equation has the role `{}`", role.as_str())],
-            some => quantities::faults(some, &self.quantities)
-                .into_iter()
-                .map(|fault| fault.to_string())
-                .collect(),
+            some => quantities::faults(some, &self.quantities).iter().map(ToString::to_string).collect(),
         });
         missing.collect()
     }

@@ -65,12 +65,8 @@ impl ThreeStates {
             return Err(start.refute("the lemma has a domain", &[], "there is none"));
         };
         if let Some(name) = self.own_name(frequency, domain) {
-            let says = "the lemma has coordinates of its own";
-            return Err(start.refute(
-                says,
-                &[],
-                format!("{name} stands for two things: choose another name"),
-            ));
+            let remainder = format!("{name} stands for two things: choose another name");
+            return Err(start.refute("the lemma has coordinates of its own", &[], remainder));
         }
         let proof = self.rests(start, domain)?;
         let proof = positive(proof, "the frequency of the pair", frequency, domains)?;

@@ -6,7 +6,7 @@ use rug::Rational;
 
 use crate::derivation::{read_condition, read_name};
 use crate::{AssumptionsText, EquationFault};
-use slipmode_algebra::{Condition, Domain, Expression, Relation, Symbol, unknowns};
+use slipmode_algebra::{Condition, Domain, Expression, Sign, Symbol, unknowns};
 
 /// The positive variables and the conditions of a file, with values at which they hold.
 ///
@@ -52,11 +52,8 @@ pub(super) fn with_conditions(domain: Domain, more: &[Condition]) -> Result<Doma
             .collect();
         let holds = |condition: &Condition| {
             let value = Domain::default().rational_function(&condition.expression.at_point(&point)).ok();
-            value.and_then(|value| value.as_constant()).is_some_and(|value| match condition.relation {
-                Relation::Positive => value > 0,
-                Relation::NonNegative => value >= 0,
-                Relation::NonZero => value != 0,
-            })
+            let value = value.and_then(|value| value.as_constant());
+            value.is_some_and(|value| Sign::from(condition.relation).admits(value.cmp0()))
         };
         domain.conditions().iter().all(holds).then_some(point)
     });

@@ -55,8 +55,7 @@ impl Reader<'_> {
                     }
                 }
             }
-            let argument = text.of.as_ref();
-            match argument {
+            match &text.of {
                 Some(of) if !self.names.variables.iter().any(|known| known.as_str() == of) => {
                     fault(format!("`of`: {}", self.unknown(of, &self.names.variables)));
                 }

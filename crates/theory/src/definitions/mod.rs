@@ -267,8 +267,7 @@ impl<'r> Reader<'r> {
             return Err("its system is at fault".to_owned());
         }
         let names = &self.names;
-        let values = form.values.iter().map(|(_, value)| value);
-        let mut behind: Vec<&Expression> = form.expressions.iter().chain(values).collect();
+        let mut behind: Vec<&Expression> = form.all_expressions().collect();
         behind.extend(system.iter().flat_map(|system| system.rates.iter().chain(&system.steady)));
         behind.extend(given.iter().map(|one| &one.expression));
         let given: Vec<Condition> = given.iter().map(|one| names.resolved_condition(one)).collect();

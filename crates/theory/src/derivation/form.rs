@@ -77,7 +77,7 @@ impl Operation {
 }
 
 /// The right side of a definition, parsed.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Form {
     /// What is derived; none for a bare expression.
     pub operation: Option<Operation>,
@@ -106,16 +106,7 @@ impl Form {
     /// # Errors
     /// With the column: text outside the grammar, a wrong number of arguments, an argument of a wrong kind.
     pub fn read(text: &str, functions: &BTreeSet<Symbol>) -> Result<Self, String> {
-        let mut form = Self {
-            operation: None,
-            system: None,
-            expressions: Vec::new(),
-            variables: Vec::new(),
-            whole: 0,
-            toward: Toward::Zero,
-            values: Vec::new(),
-            demands: Vec::new(),
-        };
+        let mut form = Self::default();
         let source = Source::new(text).with_functions(functions);
         let (word, arguments) = Source::call(text);
         let Some(operation) = Operation::from_word(word) else {

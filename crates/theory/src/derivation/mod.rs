@@ -27,8 +27,7 @@ const LARGEST: Extent = Extent { terms: 1000, degree: 64, bits: 4096 };
 /// # Errors
 /// Why it cannot be derived under the assumptions.
 pub(super) fn derive(form: &Form, system: Option<&System>, work: &mut Work) -> Result<Expression, String> {
-    let arguments = form.expressions.iter().chain(form.values.iter().map(|(_, value)| value));
-    for argument in arguments {
+    for argument in form.all_expressions() {
         argument.check_extent(LARGEST).map_err(|error| format!("'{argument}' is too large: {error}"))?;
     }
     let (expressions, variables) = (&form.expressions[..], &form.variables[..]);

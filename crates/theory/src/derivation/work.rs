@@ -1,7 +1,9 @@
 //! A derivation at work: its assumptions, and the proof of what was found so far.
 
 use crate::notation::polynomial_coefficients;
-use slipmode_algebra::{Certificate, Domain, Expression, Proof, RationalFunction, Relation, Symbol};
+use slipmode_algebra::{
+    Certificate, Condition, Domain, Expression, Proof, RationalFunction, Relation, Symbol,
+};
 
 /// The assumptions and the proof of one definition.
 pub(crate) struct Work<'e> {
@@ -124,8 +126,7 @@ impl Work<'_> {
                 self.step(|proof, equations, domain| proof.negative(says, equations, found, domain))
             }
             _ => {
-                let condition =
-                    slipmode_algebra::Condition { expression: found.clone(), relation: Relation::NonZero };
+                let condition = Condition { expression: found.clone(), relation: Relation::NonZero };
                 match self.domain.proves(&condition) {
                     // x·(1/x) = 1 is refused where x may be zero.
                     Ok(true) => {

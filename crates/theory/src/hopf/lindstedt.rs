@@ -102,8 +102,11 @@ fn on_circle() -> Domain {
 
 /// Both equations in X = V/V_0, Y = V_0 θ/D_c and rates per D_c/V_0, as eqs 1, 4 and the law give them.
 fn physical(equations: &Equations, law: EvolutionLaw) -> Pair {
-    let balance =
-        motion(equations, &equations.right(Role::Friction)).time_derivative(&["t", "delta", "theta"]);
+    let velocity = formula("delta'");
+    let friction = equations.right(Role::Friction).with("V", &velocity);
+    let motion = equations.residual(Role::Motion).with("mu", &friction);
+    let balance = motion.time_derivative(&["t", "delta", "theta"]);
+    let evolution = equations.residual(Role::of_law(law)).with("V", &velocity);
     let values = [
         ("t'", formula("1")),
         ("delta'", formula("V_0*X")),
@@ -113,7 +116,7 @@ fn physical(equations: &Equations, law: EvolutionLaw) -> Pair {
         ("theta'", formula("w'")),
     ];
     let values = values.map(|(name, value)| (Symbol::from(name), value)).into();
-    let pair = [balance * formula("D_c/(a*V_0)"), evolution(equations, law)];
+    let pair = [balance * formula("D_c/(a*V_0)"), evolution];
     pair.map(|equation| equation.substitute(&values))
 }
 
@@ -179,15 +182,4 @@ fn plus(left: &Pair, right: &Pair) -> Pair {
 
 fn sum(left: &Motion, right: &Motion) -> Motion {
     [0, 1, 2, 3, 4].map(|n| left[n].clone() + right[n].clone())
-}
-
-/// Eq 4 with a friction law put in, as left − right in δ and θ.
-fn motion(equations: &Equations, friction: &Expression) -> Expression {
-    let velocity = formula("delta'");
-    equations.residual(Role::Motion).with("mu", &friction.with("V", &velocity))
-}
-
-/// Eq 2 or 3 as left − right in δ and θ.
-fn evolution(equations: &Equations, law: EvolutionLaw) -> Expression {
-    equations.residual(Role::of_law(law)).with("V", &formula("delta'"))
 }

@@ -58,8 +58,8 @@ pub fn coefficient(equations: &Equations, law: EvolutionLaw) -> Result<HopfCoeff
         law.as_str(),
         closed_form::sign_statement(law)
     );
-    let (proof, slider) = slider::derive(Proof::new(&id, statement), equations, law)?;
-    let (proof, derived) = projection::coefficient(proof, &used, &slider.critical())?;
+    let (proof, rates) = slider::derive(Proof::new(&id, statement), equations, law)?;
+    let (proof, derived) = projection::coefficient(proof, &used, &slider::critical(rates))?;
     let [real, imaginary] = [closed_form::real(law), closed_form::imaginary(law)];
     let stated = real.clone() + formula("i") * imaginary.clone();
     let proof = proof.identity("c_1 in closed form", &used, &derived, &stated, &slider::on_transition())?;

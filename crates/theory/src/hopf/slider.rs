@@ -10,12 +10,8 @@ use slipmode_core::friction::EvolutionLaw;
 /// x = ln(V/V_0), y = ln(V_0 θ/D_c) and ζ = (spring stress/σ − μ_0)/a.
 pub(super) const STATE: [&str; 3] = ["x", "y", "zeta"];
 
-/// The rates of x, y and ζ per time D_c/V_0 as functions of the three and of η, κ, β.
-#[derive(Debug, Clone)]
-pub(super) struct Slider {
-    /// In the order of [`STATE`].
-    pub rates: [Expression; 3],
-}
+/// The rates of x, y and ζ per time D_c/V_0 as functions of the three and of η, κ, β, in the order of [`STATE`].
+type Rates = [Expression; 3];
 
 /// η, ω > 0 with β = 1 + ω² and κ = (β − 1)(1 + η): the line K = K_c.
 pub(super) fn on_transition() -> Domain {
@@ -34,20 +30,18 @@ pub(super) fn by_groups() -> Domain {
     in_parameters(any().and_positive("X Y"), &groups)
 }
 
-impl Slider {
-    /// The slider on K = K_c with the eigenvectors of its pair ±iω; the x-component is 1.
-    pub fn critical(&self) -> Critical<'static> {
-        let q = ["1", "-(1 - i*omega)/(1 + omega^2)", "i*omega*(1 + eta)"].map(formula);
-        let adjoint = ["1", "-(1 - i*omega)/eta", "-i/(omega*eta)"].map(formula);
-        Critical {
-            state: STATE,
-            rates: self.rates.clone(),
-            names: "x, y, ζ on K = K_c",
-            frequency: formula("omega"),
-            domain: on_transition(),
-            eigenvectors: [q, adjoint],
-            adjoint_says: "p = (1, −(1 − iω)/η, −i/(ωη))/l with l its product with q, so that ⟨p, q⟩ = 1",
-        }
+/// The slider on K = K_c with the eigenvectors of its pair ±iω; the x-component is 1.
+pub(super) fn critical(rates: Rates) -> Critical<'static> {
+    let q = ["1", "-(1 - i*omega)/(1 + omega^2)", "i*omega*(1 + eta)"].map(formula);
+    let adjoint = ["1", "-(1 - i*omega)/eta", "-i/(omega*eta)"].map(formula);
+    Critical {
+        state: STATE,
+        rates,
+        names: "x, y, ζ on K = K_c",
+        frequency: formula("omega"),
+        domain: on_transition(),
+        eigenvectors: [q, adjoint],
+        adjoint_says: "p = (1, −(1 − iω)/η, −i/(ωη))/l with l its product with q, so that ⟨p, q⟩ = 1",
     }
 }
 
@@ -64,7 +58,7 @@ pub(super) fn derive(
     proof: Proof,
     equations: &Equations,
     law: EvolutionLaw,
-) -> Result<(Proof, Slider), Refutation> {
+) -> Result<(Proof, Rates), Refutation> {
     let derived = physical_rates(equations, law);
     let used = cited(equations, law);
     let [motion] = equations.numbers([Role::Motion]);
@@ -86,10 +80,10 @@ pub(super) fn derive(
             &by_groups(),
         )?
         .identity(&says, &used, &in_basis(&derived), &in_basis(&rates), &by_groups())?;
-    let slider = Slider { rates: [0, 1, 2].map(|index| in_logarithms(&rates[index])) };
-    let rest = STATE.iter().fold(in_basis(&slider.rates), |sum, name| sum.with(*name, &formula("0")));
+    let rates = [0, 1, 2].map(|index| in_logarithms(&rates[index]));
+    let rest = STATE.iter().fold(in_basis(&rates), |sum, name| sum.with(*name, &formula("0")));
     let proof = proof.identity("steady sliding is at rest", &used, &rest, &formula("0"), &by_groups())?;
-    Ok((proof, slider))
+    Ok((proof, rates))
 }
 
 /// The part of eq 4's right side that neither mass nor friction has: the spring stress per normal stress.

@@ -1,8 +1,9 @@
 //! Routh and Hurwitz for degrees 1 to 3: when all roots lie left of the imaginary axis, and when one lies right of it.
 
-use super::{below_zero, free, not_negative_step, quadratic_factors};
+use super::quadratic_factors::{self, not_negative};
+use super::{below_zero, free, not_negative_step};
 use crate::notation::{formula, given_nonzero, given_positive, in_parameters};
-use slipmode_algebra::{Domain, Expression, Proof, Refutation, Relation, SignFormula};
+use slipmode_algebra::{Domain, Expression, Proof, Refutation, SignFormula};
 
 /// For a positive leading coefficient: all are positive exactly when all roots have negative real parts.
 pub(super) fn stable(coefficients: &[Expression]) -> Vec<Expression> {
@@ -113,10 +114,7 @@ fn pair(proof: Proof) -> Result<Proof, Refutation> {
 /// The rest of the lemma on cubics: −u is a real root, T and Q are the sum and the product of the other two.
 fn cubic(proof: Proof) -> Result<Proof, Refutation> {
     let stable = Domain::positive("u w Q");
-    let not_negative = |names: &[&str], domain: Domain| {
-        names.iter().fold(domain, |domain, name| domain.given(formula(name), Relation::NonNegative))
-    };
-    let closed = not_negative(&["u", "w", "Q"], free());
+    let closed = not_negative(free(), "u w Q");
     let parts = [
         ("c2/c3", "u + w"),
         ("c1/c3", "Q + u*w"),
@@ -153,8 +151,8 @@ fn cubic(proof: Proof) -> Result<Proof, Refutation> {
             format!("no root right of it (u, w, Q ≥ 0): {name} has a real root, so it is not negative");
         not_negative_step(proof, &says, &formula(value), &closed)
     })?;
-    let lower = not_negative(&["B", "C", "D"], Domain::positive("s"));
-    let pair = not_negative(&["B"], Domain::positive("T Q"));
+    let lower = not_negative(Domain::positive("s"), "B C D");
+    let pair = not_negative(Domain::positive("T Q"), "B");
     proof
         .positive("B, C, D ≥ 0: no root is positive", &[], &monic, &lower)?
         .identity(

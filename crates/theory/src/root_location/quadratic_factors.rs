@@ -103,17 +103,17 @@ pub(super) fn lemma(degree: usize) -> Result<Proof, Refutation> {
     steps.iter().try_fold(proof, |proof, (says, fact)| match fact {
         Same(left, right) => proof.identity(says, &[], &formula(left), &formula(right), &free()),
         OfProduct(left, right) => proof.identity(says, &[], &put_in(left, &values), &formula(right), &free()),
-        Positive(text, positive, not_negative) => {
-            proof.positive(says, &[], &formula(text), &with(Domain::positive(positive), not_negative))
+        Positive(text, positive, others) => {
+            proof.positive(says, &[], &formula(text), &not_negative(Domain::positive(positive), others))
         }
-        NotNegative(text, not_negative) => {
-            not_negative_step(proof, says, &formula(text), &with(free(), not_negative))
+        NotNegative(text, names) => {
+            not_negative_step(proof, says, &formula(text), &not_negative(free(), names))
         }
     })
 }
 
 /// The domain in which these names are not negative, too.
-fn with(domain: Domain, names: &str) -> Domain {
+pub(super) fn not_negative(domain: Domain, names: &str) -> Domain {
     names.split_whitespace().fold(domain, |domain, name| domain.given(formula(name), Relation::NonNegative))
 }
 

@@ -128,10 +128,7 @@ impl StatedProofs {
             }
         }
         for name in proof.steps.iter().filter_map(StepForm::refers_to) {
-            if !self.blocks.contains_key(name)
-                && !self.proofs.contains_key(name)
-                && steps::built_in(name).is_none()
-            {
+            if self.named(name).is_none() && steps::built_in(name).is_none() {
                 faults.add(format!("there is no block and no proof `{name}`"));
             }
         }

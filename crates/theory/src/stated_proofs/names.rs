@@ -149,11 +149,8 @@ impl<'p> Named<'p> {
 
     /// These numbers in the order of the equations' file.
     pub fn in_order(&self, numbers: &BTreeSet<String>) -> Vec<String> {
-        self.order
-            .iter()
-            .filter(|number| numbers.contains(**number))
-            .map(|number| (*number).to_owned())
-            .collect()
+        let known = self.order.iter().filter(|number| numbers.contains(**number));
+        known.map(|number| (*number).to_owned()).collect()
     }
 
     /// A statement with the expressions in the place of `{name}`.

@@ -138,13 +138,17 @@ impl StepForm {
             Kind::Difference { sides, values, .. } => sides.iter().chain(values).collect(),
             Kind::Connected(_) | Kind::Argued | Kind::Of(_) => Vec::new(),
         };
-        let listed: &[Equal] = match &self.kind {
-            Kind::Connected(list) | Kind::Value { at: list, .. } | Kind::Difference { at: list, .. } => list,
-            _ => &[],
-        };
-        let expressions = listed.iter().map(|(_, value)| value).chain(self.besides.values());
+        let expressions = self.listed().iter().map(|(_, value)| value).chain(self.besides.values());
         let expressions = expressions.flat_map(Expression::variables);
         forms.into_iter().flat_map(Form::names).chain(expressions).collect()
+    }
+
+    /// The values of the point or of the image that the step is about; none for others.
+    fn listed(&self) -> &[Equal] {
+        match &self.kind {
+            Kind::Connected(list) | Kind::Value { at: list, .. } | Kind::Difference { at: list, .. } => list,
+            _ => &[],
+        }
     }
 
     /// The proof with this step.
@@ -168,20 +172,12 @@ impl StepForm {
         for value in self.besides.values() {
             behind.extend(named.meant(value)?.1);
         }
-        let mut all = |list: &[Equal]| {
-            let one = |(name, value): &Equal| {
-                let (value, numbers) = named.meant(value)?;
-                behind.extend(numbers);
-                Ok::<_, String>((name.clone(), value))
-            };
-            list.iter().map(one).collect::<Result<Vec<_>, _>>()
-        };
-        let listed = match &self.kind {
-            Kind::Connected(list) | Kind::Value { at: list, .. } | Kind::Difference { at: list, .. } => {
-                all(list)?
-            }
-            _ => Vec::new(),
-        };
+        let mut listed = Vec::new();
+        for (name, value) in self.listed() {
+            let (value, numbers) = named.meant(value)?;
+            behind.extend(numbers);
+            listed.push((name.clone(), value));
+        }
         let mut meant = |form: &Form| {
             let (value, numbers) = named.formed(form)?;
             behind.extend(numbers);
