@@ -36,11 +36,8 @@ fn sums(expression: &Expression, found: &mut BTreeSet<[Symbol; 2]>) {
             let names: BTreeSet<(String, Symbol)> = parts.iter().filter_map(lone).collect();
             let pairs =
                 names.iter().flat_map(|one| names.range(one..).skip(1).map(move |other| (one, other)));
-            found.extend(
-                pairs
-                    .filter(|(one, other)| one.0 == other.0)
-                    .map(|(one, other)| [one.1.clone(), other.1.clone()]),
-            );
+            let alike = pairs.filter(|(one, other)| one.0 == other.0);
+            found.extend(alike.map(|(one, other)| [one.1.clone(), other.1.clone()]));
             parts.iter().for_each(|part| sums(part, found));
         }
         Expression::Product(parts) => parts.iter().for_each(|part| sums(part, found)),
@@ -54,17 +51,14 @@ fn sums(expression: &Expression, found: &mut BTreeSet<[Symbol; 2]>) {
 
 /// The variable of a term that is one variable, its power or its root, and which of these.
 fn lone(term: &Expression) -> Option<(String, Symbol)> {
-    match term {
-        Expression::Variable(name) => Some((String::new(), name.clone())),
-        Expression::Negation(inner) => lone(inner),
-        Expression::Power(inner, exponent) => {
-            lone(inner).map(|(form, name)| (format!("{form}^{exponent}"), name))
-        }
-        Expression::Call(Function::Sqrt, inner) => {
-            lone(inner).map(|(form, name)| (format!("{form}^1/2"), name))
-        }
-        _ => None,
-    }
+    let (inner, exponent) = match term {
+        Expression::Variable(name) => return Some((String::new(), name.clone())),
+        Expression::Negation(inner) => return lone(inner),
+        Expression::Power(inner, exponent) => (inner, exponent.to_string()),
+        Expression::Call(Function::Sqrt, inner) => (inner, "1/2".to_owned()),
+        _ => return None,
+    };
+    lone(inner).map(|(form, name)| (format!("{form}^{exponent}"), name))
 }
 
 /// Every alteration of an equation, each text once: the sign of each term, a factor 2 on each term of a side, each exponent and
@@ -103,7 +97,9 @@ fn of_side(side: &Expression) -> Vec<Variant> {
     let mut found = within(side);
     let twice = |part: &Expression| Expression::integer(2) * part.clone();
     match side {
-        Expression::Sum(parts) => found.extend(one_replaced(parts, "factor", twice, Expression::Sum)),
+        Expression::Sum(parts) => {
+            found.extend(one_altered(parts, Expression::Sum, |part| vec![("factor", twice(part))]));
+        }
         other => found.extend([("factor", twice(other)), ("sign", -other.clone())]),
     }
     found
@@ -115,10 +111,10 @@ fn within(expression: &Expression) -> Vec<Variant> {
     match expression {
         Expression::Number(_) | Expression::Variable(_) => {}
         Expression::Sum(parts) => {
-            found.extend(one_replaced(parts, "sign", |part| -part.clone(), Expression::Sum));
-            found.extend(one_within(parts, Expression::Sum));
+            found.extend(one_altered(parts, Expression::Sum, |part| vec![("sign", -part.clone())]));
+            found.extend(one_altered(parts, Expression::Sum, within));
         }
-        Expression::Product(parts) => found.extend(one_within(parts, Expression::Product)),
+        Expression::Product(parts) => found.extend(one_altered(parts, Expression::Product, within)),
         Expression::Quotient(above, below) => {
             let quotient = |above: &Expression, below: &Expression| above.clone() / below.clone();
             if matches!(**below, Expression::Variable(_)) {
@@ -148,26 +144,15 @@ fn within(expression: &Expression) -> Vec<Variant> {
     found
 }
 
-/// Each part replaced in turn.
-fn one_replaced(
+/// Each part altered in turn.
+fn one_altered(
     parts: &[Expression],
-    kind: &'static str,
-    replace: impl Fn(&Expression) -> Expression,
     join: fn(Vec<Expression>) -> Expression,
+    alter: impl Fn(&Expression) -> Vec<Variant>,
 ) -> Vec<Variant> {
-    let with = |at: usize| {
-        let mut parts = parts.to_vec();
-        parts[at] = replace(&parts[at]);
-        (kind, join(parts))
-    };
-    (0..parts.len()).map(with).collect()
-}
-
-/// Each part altered inside in turn.
-fn one_within(parts: &[Expression], join: fn(Vec<Expression>) -> Expression) -> Vec<Variant> {
     let mut found = Vec::new();
     for (at, part) in parts.iter().enumerate() {
-        for (kind, altered) in within(part) {
+        for (kind, altered) in alter(part) {
             let mut parts = parts.to_vec();
             parts[at] = altered;
             found.push((kind, join(parts)));
@@ -189,13 +174,9 @@ fn same_zeros(one: &Expression, other: &Expression) -> bool {
     let names = unknowns([one, other]);
     // Ascending numbers, so that a < b, without a common factor that a power could hide.
     let point = |shift: u32| -> BTreeMap<Symbol, Ball> {
-        let value =
-            |index: usize| Rational::from((7 + shift + 3 * u32::try_from(index).unwrap_or(0), 11 + shift));
-        names
-            .iter()
-            .enumerate()
-            .map(|(index, name)| (name.clone(), Ball::from_rational(&value(index), COMPARED_BITS)))
-            .collect()
+        let value = |index: u32| Rational::from((7 + shift + 3 * index, 11 + shift));
+        let ball = |index| Ball::from_rational(&value(index), COMPARED_BITS);
+        names.iter().zip(0..).map(|(name, index)| (name.clone(), ball(index))).collect()
     };
     let at = |expression: &Expression, shift| expression.enclosed(&point(shift), COMPARED_BITS);
     let values = [at(one, 0), at(other, 0), at(one, 5), at(other, 5)];

@@ -92,10 +92,8 @@ fn proved(computed: &Computed, premises: Vec<Finding>, context: &Context) -> Opt
         Verdict::NotChecked => premise,
         _ => Finding { readings: Vec::new(), remarks: Vec::new(), ..premise },
     });
-    match found {
-        Some(found) => Some(premises.fold(found, Finding::with_premise)),
-        None => premises.next().map(|first| premises.fold(first, Finding::with_premise)),
-    }
+    let first = found.or_else(|| premises.next())?;
+    Some(premises.fold(first, Finding::with_premise))
 }
 
 fn check_of(computed: &Computed) -> Option<&'static Check> {

@@ -47,12 +47,9 @@ impl Finding {
     /// Starts from derivations: holds when all succeed, fails with the first counter-example, and is not checked without any.
     #[must_use]
     pub fn from_proofs(attempts: impl IntoIterator<Item = Result<Proof, Refutation>>) -> Self {
-        let finding = attempts.into_iter().fold(None, |finding: Option<Finding>, attempt| {
-            Some(match finding {
-                None => Finding::from_proof(attempt),
-                Some(finding) => finding.with_proof(attempt),
-            })
-        });
+        let mut attempts = attempts.into_iter();
+        let first = attempts.next().map(Finding::from_proof);
+        let finding = first.map(|first| attempts.fold(first, Finding::with_proof));
         finding.unwrap_or_else(|| Finding::not_checked("No derivation was tried."))
     }
 
@@ -164,10 +161,9 @@ impl Finding {
     /// decides it, and every part that a point decides, then counts as checked by that kernel.
     #[must_use]
     pub fn with_whole_theorem(mut self, name: &str) -> Self {
-        let all = || (1..=self.evidence.len()).filter(|at| !self.supporting.contains(at)).collect();
         let deciding: Vec<usize> = match self.readings.first() {
             Some(written) => written.parts.iter().flat_map(Part::deciding).collect(),
-            None => all(),
+            None => (1..=self.evidence.len()).filter(|at| !self.supporting.contains(at)).collect(),
         };
         for (evidence, _) in self.evidence.iter_mut().zip(1..).filter(|(_, at)| deciding.contains(at)) {
             if let Evidence::Proof { proof } = evidence {
@@ -176,11 +172,10 @@ impl Finding {
         }
         let evidence = &self.evidence;
         let weakest = |positions: &[usize]| positions.iter().map(|at| evidence[at - 1].strength()).max();
-        for (reading, is_written) in
-            self.readings.iter_mut().zip(std::iter::once(true).chain(std::iter::repeat(false)))
-        {
+        // The first reading is the written one.
+        for (at, reading) in self.readings.iter_mut().enumerate() {
             for part in &mut reading.parts {
-                let known = if is_written { Strength::KernelChecked } else { part.strength };
+                let known = if at == 0 { Strength::KernelChecked } else { part.strength };
                 part.strength = weakest(&part.deciding().collect::<Vec<_>>()).unwrap_or(known);
             }
             reading.strength =

@@ -77,12 +77,6 @@ impl Entry {
         Tied { claim: &self.id, digest: &self.digest, conclusion: Conclusion::from(&self.finding) }
     }
 
-    /// Whether the computed verdict is the recorded one.
-    #[must_use]
-    pub fn is_as_recorded(&self) -> bool {
-        self.finding.verdict == self.expected
-    }
-
     /// Where the sentence is about more than was decided, what limits it; and the replacement of a sentence that fails, with its numbers.
     fn with_what_the_sentence_needs(mut self) -> Self {
         if let Some(decided) = &self.sentence.decided_for {
@@ -139,7 +133,7 @@ impl Ledger {
 
     /// The claims whose computed verdict is not the recorded one.
     pub fn drift(&self) -> impl Iterator<Item = &Entry> {
-        self.claims.iter().filter(|entry| !entry.is_as_recorded())
+        self.claims.iter().filter(|entry| entry.finding.verdict != entry.expected)
     }
 
     /// The claims that are stated to be surer than their weakest reading, part or evidence.
@@ -255,10 +249,8 @@ fn decide_one(text: &ClaimEntry, context: &Context) -> Entry {
     let entry = entry.with_what_the_sentence_needs();
     // Where the words are about more than the formulas, no theorem on the formulas states them.
     let is_argued = entry.stated.as_ref().is_some_and(|stated| stated.argued.is_some());
-    let tie = Some(())
-        .filter(|()| entry.finding.strength <= Strength::Argued && !is_argued)
-        .and_then(|()| entry.tie(context.equations));
-    match tie {
+    let may_be_tied = entry.finding.strength <= Strength::Argued && !is_argued;
+    match may_be_tied.then(|| entry.tie(context.equations)).flatten() {
         Some(tie) => Entry { finding: entry.finding.with_whole_theorem(&tie.theorems), ..entry },
         None => entry,
     }

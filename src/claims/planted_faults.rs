@@ -49,10 +49,6 @@ pub fn plant_faults(context: &Context) -> Vec<PlantedFaults> {
     parallel::map(&all, |equation| plant(equation, &pairs, context, sound.clone()))
 }
 
-fn is_of_equations(formula: &ClaimFormula) -> bool {
-    formula.rows.is_none() && !formula.computed().is_some_and(computed::is_of_runs)
-}
-
 /// The claims about the equations, decided.
 fn sound_claims<'c>(context: &Context<'c>) -> Vec<Sound<'c>> {
     let claims = context.claims.iter().filter(|claim| claim.sentence.source != Source::Result);
@@ -90,7 +86,10 @@ impl<'c> Sound<'c> {
             steps: 0,
         };
         let parts = claim.stated.iter().flat_map(|stated| formula::parts(&claim.id, stated));
-        parts.filter(|(_, (_, formula))| is_of_equations(formula)).map(of).collect()
+        let is_of_equations = |(_, (_, part)): &(String, &(String, ClaimFormula))| {
+            part.rows.is_none() && !part.computed().is_some_and(computed::is_of_runs)
+        };
+        parts.filter(is_of_equations).map(of).collect()
     }
 
     fn finding(&self, context: &Context) -> Finding {

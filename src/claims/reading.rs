@@ -47,22 +47,15 @@ pub(super) fn of_readings(drafts: impl IntoIterator<Item = Draft>) -> Finding {
     let mut numbers = BTreeMap::new();
     let mut reading = |Draft { words, parts }: Draft| {
         let mut part = |(words, finding): (String, Finding)| {
-            let Finding {
-                verdict,
-                strength,
-                mut limit,
-                counter_example,
-                remarks: own,
-                contradictions: at_fault,
-                numbers: named,
-                ..
-            } = finding;
-            contradictions.extend(at_fault);
+            let Finding { verdict, strength, mut limit, counter_example, .. } = finding;
+            contradictions.extend(finding.contradictions);
             // The reading as written comes first, and its numbers stay.
-            named.into_iter().for_each(|(name, value)| _ = numbers.entry(name).or_insert(value));
+            for (name, value) in finding.numbers {
+                numbers.entry(name).or_insert(value);
+            }
             match verdict {
-                Verdict::NotChecked => limit = Some(own.join(" ")),
-                _ => own.into_iter().for_each(|remark| add(&mut remarks, remark)),
+                Verdict::NotChecked => limit = Some(finding.remarks.join(" ")),
+                _ => finding.remarks.into_iter().for_each(|remark| add(&mut remarks, remark)),
             }
             let own: Vec<usize> =
                 finding.evidence.into_iter().map(|one| position(&mut evidence, one)).collect();

@@ -7,9 +7,9 @@ use slipmode_algebra::{
     Symbol, Toward,
 };
 
-use super::Problem;
 use super::points::{self, Point, Points};
-use super::prover::Prover;
+use super::prover::{Prover, certify_all};
+use super::{Problem, no_point};
 use crate::claims::Finding;
 use crate::claims::finding::NamedPoint;
 use crate::scene::{Premises, Statement};
@@ -28,10 +28,7 @@ impl Problem<'_> {
             _ => self.premises.clone(),
         };
         let (Some(domain), Ok(proof)) = (prover.domain(&premises, &[]), self.start(&prover)) else {
-            return Finding::not_checked(format!(
-                "None of {} points meets the conditions, so that they may be impossible.",
-                Points::MOST
-            ));
+            return no_point();
         };
         let domain = match statement {
             Statement::Depends(..) => domain.with_positive(other_value()),
@@ -133,11 +130,8 @@ impl Attempt<'_> {
         let prover = self.problem.prover(&self.points);
         let clause = [Literal::new(rising.clone(), Sign::Positive)];
         if let Some(steps) = prover.clause(&self.problem.premises, &clause) {
-            let step = |proof: Proof, (says, certificate)| -> Result<Proof, Refutation> {
-                let says = format!("its slope in {variable}: {says}");
-                proof.certify(&says, &self.numbers, certificate)
-            };
-            return Finding::from_proof(steps.into_iter().try_fold(self.proof.clone(), step));
+            let before = format!("its slope in {variable}: ");
+            return Finding::from_proof(certify_all(self.proof.clone(), &before, &self.numbers, steps));
         }
         if let Some(found) = self.with_flat_points(&prover, &rising, variable) {
             return found;
@@ -176,11 +170,8 @@ impl Attempt<'_> {
             .filter(|one| !one.is_zero())
             .find_map(|one| prover.clause(premises, &[Literal::new(Expression::from(&one), Sign::NonZero)]));
         steps.extend(apart?);
-        let step = |proof: Proof, (says, certificate)| -> Result<Proof, Refutation> {
-            let says = format!("its slope in {variable}, which is zero at single points at most: {says}");
-            proof.certify(&says, &self.numbers, certificate)
-        };
-        Some(Finding::from_proof(steps.into_iter().try_fold(self.proof.clone(), step)))
+        let before = format!("its slope in {variable}, which is zero at single points at most: ");
+        Some(Finding::from_proof(certify_all(self.proof.clone(), &before, &self.numbers, steps)))
     }
 
     fn limit(&self, expression: &Expression, end: &End, variable: &Symbol, toward: Toward) -> Finding {

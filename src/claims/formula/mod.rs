@@ -23,26 +23,20 @@ use crate::experiments::Context;
 use crate::scene::{ClaimEntry, ClaimFormula, Names, Premises, StatedClaim, Statement, filled};
 use lowering::Lowered;
 use points::{Point, Points};
-use prover::{Draft, Prover};
+use prover::{Draft, Prover, certify_all};
 pub use theorem::{WholeStatement, WholeTheorem, statement_digest};
 pub(super) use warnings::warnings;
 
 /// The finding on a claim: one formula decides it, or all parts of its first reading.
 pub(super) fn decide(id: &str, stated: &StatedClaim, context: &Context) -> Finding {
     let found = decide_readings(id, stated, context);
-    let remarks: Vec<String> =
-        stated.remarks.iter().filter_map(|text| remark(text, stated, &found)).collect();
+    // A remark that names numbers which a statement over rows does not find is left out.
+    let names_numbers = stated.parts().any(|(_, formula)| formula.rows.is_some());
+    let plain = |text: &String| (!names_numbers).then(|| text.clone());
+    let remark = |text: &String| filled(text, &found.numbers).ok().or_else(|| plain(text));
+    let remarks: Vec<String> = stated.remarks.iter().filter_map(remark).collect();
     let found = remarks.into_iter().fold(found, Finding::remark);
     stated.argued.iter().fold(found, |found, step| found.argued(step))
-}
-
-/// A remark with its numbers; none where a statement over rows does not find them.
-fn remark(text: &str, stated: &StatedClaim, found: &Finding) -> Option<String> {
-    let names_numbers = stated.parts().any(|(_, formula)| formula.rows.is_some());
-    match filled(text, &found.numbers) {
-        Ok(text) => Some(text),
-        Err(_) => (!names_numbers).then(|| text.to_owned()),
-    }
 }
 
 fn decide_readings(id: &str, stated: &StatedClaim, context: &Context) -> Finding {
@@ -214,8 +208,7 @@ fn decide_within(
         Err(reason) => return Finding::not_checked(reason),
     };
     if let Some(steps) = problem.contradiction() {
-        let start = problem.proof.clone();
-        let proof = steps.into_iter().try_fold(start, |proof, (says, one)| proof.certify(&says, &[], one));
+        let proof = certify_all(problem.proof.clone(), "", &[], steps);
         let finding = Finding::not_checked("No point meets the conditions: they contradict each other.");
         return proof.map_or(finding.clone(), |proof| finding.with_evidence(Evidence::Proof { proof }));
     }
@@ -229,14 +222,23 @@ fn decide_within(
         Statement::Computed(_) => Finding::not_checked("No formula decides it."),
         other => problem.behaviour(other),
     }
-    .with_theorem(|verdict| theorem::accepted_theorem(formula, equations, verdict == Verdict::Fails))
+    .with_theorem(|verdict| {
+        let is_refuted = verdict == Verdict::Fails;
+        Some(theorem::accepted_in(&theorem::ACCEPTED, formula, equations, is_refuted)?.0)
+    })
+}
+
+/// The finding where the conditions are met by no point that was tried.
+fn no_point() -> Finding {
+    let most = Points::MOST;
+    Finding::not_checked(format!(
+        "None of {most} points meets the conditions, so that they may be impossible."
+    ))
 }
 
 /// All expressions of a formula, its conditions and its witness in one.
 fn all_expressions(formula: &ClaimFormula) -> Expression {
-    let conditions = formula.scope.given.iter().flat_map(|condition| &condition.sides);
-    let witness = formula.scope.witness.iter().map(|(_, value)| value);
-    Expression::Sum(formula.statement.sides().into_iter().chain(conditions).chain(witness).cloned().collect())
+    Expression::Sum(formula.expressions().into_iter().cloned().collect())
 }
 
 /// A formula with what it assumes.
@@ -326,10 +328,7 @@ impl<'f> Problem<'f> {
             let domain = prover.domain(&bare, &[]).ok_or("no point meets the conditions")?;
             let steps = prover.fact(fact, &domain);
             let steps = steps.ok_or_else(|| format!("no certificate was found for {fact}"))?;
-            let add = |proof: Proof, (says, certificate): Draft| {
-                proof.certify(&format!("a side has a value: {says}"), &[], certificate)
-            };
-            steps.into_iter().try_fold(proof, add).map_err(|error| error.to_string())
+            certify_all(proof, "a side has a value: ", &[], steps).map_err(|error| error.to_string())
         })
     }
 

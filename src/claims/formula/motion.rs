@@ -4,8 +4,8 @@ use slipmode_algebra::{Domain, Expression, Literal, Sign, Symbol};
 use slipmode_theory::lyapunov_sign::{LyapunovSign, ThreeStates};
 use slipmode_theory::planar::{MotionLemma, PlanarSystem};
 
-use super::Problem;
 use super::points::Points;
+use super::{Problem, no_point};
 use crate::claims::Finding;
 use crate::scene::{ClaimMotion, MotionSaid};
 
@@ -54,10 +54,7 @@ impl Problem<'_> {
         let example = points.meeting(&assumed.conditions, Points::MOST).next();
         let start = self.start(&self.prover(&points));
         let (Some(example), Ok(start)) = (example, start) else {
-            return Finding::not_checked(format!(
-                "None of {} points meets the conditions, so that they may be impossible.",
-                Points::MOST
-            ));
+            return no_point();
         };
         let with =
             |domain: Domain, (name, value): (Symbol, _)| domain.example(name, Expression::Number(value));

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 
 use slipmode_algebra::{
     Certificate, Condition, Domain, Expression, Extent, Function, Literal, Monomial, Polynomial, Proof,
-    Relation, Sign, Symbol,
+    Refutation, Relation, Sign, Symbol,
 };
 use slipmode_core::number::Rational;
 
@@ -14,6 +14,19 @@ use crate::scene::Premises;
 
 /// A step of a proof: its words and its certificate.
 pub(super) type Draft = (String, Certificate);
+
+/// The proof with these steps, each with these words before its own.
+pub(super) fn certify_all(
+    proof: Proof,
+    before: &str,
+    equations: &[&str],
+    steps: Vec<Draft>,
+) -> Result<Proof, Refutation> {
+    let add = |proof: Proof, (says, certificate): Draft| {
+        proof.certify(&format!("{before}{says}"), equations, certificate)
+    };
+    steps.into_iter().try_fold(proof, add)
+}
 
 /// What an expression may come to in a form of the conditions.
 const LARGEST: Extent = Extent { terms: 4000, degree: 200, bits: 1 << 16 };
@@ -257,12 +270,7 @@ impl<'p> Prover<'p> {
 
     /// A condition under the assumptions of a domain.
     pub fn fact(&self, condition: &Condition, domain: &Domain) -> Option<Vec<Draft>> {
-        let sign = match condition.relation {
-            Relation::Positive => Sign::Positive,
-            Relation::NonNegative => Sign::NonNegative,
-            Relation::NonZero => Sign::NonZero,
-        };
-        self.goal(&Literal::new(condition.expression.clone(), sign), domain, &[])
+        self.goal(&Literal::new(condition.expression.clone(), condition.relation.into()), domain, &[])
     }
 
     /// A literal under the assumptions of a domain; `from` is named in the words of the steps.

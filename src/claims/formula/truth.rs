@@ -4,10 +4,10 @@ use std::cell::RefCell;
 
 use slipmode_algebra::{Certificate, Comparison, Domain, Expression, Literal, Proof, Sign, SignFormula};
 
-use super::Problem;
 use super::lowering::{Lowered, words};
 use super::points::{self, Point, Points};
-use super::prover::{Draft, Prover};
+use super::prover::{Draft, Prover, certify_all};
+use super::{Problem, no_point};
 use crate::claims::Finding;
 use crate::scene::{Formula, MOST_CLAUSES, Premises};
 
@@ -22,10 +22,7 @@ impl Problem<'_> {
         let points = self.points(&expressions);
         let prover = self.prover(&points);
         if prover.domain(&self.premises, &[]).is_none() {
-            return Finding::not_checked(format!(
-                "None of {} points meets the conditions, so that they may be impossible.",
-                Points::MOST
-            ));
+            return no_point();
         }
         let (conditions, negated) = (&self.premises.conditions, lowered.signs.negated());
         let refuted = |point: Option<Point>| self.refuted(formula, lowered, &point?);
@@ -118,9 +115,7 @@ impl Problem<'_> {
                 format!("no proof was found{words}{all}")
             })?);
         }
-        let step =
-            |proof: Proof, (says, certificate): Draft| proof.certify(&says, &self.numbers(), certificate);
-        steps.into_iter().try_fold(start, step).map_err(|error| error.to_string())
+        certify_all(start, "", &self.numbers(), steps).map_err(|error| error.to_string())
     }
 
     /// The finding that the formula is false at a point.

@@ -16,7 +16,7 @@ use crate::claims::sha256_hex;
 use crate::scene::{ClaimFormula, Formula, Names, Premises, Statement};
 
 /// The statements that Coq has accepted; `cargo xtask prove` writes and checks the list.
-static ACCEPTED: LazyLock<Accepted<'static>> = LazyLock::new(|| accepted(crate::claims::ACCEPTED));
+pub(super) static ACCEPTED: LazyLock<Accepted<'static>> = LazyLock::new(|| accepted(crate::claims::ACCEPTED));
 
 /// Whether a theorem states a whole formula, and the digest of what it states.
 pub(super) type Accepted<'l> = BTreeSet<(bool, &'l str)>;
@@ -69,15 +69,6 @@ pub struct WholeStatement<'c> {
     pub name: String,
     /// What the theorem states.
     pub statement: String,
-}
-
-/// The name of the theorem that states the whole formula, or its negation, if Coq has accepted it.
-pub(super) fn accepted_theorem(
-    formula: &ClaimFormula,
-    equations: &Equations,
-    is_refuted: bool,
-) -> Option<String> {
-    Some(accepted_in(&ACCEPTED, formula, equations, is_refuted)?.0)
 }
 
 /// The theorem that states the whole formula, or its negation, if Coq has accepted it.

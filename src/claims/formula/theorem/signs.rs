@@ -20,7 +20,8 @@ fn proposition(
 ) -> Result<String, String> {
     let inner = |part: &Formula| {
         let text = proposition(part, atom)?;
-        Ok::<_, String>(if is_atom(part) { text } else { format!("({text})") })
+        let is_atom = matches!(part, Formula::Compare(..) | Formula::Roots(..) | Formula::Crossing(_));
+        Ok::<_, String>(if is_atom { text } else { format!("({text})") })
     };
     let (parts, joint) = match formula {
         Formula::Not(part) => return Ok(format!("~ ({})", proposition(part, atom)?)),
@@ -31,10 +32,6 @@ fn proposition(
         Formula::Compare(..) | Formula::Roots(..) | Formula::Crossing(_) => return atom(formula),
     };
     Ok(parts.iter().map(inner).collect::<Result<Vec<_>, _>>()?.join(joint))
-}
-
-fn is_atom(formula: &Formula) -> bool {
-    matches!(formula, Formula::Compare(..) | Formula::Roots(..) | Formula::Crossing(_))
 }
 
 /// Signs as Coq reads them.
