@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use slipmode_algebra::{Domain, Expression, Literal, Relation, Sign, Symbol};
+use slipmode_algebra::{Domain, Expression, Literal, Symbol};
 use slipmode_core::number::format::round_digits;
 use slipmode_core::number::{Rational, nearest_f64, parse_decimal};
 use slipmode_plot::figure::{Axis, Caption, Scale};
@@ -179,14 +179,9 @@ impl Reader<'_> {
     ) -> Option<(Expression, Expression, Vec<Literal>)> {
         let read = entry.equation(read_side(&entry.text()?, &self.names))?;
         let put = |one: &Expression| self.names.resolved(one).substitute(values);
-        let of_definitions = self.names.given_of(&read).into_iter().map(|one| {
-            let sign = match one.relation {
-                Relation::Positive => Sign::Positive,
-                Relation::NonNegative => Sign::NonNegative,
-                Relation::NonZero => Sign::NonZero,
-            };
-            Literal::new(put(&one.expression), sign)
-        });
+        let of_definitions = self.names.given_of(&read).into_iter();
+        let of_definitions =
+            of_definitions.map(|one| Literal::new(put(&one.expression), one.relation.into()));
         let of_file = self.equations.conditions().iter();
         let of_file = of_file.filter_map(|text| FormulaCondition::read(text, &self.names).ok());
         let of_file =
