@@ -91,7 +91,8 @@ pub fn recompute(folder: &Folder, place: &Path, progress: &Progress) -> Result<P
     let mut product = progress
         .items(|progress| produce(folder, &stated_place, Vec::new(), progress))
         .map_err(|error| unrenderable(place, &error))?;
-    machine_free(&mut product);
+    // The texts of the report lose what depends on the machine.
+    product.files.values_mut().for_each(|text| *text = without_environment(text));
     Ok(product)
 }
 
@@ -142,11 +143,6 @@ pub fn parts<'p>(
         sources,
         codecheck,
     }
-}
-
-/// The texts of a report without what depends on the machine.
-pub fn machine_free(product: &mut Product) {
-    product.files.values_mut().for_each(|text| *text = without_environment(text));
 }
 
 /// Reads a file of sources, which must look like one and fit into an archive that is read again.

@@ -21,7 +21,8 @@ pub const SCHEMA: u32 = 1;
 /// # Errors
 /// When it cannot be written.
 pub fn print(text: &str) -> Result<(), Failure> {
-    print_raw(&visible_lines(text))
+    // Every character but the ends of lines is made visible.
+    print_raw(&text.split('\n').map(visible).collect::<Vec<_>>().join("\n"))
 }
 
 /// Writes a JSON value to standard output, indented.
@@ -63,11 +64,6 @@ pub fn count_of(count: usize, thing: &str) -> String {
         1 => format!("1 {thing}"),
         count => format!("{count} {thing}s"),
     }
-}
-
-/// The text with every character but the ends of lines made visible.
-fn visible_lines(text: &str) -> String {
-    text.split('\n').map(visible).collect::<Vec<_>>().join("\n")
 }
 
 impl Failure {
