@@ -196,9 +196,9 @@ impl<'r, P: Copy> Cells<'r, P> {
         if found == wanted { Ok(()) } else { Err(fault()) }
     }
 
-    /// The text of a cell; the row's text was checked, so that none is lost here.
+    /// The text of a cell without blanks around it; the row's text was checked, so that none is lost here.
     pub fn text(self, position: usize) -> &'r str {
-        std::str::from_utf8(self.row.cell(position)).unwrap_or_default()
+        std::str::from_utf8(self.row.cell(position).trim_ascii()).unwrap_or_default()
     }
 
     /// A fault of the row, or of one of its cells.

@@ -107,7 +107,7 @@ pub fn number(cell: &[u8], is_physical: bool, unit: Option<&Rational>) -> Result
     if let Some(problem) = cell_problem(cell) {
         return Err(problem);
     }
-    let text = std::str::from_utf8(cell).unwrap_or_default();
+    let text = std::str::from_utf8(cell.trim_ascii()).unwrap_or_default();
     if unit.is_none()
         && let Some(value) = parse_decimal_to_dd(text)
         && value.rounds_surely(Dd::UNIT * value.hi())

@@ -98,6 +98,19 @@ fn signs_on_and_beside_the_limits_are_exact_for_decimals_of_any_length() {
 }
 
 #[test]
+fn blanks_around_a_number_do_not_matter() {
+    let of = |separator: &str| {
+        let row = ["0.004", "0.006", "1e-5", "1e7±1e6", "1000", "1e5", "1 mm/s"].join(separator);
+        let text = format!("{}\n{row} \n", HEADER.split(',').collect::<Vec<_>>().join(separator));
+        let out = Workplace::new().run_with_input(["classify", "--points", "-", "--quiet"], &text);
+        let line = out.expect_success().lines().nth(1).unwrap().to_owned();
+        line.split(',').skip(7).map(str::to_owned).collect::<Vec<_>>()
+    };
+    assert!(!of(",").is_empty());
+    assert_eq!(of(","), of(", "));
+}
+
+#[test]
 fn a_header_without_rows_gives_a_header() {
     let out = Workplace::new().run_with_input(["classify", "--points", "-"], HEADER).expect_success();
     assert_eq!(out, format!("{HEADER}{APPENDED}\n"));
