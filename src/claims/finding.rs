@@ -44,7 +44,7 @@ pub struct Finding {
 }
 
 impl Finding {
-    /// Starts from derivations: holds when all succeed, fails with the first counter-example, and is not checked without any.
+    /// Starts from derivations: holds when all succeed, fails with the first step that is false, and is not checked without any.
     #[must_use]
     pub fn from_proofs(attempts: impl IntoIterator<Item = Result<Proof, Refutation>>) -> Self {
         let mut attempts = attempts.into_iter();
@@ -53,15 +53,13 @@ impl Finding {
         finding.unwrap_or_else(|| Finding::not_checked("No derivation was tried."))
     }
 
-    /// Starts from one derivation: holds when it succeeds, and fails when a step of it has a counter-example. A step that the rules do not
-    /// decide decides nothing.
+    /// Starts from one derivation: holds when it succeeds, and fails when a step of it is false. A step that the rules do not decide decides
+    /// nothing.
     #[must_use]
     pub fn from_proof(attempt: Result<Proof, Refutation>) -> Self {
         match rechecked(attempt) {
             Ok(proof) => Finding::holding(Evidence::Proof { proof }),
-            Err(refutation) if refutation.counter_example.is_some() => {
-                Finding::failing(refutation.to_string())
-            }
+            Err(refutation) if refutation.is_false => Finding::failing(refutation.to_string()),
             Err(refutation) => Finding::not_checked(refutation.to_string()),
         }
     }
@@ -137,7 +135,7 @@ impl Finding {
     pub fn with_proof(mut self, attempt: Result<Proof, Refutation>) -> Self {
         match rechecked(attempt) {
             Ok(proof) => return self.with_evidence(Evidence::Proof { proof }),
-            Err(refutation) if refutation.counter_example.is_some() => self.refute(refutation.to_string()),
+            Err(refutation) if refutation.is_false => self.refute(refutation.to_string()),
             Err(refutation) if self.verdict == Verdict::Holds => {
                 return Finding::not_checked(refutation.to_string());
             }

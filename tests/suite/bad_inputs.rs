@@ -16,7 +16,7 @@
 //! | names of outputs, equal names | `bad_inputs::names_that_could_leave_their_folder_are_refused`, `reports::doubled_scenes_are_refused_by_file_and_by_name` |
 //! | folders that are links, files, read-only or full | `outputs::links_and_devices_are_left_alone`, `outputs::a_folder_replaces_an_earlier_output_and_nothing_else`, `full_disk` |
 //! | measured tables and charts: names, axes, cells, links | `bad_inputs::measurements_that_cannot_be_shown_are_refused` |
-//! | markup in any text | `bad_inputs::markup_in_titles_and_prose_stays_text`, `report::hostile_tests` |
+//! | markup in any text | `bad_inputs::markup_in_titles_and_prose_stays_text`, `report::tests::hostile` |
 //! | attributes, scripts, styles, `javascript:` | the same |
 //! | Markdown: raw HTML, schemes, heading attributes, remote images | the same, `report::markdown::tests` |
 //! | Markdown and formulas nested without end | `bad_inputs::prose_without_end_is_rendered_or_refused_in_time` |
@@ -147,7 +147,7 @@ fn one_grammar_of_numbers_for_scenes_rows_and_arguments() {
         ("0x1p3", "not a decimal number"),
         ("1@5", "not a decimal number"),
         ("1,5", "not a decimal number"),
-        (" 1", "not a decimal number"),
+        ("_1", "not a decimal number"),
         ("1/0", "not a decimal number"),
         ("1e1000000000", "exponent beyond"),
         ("1e-1000000000", "exponent beyond"),

@@ -44,7 +44,7 @@ fn faulty_cells_are_named_by_row_column_value_and_range() {
         ("abc", "not a decimal number"),
         ("", "not a decimal number"),
         ("nan", "not a decimal number"),
-        ("1 e7", "not a decimal number"),
+        ("_1e7", "not a decimal number"),
         ("0", "must be > 0"),
         ("-1e7", "must be > 0"),
         ("1e400", "out of range"),

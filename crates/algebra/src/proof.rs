@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{Certificate, CounterExample, Domain, Expression, Refutation, Symbol, Toward};
+use super::{Certificate, Domain, Expression, Refutation, Symbol, Toward};
 
 /// One step of a proof.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -240,6 +240,7 @@ impl Proof {
             equations: equations.iter().map(|&number| number.to_owned()).collect(),
             statement: says.to_owned(),
             remainder: remainder.into(),
+            is_false: false,
             counter_example: None,
         }
     }
@@ -308,15 +309,13 @@ impl Proof {
 
     fn check(&self, step: &Step) -> Result<(), Refutation> {
         let Some(certificate) = &step.certificate else { return Ok(()) };
-        certificate.check().map_err(|failure| {
-            let counter_example: Option<Box<CounterExample>> = failure.counter_example;
-            Refutation {
-                id: self.id.clone(),
-                equations: step.equations.clone(),
-                statement: step.says.clone(),
-                remainder: failure.remainder,
-                counter_example,
-            }
+        certificate.check().map_err(|failure| Refutation {
+            id: self.id.clone(),
+            equations: step.equations.clone(),
+            statement: step.says.clone(),
+            remainder: failure.remainder,
+            is_false: failure.is_false,
+            counter_example: failure.counter_example,
         })
     }
 }

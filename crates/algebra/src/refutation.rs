@@ -19,7 +19,7 @@ pub struct CounterExample {
     pub right: Expression,
 }
 
-/// A step that could not be proved: it is false at the counter-example, or, without one, the rules do not decide it.
+/// A step that could not be proved: it is false, or the rules do not decide it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Refutation {
@@ -31,13 +31,15 @@ pub struct Refutation {
     pub statement: String,
     /// The exact non-zero remainder, or why there is none.
     pub remainder: String,
+    /// Whether the step is false; else the rules do not decide it.
+    pub is_false: bool,
     /// A rational point at which both sides differ, when the step compares two sides.
     pub counter_example: Option<Box<CounterExample>>,
 }
 
 impl fmt::Display for Refutation {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let found = if self.counter_example.is_some() { "refuted" } else { "not proved" };
+        let found = if self.is_false { "refuted" } else { "not proved" };
         write!(formatter, "{}: {found}: {}", self.id, self.statement)?;
         if !self.equations.is_empty() {
             write!(formatter, " (equations {})", self.equations.join(", "))?;

@@ -17,12 +17,14 @@ use crate::{
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Failure {
     pub remainder: String,
+    /// Whether the fact is false; else it is not decided.
+    pub is_false: bool,
     pub counter_example: Option<Box<CounterExample>>,
 }
 
 impl From<ConversionError> for Failure {
     fn from(error: ConversionError) -> Self {
-        Self { remainder: error.to_string(), counter_example: None }
+        Self::remainder(error.to_string())
     }
 }
 
@@ -34,7 +36,11 @@ impl From<DomainError> for Failure {
 
 impl Failure {
     fn remainder(remainder: impl Into<String>) -> Self {
-        Self { remainder: remainder.into(), counter_example: None }
+        Self { remainder: remainder.into(), is_false: false, counter_example: None }
+    }
+
+    fn of_a_false_fact(remainder: String) -> Self {
+        Self { is_false: true, ..Self::remainder(remainder) }
     }
 }
 
@@ -66,7 +72,7 @@ impl Certificate {
                 let [left, right] =
                     [check_value(left, point, &values[0])?, check_value(right, point, &values[1])?];
                 if left == right {
-                    Err(Failure::remainder(format!("both sides are {left} there")))
+                    Err(Failure::of_a_false_fact(format!("both sides are {left} there")))
                 } else {
                     Ok(())
                 }
@@ -100,15 +106,20 @@ fn compare(left: &RationalFunction, right: &RationalFunction, domain: &Domain) -
         return Ok(());
     }
     let counter_example = CounterExample::search(left, right, domain).map(Box::new);
-    Err(Failure { remainder: Expression::from(&difference).to_string(), counter_example })
+    let false_fact = Failure::of_a_false_fact(Expression::from(&difference).to_string());
+    Err(Failure { counter_example, ..false_fact })
 }
 
 fn check_sign(expression: &Expression, sign: i8, domain: &Domain) -> Result<(), Failure> {
     let function = domain.rational_function(expression)?;
-    if domain.sign_of(&function) == Some(sign) {
-        return Ok(());
+    let written = || Expression::from(&function);
+    match domain.sign_of(&function) {
+        Some(found) if found == sign => Ok(()),
+        Some(found) => {
+            Err(Failure::of_a_false_fact(format!("{} has the sign {found:+} everywhere", written())))
+        }
+        None => Err(Failure::remainder(format!("{} has no certified sign {sign:+}", written()))),
     }
-    Err(Failure::remainder(format!("{} has no certified sign {sign:+}", Expression::from(&function))))
 }
 
 fn check_end(
@@ -122,7 +133,7 @@ fn check_end(
         (End::Finite(end), End::Finite(value)) => check_identity(&end, value, domain),
         (found, stated) if found == *stated => Ok(()),
         (found, _) => {
-            Err(Failure::remainder(format!("{expression} tends to {found} as {variable} -> {toward}")))
+            Err(Failure::of_a_false_fact(format!("{expression} tends to {found} as {variable} -> {toward}")))
         }
     }
 }
