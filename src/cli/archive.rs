@@ -87,9 +87,8 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
 /// # Errors
 /// When the report cannot be rendered.
 pub fn recompute(folder: &Folder, place: &Path, progress: &Progress) -> Result<Product, Failure> {
-    let stated_place = format!("reports/{}", folder.plan.name);
     let mut product = progress
-        .items(|progress| produce(folder, &stated_place, Vec::new(), progress))
+        .items(|progress| produce(folder, Vec::new(), progress))
         .map_err(|error| unrenderable(place, &error))?;
     // The texts of the report lose what depends on the machine.
     product.files.values_mut().for_each(|text| *text = without_environment(text));

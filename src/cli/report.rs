@@ -17,7 +17,6 @@ use crate::cli::failure::Failure;
 use crate::cli::folder::{read_report, read_scene};
 use crate::cli::options::Arguments;
 use crate::cli::output::{Output, OutputFolder, note_input_folder};
-
 use crate::cli::planted_faults::verify_planted_faults;
 use crate::cli::progress::Progress;
 use crate::cli::terminal::count_of;
@@ -220,9 +219,8 @@ fn make(options: &ReportOptions, progress: &Progress) -> Result<Made, Failure> {
     let name = &folder.plan.name;
     let place = options.output.clone().unwrap_or_else(|| Path::new("target/report").join(name));
     let output = OutputFolder::create(&place)?;
-    let stated_place = stated_place(&options.folder);
     let product = progress
-        .items(|progress| produce(&folder, &stated_place, environment.facts(), progress))
+        .items(|progress| produce(&folder, environment.facts(), progress))
         .map_err(|error| unrenderable(&options.folder, &error))?;
     print_warnings(&product.ledger);
     let publish_page = folder.plan.publish_page;
@@ -238,16 +236,6 @@ fn make(options: &ReportOptions, progress: &Progress) -> Result<Made, Failure> {
 /// The files of a report, with the page or without it.
 fn published_files(files: &Files, with_page: bool) -> Files {
     files.iter().filter(|(name, _)| with_page || *name != PAGE).map(|(k, v)| (k.clone(), v.clone())).collect()
-}
-
-/// The folder as a page states it, the same wherever it is called from: its name, below `reports` if it lies there.
-fn stated_place(folder: &Path) -> String {
-    let full = folder.canonicalize().unwrap_or_else(|_| folder.to_path_buf());
-    let name = |path: &Path| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-    match full.parent() {
-        Some(parent) if name(parent) == "reports" => format!("reports/{}", name(&full)),
-        _ => name(&full),
-    }
 }
 
 pub fn unrenderable(folder: &Path, error: &ReportError) -> Failure {

@@ -28,8 +28,6 @@ use slipmode_theory::Equations;
 pub struct Material<'m> {
     /// What the report is called and how it is divided.
     pub plan: &'m ReportPlan,
-    /// The report's folder in the commands that make the page and its verdicts again.
-    pub place: &'m str,
     /// Prose by file name.
     pub prose: &'m BTreeMap<String, String>,
     /// The paper's equations.
@@ -51,8 +49,7 @@ pub struct Material<'m> {
 /// The view of a report.
 #[must_use]
 pub fn assemble(material: Material) -> ReportView {
-    let Material { plan, place, prose, equations, outcome, ledger, figures, tables, inputs, environment } =
-        material;
+    let Material { plan, prose, equations, outcome, ledger, figures, tables, inputs, environment } = material;
     let mut chapters = plan.chapters.iter();
     let introduction = chapters.next();
     ReportView {
@@ -65,7 +62,7 @@ pub fn assemble(material: Material) -> ReportView {
         changes: changes(ledger),
         cards: cards(ledger),
         chapters: chapters.map(|chapter| chapter_view(chapter, prose)).collect(),
-        ledger: groups(ledger, place),
+        ledger: groups(ledger, &plan.folder),
         claims_picture: claims_picture(ledger),
         equations: equations
             .iter()
@@ -79,7 +76,7 @@ pub fn assemble(material: Material) -> ReportView {
         tables,
         provenance: ProvenanceView {
             text_markdown: "All numbers on this page are computed from the files below. The command makes the same page again, byte for byte.".into(),
-            command: format!("slipmode report {place}"),
+            command: format!("slipmode report {}", plan.folder),
             inputs,
         },
         environment,
@@ -392,6 +389,7 @@ mod tests {
             |file: &str| Chapter { id: file.into(), title: String::new(), prose: file.into(), part: None };
         let plan = ReportPlan {
             name: String::new(),
+            folder: String::new(),
             title: String::new(),
             authors: Vec::new(),
             date: None,

@@ -60,14 +60,12 @@ pub fn decide(folder: &Folder, claims: &[ClaimEntry], progress: Progress) -> (Le
     (Ledger::decide(&folder.plan.name, claims, &context), outcome)
 }
 
-/// Makes a report: the same bytes for the same folder, but for the environment block. `place` is the folder in the commands
-/// that the page prints.
+/// Makes a report: the same bytes for the same folder, but for the environment block.
 ///
 /// # Errors
 /// When prose places what does not exist or no scene provides, or cannot be rendered.
 pub fn produce(
     folder: &Folder,
-    place: &str,
     environment: Vec<FactView>,
     progress: Progress,
 ) -> Result<Product, ReportError> {
@@ -85,7 +83,6 @@ pub fn produce(
     files.extend(theorems(&ledger, &folder.equations).map(|text| (THEOREMS_FILE.to_owned(), text)));
     let view = assemble(Material {
         plan: &folder.plan,
-        place,
         prose: &folder.prose,
         equations: &folder.equations,
         outcome: &outcome,

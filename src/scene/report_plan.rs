@@ -6,13 +6,15 @@ use crate::scene::part::Part;
 use crate::scene::question::Question;
 use crate::scene::section::Entry;
 use crate::scene::sections::NAME_RULE;
-use crate::scene::{Faults, Limits, Problem, same_name};
+use crate::scene::{Faults, Limits, Problem, check_name, same_name};
 
 /// A report: the scenes that it computes and the chapters that describe them.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ReportPlan {
     /// The name, safe as a file name; the output folder has it.
     pub name: String,
+    /// The folder in the commands that the page prints, the same wherever a copy lies; the name by default.
+    pub folder: String,
     /// The title, for people.
     pub title: String,
     /// Who made the report, for those who cite it.
@@ -62,8 +64,10 @@ impl ReportPlan {
                 let mut names = Vec::new();
                 entry.list(|member| distinct_name(member, &mut names))
             };
+            let name = top.name("name", NAME_RULE);
             Some(Self {
-                name: top.name("name", NAME_RULE),
+                folder: top.optionally("folder", read_folder).unwrap_or_else(|| name.clone()),
+                name,
                 title: top.text("title", "a text"),
                 authors: top.optionally("authors", |entry| entry.list(Entry::text)).unwrap_or_default(),
                 date: top.optionally("date", read_date),
@@ -81,6 +85,13 @@ impl ReportPlan {
             })
         })
     }
+}
+
+/// The path of a folder, of names between `/`.
+fn read_folder(entry: &Entry<'_>) -> Option<String> {
+    let folder = entry.text()?;
+    let is_path = folder.split('/').all(|name| check_name(name).is_ok());
+    if is_path { Some(folder) } else { entry.needs("a folder such as \"reports/lab\"") }
 }
 
 /// A day of the calendar.
@@ -150,6 +161,20 @@ mod tests {
         assert_eq!(plan.scenes, ["one", "two"]);
         assert_eq!(plan.chapters[0].prose, "c.md");
         assert!(plan.publish_page && plan.measured.is_none());
+    }
+
+    #[test]
+    fn a_report_states_its_folder_by_its_name_or_as_it_says() {
+        let folder = |line: &str| {
+            let text = format!("name = \"r\"\ntitle = \"R\"\n{line}\n{CHAPTER}");
+            ReportPlan::parse("report.toml", text.as_bytes()).map(|plan| plan.folder)
+        };
+        assert_eq!(folder("").unwrap(), "r");
+        assert_eq!(folder("folder = \"reports/lab\"").unwrap(), "reports/lab");
+        for path in ["../lab", "/lab", "a b", ""] {
+            let faults = folder(&format!("folder = \"{path}\"")).unwrap_err();
+            assert!(faults[0].to_string().contains("a folder such as \"reports/lab\""), "{faults:?}");
+        }
     }
 
     #[test]

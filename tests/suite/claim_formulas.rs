@@ -313,6 +313,7 @@ fn formulas_at_fault_are_refused_all_at_once_with_file_and_key() {
         ("K_c -> 0 as V_0 -> 7", "", "a limit has the form"),
         ("K_c -> K_c_dyn as V_0 -> 0", "", "the value 'K_c_dyn' of the limit contains V_0"),
         ("K_c > 0", "given = ['a^2 + a = b^2 + b']", "is not linear in one of its variables"),
+        ("K_c rises with K", "given = ['K = 3']", "'K = 3' has no variable but the one that moves"),
         ("K > 0 K_c", "", "column 7"),
         ("[K > M", "", "column 7: expected ']'"),
         ("K > M ]", "", "column 7: unexpected ']'"),

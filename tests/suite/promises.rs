@@ -180,6 +180,7 @@ fn page(prose: &str) -> Option<String> {
     let chapter = Chapter { id: "c".into(), title: "C".into(), prose: "c.md".into(), part: None };
     let plan = ReportPlan {
         name: "p".into(),
+        folder: "p".into(),
         title: "P".into(),
         authors: Vec::new(),
         date: None,
@@ -203,7 +204,7 @@ fn page(prose: &str) -> Option<String> {
         charts: Vec::new(),
         inputs: Vec::new(),
     };
-    let mut product = produce(&folder, "p", Vec::new(), &|_, _, _| ()).ok()?;
+    let mut product = produce(&folder, Vec::new(), &|_, _, _| ()).ok()?;
     product.files.remove("index.html").map(|page| page.to_ascii_lowercase())
 }
 

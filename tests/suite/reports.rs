@@ -155,6 +155,8 @@ fn a_report_without_a_published_page_is_compared_in_all_other_files() {
     copy(&place.path("out"), &place.path("small/published"));
     place.run(["verify", "small", "-o", "made"]).expect_success();
     assert!(place.path("made/index.html").exists());
+    copy(&place.path("small"), &place.path("reports/of another name"));
+    place.run(["verify", "reports/of another name", "-o", "made"]).expect_success();
     place.write("small/published/index.html", "<html>");
     let ended = place.run(["verify", "small", "-o", "made"]);
     assert_eq!(ended.code, 1);

@@ -118,6 +118,7 @@ impl Premises {
             [name] if moves.contains(name) => {
                 format!("'{text}' is not linear in {name} with a factor that is never zero")
             }
+            [] if moving.is_some() => format!("'{text}' has no variable but the one that moves"),
             _ => format!("'{text}' is not linear in one of its variables with a factor that is never zero"),
         })?;
         let other = found.find(|other| other.variable != first.variable);
