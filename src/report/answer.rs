@@ -195,7 +195,8 @@ fn said(entry: &Entry) -> Option<String> {
         escape_markdown(found.split(';').next().unwrap_or_default().trim_end_matches('.'))
     };
     match entry.finding.verdict {
-        Verdict::Holds => Some(format!("“{words}” holds")),
+        Verdict::Holds if entry.finding.limit.is_none() => Some(format!("“{words}” holds")),
+        Verdict::Holds => Some(format!("“{words}” holds for {}", first(&entry.finding.limit))),
         Verdict::HoldsWithin => Some(format!("“{words}” holds within {}", first(&entry.finding.limit))),
         Verdict::Fails => Some(format!("“{words}” fails: {}", first(&entry.finding.counter_example))),
         Verdict::NotChecked => None,
@@ -206,6 +207,7 @@ fn said(entry: &Entry) -> Option<String> {
 mod tests {
     use super::*;
     use crate::claims::{Evidence, Finding};
+    use crate::report::changes::decided_by;
     use crate::scene::Sentence;
 
     fn entry(id: &str, finding: Finding) -> Entry {
@@ -229,6 +231,14 @@ mod tests {
             rests_on: Vec::new(),
             stated: None,
         }
+    }
+
+    #[test]
+    fn what_decides_is_the_first_clause_of_the_verdicts_own_words() {
+        let decided = |finding: Finding| decided_by(&entry("L3", finding));
+        assert_eq!(decided(Finding::failing("at V = 1.5: 2. More.")), "at V = 1.5: 2");
+        assert_eq!(decided(Finding::not_checked("no runs")), "no runs");
+        assert_eq!(decided(held()), "q: v");
     }
 
     fn subject(id: &str) -> Option<Subject> {

@@ -8,7 +8,7 @@ use crate::explorer::{LiveMap, Window, live_map, points};
 use crate::report::answer::answer;
 use crate::report::blocks::{BlockKind, Piece, pieces};
 use crate::report::certificates::Certificates;
-use crate::report::changes::{changes, decided_by};
+use crate::report::changes::{changes, decided_by, looked_at};
 use crate::report::citation::citation;
 use crate::report::claim_text::code_span;
 use crate::report::claims_picture::claims_picture;
@@ -212,7 +212,7 @@ fn claim_view(entry: &Entry, ledger: &Ledger, certificates: &Certificates<'_>, f
         place: entry.place.clone(),
         source: entry.sentence.source,
         kind_markdown: kind_words(&entry.sentence),
-        decided_markdown: decided_by(finding),
+        decided_markdown: decided_by(entry),
         statement_markdown: plain(&entry.words),
         acceptance_markdown: acceptance(entry),
         verdict: finding.verdict,
@@ -275,14 +275,6 @@ fn readings(entry: &Entry) -> Vec<ReadingView> {
         parts: reading.parts.iter().map(&mut part).collect(),
     };
     entry.finding.readings.iter().map(&mut reading).collect()
-}
-
-/// What was looked at. A statement over rows stands with its part already.
-fn looked_at(quantity: &str, entry: &Entry) -> String {
-    let parts = entry.stated.iter().flat_map(StatedClaim::parts);
-    let mut tables = parts.filter_map(|(_, formula)| Some((&formula.rows.as_ref()?.table, &formula.text)));
-    let table = tables.find(|(table, text)| quantity.strip_prefix(&format!("{table}: ")) == Some(text));
-    table.map_or_else(|| quantity.to_owned(), |(table, _)| format!("rows of {table}"))
 }
 
 fn evidence_view(evidence: &Evidence, entry: &Entry, certificates: &Certificates<'_>) -> EvidenceView {

@@ -29,13 +29,29 @@ pub(super) fn equations_of(file: &str, text: EquationsText) -> (Equations, Fault
     (equations, faults.iter().map(|fault| equation_fault(file, &fault.key, &fault.message)).collect())
 }
 
-/// What serde reads of a file; TOML that does not parse is a fault with its line.
+/// What serde reads of a file; TOML that does not parse is a fault with its line, and so is each unknown key.
 pub(super) fn read_toml<T: DeserializeOwned>(file: &str, bytes: &[u8]) -> Result<T, Faults> {
-    let text = file_text(file, bytes).map_err(|fault| vec![fault])?;
-    toml::from_str(text).map_err(|error| {
-        let line = error.span().map(|span| line_at(text.as_bytes(), span.start));
-        vec![equation_fault(file, "", error.message()).at(line)]
-    })
+    let mut text = file_text(file, bytes).map_err(|fault| vec![fault])?.to_owned();
+    let mut faults = Vec::new();
+    loop {
+        let error = match toml::from_str(&text) {
+            Ok(read) if faults.is_empty() => return Ok(read),
+            Ok(_) => return Err(faults),
+            Err(error) => error,
+        };
+        let start = error.span().map(|span| span.start);
+        let line = start.map(|start| line_at(text.as_bytes(), start));
+        faults.push(equation_fault(file, "", error.message()).at(line));
+        // An unknown key hides the faults after it: its line is left out, and the rest is read again.
+        let Some(start) = start.filter(|_| error.message().starts_with("unknown field")) else {
+            return Err(faults);
+        };
+        let length = text[start..].find('\n').unwrap_or(text.len() - start);
+        text.replace_range(start..start + length, "");
+        if text.parse::<toml::Table>().is_err() {
+            return Err(faults);
+        }
+    }
 }
 
 pub(super) fn equation_fault(file: &str, key: &str, message: &str) -> Fault {
@@ -57,9 +73,13 @@ mod tests {
     #[test]
     fn unknown_keys_are_refused() {
         let message = faults(&FILE.replace("note =", "nota ="));
+        assert!(message.starts_with("equations.toml:") && message.contains("nota"), "{message}");
+        assert_eq!(message.lines().count(), FILE.matches("note =").count());
+        let inline = faults("units = 3\nwrong = { x = 1 }\n[[equation]]\nother = [\n1]\n");
+        assert_eq!(inline.lines().count(), 2, "{inline}");
         assert!(
-            message.starts_with("equations.toml:") && message.contains("nota") && !message.contains('\n'),
-            "{message}"
+            inline.starts_with("equations.toml:2:") && inline.contains("\nequations.toml:4:"),
+            "{inline}"
         );
     }
 }

@@ -208,7 +208,7 @@ impl All<'_> {
             return found
                 .number("share", format!("{wrong} of {count}"))
                 .number("count", count.to_string())
-                .refuted(format!("in {wrong} of {count} {of}; the first: {}", first(Some(false), 1)));
+                .refuted(format!("false in {wrong} of {count} {of}; the first: {}", first(Some(false), 1)));
         }
         if open > 0 {
             let (why, most) = match with(None).all(|case| case.value.is_empty()) {

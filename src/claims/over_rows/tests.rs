@@ -230,14 +230,14 @@ fn a_group_without_a_certain_correlation_leaves_the_statement_open_unless_anothe
         assert!(told.contains(&format!("it is open; the first: {reason}")), "{text}: {told}");
     }
     let refuted = of(&wide, "value_m at each law > 0.5");
-    let told = "in 1 of 2 groups of rows; the first: 0.4472: law = slip";
+    let told = "false in 1 of 2 groups of rows; the first: 0.4472: law = slip";
     assert_eq!(refuted, (Verdict::Fails, told.to_owned()));
 }
 
 #[test]
 fn the_row_of_an_extreme_value_is_the_one_that_has_it() {
     let found = found_on(&GRID, "largest value_m at x = 1 within 0.1 at each law", Kind::Universal);
-    let told = "in 1 of 2 groups of rows; the first: at 2: law = slip, x = 2, y = 2, value_m = 40";
+    let told = "false in 1 of 2 groups of rows; the first: at 2: law = slip, x = 2, y = 2, value_m = 40";
     assert_eq!(found.counter_example.as_deref(), Some(told));
     let found = found_on(&GRID, "least value_m at y = 2 within 0.1 at each law", Kind::Universal);
     assert!(found.counter_example.unwrap().ends_with("at 1: law = slip, x = 1, y = 1, value_m = 10"));
