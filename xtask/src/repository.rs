@@ -139,8 +139,9 @@ mod tests {
         );
         complete(
             "xtask/tidy/refused_words.txt",
-            rows::<5>(include_str!("../tidy/refused_words.txt")).count(),
+            rows::<6>(include_str!("../tidy/refused_words.txt")).count(),
         );
+        complete("xtask/tidy/floors.txt", rows::<2>(include_str!("../tidy/floors.txt")).count());
         complete(
             "xtask/tidy/private_words.txt",
             rows::<2>(include_str!("../tidy/private_words.txt")).count(),

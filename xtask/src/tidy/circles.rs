@@ -2,9 +2,8 @@
 //!
 //! A file may import the modules that it stands in: what these share with the files inside them is left out.
 
-use super::Complaint;
 use super::imports::{Place, brought, follow, place, split_uses};
-use super::rust_source::RustSource;
+use super::source::Source;
 use crate::prelude::*;
 
 /// For each module its file, and the place of each name that it imports.
@@ -14,13 +13,12 @@ type Modules<'a> = BTreeMap<Place, (&'a str, BTreeMap<String, Place>)>;
 type Arrows<'a> = BTreeMap<&'a str, BTreeMap<&'a str, String>>;
 
 /// Complains about circles until the files that no complaint names are in none.
-pub fn check(sources: &[RustSource], found: &mut Vec<Complaint>) {
+pub fn check(sources: &[Source], found: &mut Vec<String>) {
     let mut arrows = arrows(sources);
     while let Some(circle) = circle(&mut arrows) {
         let next = circle.iter().cycle().skip(1);
         let ties = circle.iter().zip(next).map(|(from, to)| format!(" -> {to} (`{}`)", arrows[from][to]));
-        let message = format!("a circle of imports: {}{}", circle[0], ties.collect::<String>());
-        found.push(Complaint { path: circle[0].to_owned(), line: 0, message });
+        found.push(format!("{0}: a circle of imports: {0}{1}", circle[0], ties.collect::<String>()));
         arrows.retain(|file, _| !circle.contains(file));
     }
 }
@@ -44,10 +42,10 @@ fn circle<'a>(arrows: &mut Arrows<'a>) -> Option<Vec<&'a str>> {
     Some(walk.split_off(walk.iter().position(|file| *file == next)?))
 }
 
-fn arrows<'a>(sources: &'a [RustSource]) -> Arrows<'a> {
+fn arrows<'a>(sources: &'a [Source]) -> Arrows<'a> {
     let (mut modules, mut paths) = (Modules::new(), Vec::new());
     for source in sources {
-        let Some(place) = place(&source.file.path) else { continue };
+        let Some(place) = place(&source.path) else { continue };
         let code: String = source.lines_outside_tests().map(|(_, code, _)| format!("{code}\n")).collect();
         let (uses, rest) = split_uses(&code);
         let imported: BTreeMap<_, _> = uses.iter().flat_map(|tree| brought(tree, &place)).collect();
@@ -55,7 +53,7 @@ fn arrows<'a>(sources: &'a [RustSource]) -> Arrows<'a> {
         let inline: BTreeSet<&str> = rest.split(is_end).filter(|path| path.contains("::")).collect();
         let inline = inline.into_iter().map(|path| follow(&place, path));
         paths.extend(imported.values().cloned().chain(inline).map(|path| (place.clone(), path)));
-        modules.insert(place, (source.file.path.as_str(), imported));
+        modules.insert(place, (source.path.as_str(), imported));
     }
     let mut arrows = Arrows::new();
     for (from, path) in paths {
@@ -81,16 +79,13 @@ fn resolve<'m>(modules: &'m Modules, path: &[String]) -> Option<(&'m Place, Stri
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::tidy::TextFile;
 
     /// The complaints about the files of a crate.
     fn complaints(files: &[[&str; 2]]) -> Vec<String> {
-        let file =
-            |[path, text]: &[&str; 2]| TextFile { path: format!("src/{path}"), text: (*text).to_owned() };
-        let files: Vec<TextFile> = files.iter().map(file).collect();
+        let sources = files.iter().map(|[path, text]| Source::new(&format!("src/{path}"), *text));
         let mut found = Vec::new();
-        check(&files.iter().map(RustSource::new).collect::<Vec<_>>(), &mut found);
-        found.into_iter().map(|complaint| complaint.message).collect()
+        check(&sources.collect::<Vec<_>>(), &mut found);
+        found
     }
 
     #[test]
@@ -104,7 +99,7 @@ mod tests {
     fn circles_are_refused_with_the_names_that_tie_them() {
         let through_paths =
             [["a.rs", "fn f() { crate::b::g() }"], ["b.rs", "use crate::{a::{F, G as H}, c};"]];
-        let tied = "a circle of imports: src/a.rs -> src/b.rs (`g`) -> src/a.rs (`G`)";
+        let tied = "src/a.rs: a circle of imports: src/a.rs -> src/b.rs (`g`) -> src/a.rs (`G`)";
         assert_eq!(complaints(&through_paths), [tied]);
         let handed_on = [
             ["a/mod.rs", "mod b;\nmod c;\npub use b::B;"],

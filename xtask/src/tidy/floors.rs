@@ -1,26 +1,15 @@
-//! The floors: a module imports lower floors only. The table below is the one place that says which is which.
+//! The floors: a module imports lower floors only. `xtask/tidy/floors.txt` is the one place that says which is which.
 
-use super::Complaint;
 use super::imports::brought;
-use super::rust_source::{RustSource, word_positions};
+use super::source::{Source, word_positions};
 use crate::prelude::*;
 
-/// The source folder of each library with its top modules, from the lowest floor to the highest; modules on one floor may not import
-/// each other. What one library may take from another is in its `Cargo.toml`.
-const LIBRARIES: [[&str; 2]; 3] = [
-    ["crates/core/src/", "number < roots < friction < stability dynamics < checked"],
-    ["crates/plot/src/", "table < figure"],
-    [
-        "src/",
-        "parallel < scene < sweep comparison fitting < csv experiments < explorer claims charts < theorems < report < archive < cli < main",
-    ],
-];
+const LIBRARIES: &str = include_str!("../../tidy/floors.txt");
 
 /// Complains about imports of an equal or higher floor, and about paths that hide their floor.
-pub fn check(source: &RustSource, found: &mut Vec<Complaint>) {
-    let inside =
-        |[folder, floors]: &[&'static str; 2]| Some((*floors, source.file.path.strip_prefix(folder)?));
-    let Some((floors, inside)) = LIBRARIES.iter().find_map(inside) else { return };
+pub fn check(source: &Source, found: &mut Vec<String>) {
+    let inside = |[folder, floors]: [&'static str; 2]| Some((floors, source.path.strip_prefix(folder)?));
+    let Some((floors, inside)) = rows(LIBRARIES).find_map(inside) else { return };
     let module = inside.split('/').next().unwrap_or(inside).trim_end_matches(".rs");
     // The library's root stands on no floor.
     if module == "lib" {
@@ -28,7 +17,7 @@ pub fn check(source: &RustSource, found: &mut Vec<Complaint>) {
     }
     let Some(height) = floor(floors, module) else {
         let message = format!("module `{module}` has no floor in the table of xtask tidy");
-        return found.push(source.file.complaint(0, message));
+        return found.push(source.complaint(0, message));
     };
     for (position, name) in imports(&source.code) {
         let message = match floor(floors, &name) {
@@ -37,20 +26,20 @@ pub fn check(source: &RustSource, found: &mut Vec<Complaint>) {
             Some(_) => format!("`{module}` may not import `{name}`, which is not on a lower floor"),
             None => format!("`{name}` is not a floor: name the module that holds it"),
         };
-        found.push(source.file.complaint(source.line_at(position), message));
+        found.push(source.complaint(source.line_at(position), message));
     }
     let depth = inside.matches('/').count() + 1 - usize::from(inside.ends_with("/mod.rs"));
     check_super(source, depth, found);
 }
 
 /// A chain of `super` that is as long as the module is deep reaches the crate's root, where every floor is.
-fn check_super(source: &RustSource, depth: usize, found: &mut Vec<Complaint>) {
+fn check_super(source: &Source, depth: usize, found: &mut Vec<String>) {
     for (number, code, _) in source.lines() {
-        let in_test_module = source.is_test_line(number) && !source.file.path.ends_with("/tests.rs");
+        let in_test_module = source.is_test_line(number) && !source.path.ends_with("/tests.rs");
         let chain = "super::".repeat(depth + usize::from(in_test_module));
         if code.contains(&chain) {
             let message = "write the path from `crate::`, so that its floor can be seen";
-            found.push(source.file.complaint(number, message));
+            found.push(source.complaint(number, message));
         }
     }
 }

@@ -5,9 +5,8 @@ pub type Place = Vec<String>;
 
 /// The place of the module in a file of a crate.
 pub fn place(path: &str) -> Option<Place> {
-    let (folder, module) = path.split_at(path.find("src/")? + "src/".len());
-    let parts =
-        module.trim_end_matches(".rs").split('/').filter(|part| !["lib", "main", "mod"].contains(part));
+    let (folder, module) = path.strip_suffix(".rs")?.split_at(path.find("src/")? + "src/".len());
+    let parts = module.split('/').filter(|part| !["lib", "main", "mod"].contains(part));
     Some([folder].into_iter().chain(parts).map(str::to_owned).collect())
 }
 

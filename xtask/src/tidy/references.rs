@@ -1,14 +1,14 @@
 //! What is named exists, and what exists is named: links between files, and data that tests read.
 
-use super::{Complaint, TextFile};
+use super::source::Source;
 use crate::prelude::*;
 
 /// Folders whose every file some test has to read.
 const TEST_DATA: [&str; 3] = ["tests/data/", "tests/golden/", "tests/vectors/"];
 
 /// Complains about files of test data that no Rust file mentions, by name or by the folder that a test walks.
-pub fn check_data_is_read(files: &[TextFile], paths: &[String], found: &mut Vec<Complaint>) {
-    let sources = || files.iter().filter(|file| file.has_extension("rs") && !file.path.starts_with("xtask/"));
+pub fn check_data_is_read(files: &[Source], paths: &[String], found: &mut Vec<String>) {
+    let sources = || files.iter().filter(|file| file.is_rust() && !file.path.starts_with("xtask/"));
     for path in paths {
         let Some(inside) = TEST_DATA.iter().find_map(|folder| path.strip_prefix(folder)) else { continue };
         if inside.ends_with(".md") || inside.ends_with(".py") {
@@ -18,15 +18,14 @@ pub fn check_data_is_read(files: &[TextFile], paths: &[String], found: &mut Vec<
         let walked = &path["tests/".len()..path.len() - "/".len() - name.len()];
         let is_mentioned = |text: &str| text.contains(name) || !folder.is_empty() && text.contains(walked);
         if !sources().any(|source| is_mentioned(&source.text)) {
-            let message = "no test mentions this file: read it or delete it".into();
-            found.push(Complaint { path: path.clone(), line: 0, message });
+            found.push(format!("{path}: no test mentions this file: read it or delete it"));
         }
     }
 }
 
 /// Complains about links in a Markdown file to files that do not exist.
-pub fn check_links(file: &TextFile, paths: &[String], found: &mut Vec<Complaint>) {
-    if !file.has_extension("md") {
+pub fn check_links(file: &Source, paths: &[String], found: &mut Vec<String>) {
+    if !file.path.ends_with(".md") {
         return;
     }
     let known = with_folders(paths);
@@ -87,6 +86,7 @@ fn resolve(from: &str, target: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::tidy::lines_of;
 
     fn paths() -> Vec<String> {
         ["README.md", "docs/a.md", "tests/vectors/a.txt", "tests/golden/run/b.csv", "tests/data/wrong/c.csv"]
@@ -95,16 +95,13 @@ mod tests {
     }
 
     fn links(path: &str, text: &str) -> Vec<usize> {
-        let mut found = Vec::new();
-        check_links(&TextFile { path: path.into(), text: text.into() }, &paths(), &mut found);
-        found.iter().map(|complaint| complaint.line).collect()
+        lines_of(path, text, |file, found| check_links(file, &paths(), found))
     }
 
     fn unread(test: &str) -> Vec<String> {
-        let files = [TextFile { path: "tests/suite/a.rs".into(), text: test.into() }];
         let mut found = Vec::new();
-        check_data_is_read(&files, &paths(), &mut found);
-        found.into_iter().map(|complaint| complaint.path).collect()
+        check_data_is_read(&[Source::new("tests/suite/a.rs", test)], &paths(), &mut found);
+        found.iter().map(|complaint| complaint.split(": ").next().unwrap().to_owned()).collect()
     }
 
     #[test]

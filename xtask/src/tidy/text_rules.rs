@@ -1,15 +1,10 @@
-//! Rules for every text file: clean line ends, no notes to oneself, nothing that belongs to one machine.
+//! Rules for every text file: clean line ends, and nothing that belongs to one machine.
 
-use super::{Complaint, TextFile};
+use super::source::Source;
 use crate::prelude::*;
-
-const UNFINISHED_WORDS: [&str; 4] = ["TODO", "FIXME", "XXX", "HACK"];
 
 /// First folders of absolute paths that exist on one machine only; the checkout's own path is another.
 const MACHINE_FOLDERS: [&str; 3] = ["root", "home", "Users"];
-
-/// Hosts of package registries: a mirror's name belongs to a machine, and the default needs no mention.
-const REGISTRY_HOSTS: [&str; 5] = ["crates.io", "pypi.org", "npmjs", "proxy.golang", "artifactory"];
 
 /// The source of every package in the lock file.
 const LOCK_SOURCE: &str = "source = \"registry+https://github.com/rust-lang/crates.io-index\"";
@@ -18,56 +13,37 @@ const LOCK_SOURCE: &str = "source = \"registry+https://github.com/rust-lang/crat
 const GENERATED: [&str; 6] =
     ["/published/", "tests/golden/", "proptest-regressions", "/snapshots/", "LICENSE-", "COPYING"];
 
-/// Checks all rules of this file; written-by-program files and this rule's own words are exempt where it says so.
-pub fn check(file: &TextFile, found: &mut Vec<Complaint>) {
+/// Checks all rules of this file; written-by-program files are exempt where it says so.
+pub fn check(file: &Source, found: &mut Vec<String>) {
     let is_lock = file.path == "Cargo.lock" || file.path.ends_with("/Cargo.lock");
     let is_ours = !is_lock && !GENERATED.iter().any(|part| file.path.contains(part));
-    let holds_the_words = file.path == "xtask/src/tidy/text_rules.rs";
+    let folders = machine_folders();
     // Not `lines()`, which would hide a carriage return.
     for (index, line) in file.text.split('\n').enumerate() {
-        let message = if is_lock {
-            let is_foreign = line.starts_with("source = ") && line != LOCK_SOURCE;
-            is_foreign.then(|| "a package from elsewhere than the default registry".into())
-        } else if holds_the_words {
-            None
-        } else {
-            unfinished_word(line).or_else(|| machine_path(line))
-        };
-        let space = whitespace(line).filter(|_| is_ours).map(String::from);
-        found.extend(space.into_iter().chain(message).map(|message| file.complaint(index + 1, message)));
+        let mut complain = |message: &str| found.push(file.complaint(index + 1, message));
+        match line {
+            _ if !is_ours => {}
+            _ if line.contains('\t') => complain("a tab: indent with spaces"),
+            _ if line.ends_with([' ', '\r']) => complain("trailing whitespace"),
+            _ => {}
+        }
+        if is_lock && line.starts_with("source = ") && line != LOCK_SOURCE {
+            complain("a package from elsewhere than the default registry");
+        }
+        if let Some(folder) = folders.iter().find(|folder| !is_lock && is_absolute_below(line, folder)) {
+            complain(&format!("an absolute path of one machine, below `{folder}`"));
+        }
     }
     if is_ours && !file.text.is_empty() && (!file.text.ends_with('\n') || file.text.ends_with("\n\n")) {
         found.push(file.complaint(0, "a text file ends with exactly one line break"));
     }
 }
 
-fn whitespace(line: &str) -> Option<&'static str> {
-    match line {
-        _ if line.contains('\t') => Some("a tab: indent with spaces"),
-        _ if line.ends_with([' ', '\r']) => Some("trailing whitespace"),
-        _ => None,
-    }
-}
-
-fn unfinished_word(line: &str) -> Option<String> {
-    let words = line.split(|c: char| !c.is_alphanumeric() && c != '_');
-    let word = UNFINISHED_WORDS.iter().find(|unfinished| words.clone().any(|word| word == **unfinished))?;
-    Some(format!("`{word}`: do it or drop it"))
-}
-
-fn machine_path(line: &str) -> Option<String> {
-    if let Some(host) = REGISTRY_HOSTS.iter().find(|host| line.contains(**host)) {
-        return Some(format!("a registry's host, `{host}`"));
-    }
-    let folder = machine_folders().into_iter().find(|folder| is_absolute_below(line, folder))?;
-    Some(format!("an absolute path of one machine, below `{folder}`"))
-}
-
+/// These folders; the root of a checkout may be the machine's.
 fn machine_folders() -> Vec<String> {
     let checkout = root().to_string_lossy().trim_matches('/').to_string();
-    let mut folders = Vec::from(MACHINE_FOLDERS.map(String::from));
-    folders.extend((!checkout.is_empty()).then_some(checkout));
-    folders
+    let folders = MACHINE_FOLDERS.map(String::from).into_iter().chain([checkout]);
+    folders.filter(|folder| !folder.is_empty()).collect()
 }
 
 /// Whether the line has a path that begins at the root with this folder and goes on.
@@ -83,17 +59,18 @@ fn is_absolute_below(line: &str, folder: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::tidy::{lines_of, words};
 
     fn complaints(path: &str, text: &str) -> Vec<usize> {
-        let file = TextFile { path: path.into(), text: text.into() };
-        let mut found = Vec::new();
-        check(&file, &mut found);
-        found.iter().map(|complaint| complaint.line).collect()
+        lines_of(path, text, |file, found| {
+            check(file, found);
+            words::check(file, found);
+        })
     }
 
     #[test]
     fn clean_text_passes() {
-        let [word, folder] = [UNFINISHED_WORDS[0], MACHINE_FOLDERS[0]];
+        let [word, folder] = [words::of("drop it"), MACHINE_FOLDERS[0]];
         let good = format!(
             "a/{folder}/x {word}S to-do ~/{folder}/x $HOME/.cache \"https://a.org/{folder}/x\"\n\nend\n"
         );
@@ -109,7 +86,7 @@ mod tests {
 
     #[test]
     fn unfinished_words_machine_paths_and_hosts_are_refused() {
-        let [word, host] = [UNFINISHED_WORDS[0], REGISTRY_HOSTS[0]];
+        let [word, host] = [words::of("drop it"), words::of("registry")];
         for bad in [format!("// {word}: x\n"), format!("// see {host}\n")] {
             assert_eq!(complaints("a.rs", &bad), [1], "{bad}");
         }

@@ -1,9 +1,9 @@
 //! Templates hold strings: no numbers are computed in them.
 
-use super::{Complaint, TextFile};
+use super::source::Source;
 
 /// Complains about arithmetic between the delimiters of a template.
-pub fn check_template(file: &TextFile, found: &mut Vec<Complaint>) {
+pub fn check(file: &Source, found: &mut Vec<String>) {
     if !file.path.starts_with("templates/") {
         return;
     }
@@ -36,21 +36,15 @@ fn has_arithmetic(inside: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn template(text: &str) -> Vec<usize> {
-        let file = TextFile { path: "templates/a.html".into(), text: text.into() };
-        let mut found = Vec::new();
-        check_template(&file, &mut found);
-        found.iter().map(|complaint| complaint.line).collect()
-    }
+    use crate::tidy::lines_of;
 
     #[test]
     fn a_template_prints_and_never_computes() {
         let good =
             "<a href=\"x-y\">\n{%- for row in rows -%}{{ row.name | join(sep=\"-\") }}{% endfor %} 1 + 1";
-        assert_eq!(template(good), [0; 0]);
+        assert_eq!(lines_of("templates/a.html", good, check), [0; 0]);
         for bad in ["\n{{ a * b }}", "\n{{ loop.index0 + 1 }}", "\n{% set x = a-b %}", "\n{%- if a / b -%}"] {
-            assert_eq!(template(bad), [2], "{bad}");
+            assert_eq!(lines_of("templates/a.html", bad, check), [2], "{bad}");
         }
     }
 }

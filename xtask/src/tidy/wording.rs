@@ -1,7 +1,6 @@
 //! Plain words: private words of this project are refused where users and reviewers read.
 
-use super::rust_source::{RustSource, word_positions};
-use super::{Complaint, TextFile};
+use super::source::{Source, word_positions};
 use crate::prelude::*;
 
 /// Private words, each with the words that readers know.
@@ -10,24 +9,18 @@ const PRIVATE: &str = include_str!("../../tidy/private_words.txt");
 /// Folders and files whose every sentence is for readers.
 const READ: &str = "README.md ARCHITECTURE.md CONTRIBUTING.md CHANGELOG.md docs/ examples/ templates/ tests/vectors/README.md";
 
-/// Complains about private words in documentation, prose and templates; code spans are exempt.
-pub fn check_text(file: &TextFile, found: &mut Vec<Complaint>) {
-    let is_prose = file.path.starts_with("reports/") && file.path.contains("/prose/");
-    if !is_prose && !READ.split(' ').any(|place| file.path.starts_with(place)) {
-        return;
-    }
-    for (index, line) in file.text.lines().enumerate() {
-        complain(file, index + 1, line, found);
-    }
-}
-
-/// Complains about private words in the help texts, messages and comments of the command line.
+/// Complains about private words in documentation, prose and templates, and in the help texts, messages and comments of the command line.
 ///
-/// A string that is a single word is exempt: it names a column or a key.
-pub fn check_command_line(source: &RustSource, found: &mut Vec<Complaint>) {
-    let is_checked = source.file.path.starts_with("src/cli/");
-    for (number, code, text) in source.lines_outside_tests().filter(|_| is_checked) {
-        complain(source.file, number, &words_of(code, text), found);
+/// Code spans are exempt, and a string that is a single word: it names a column or a key.
+pub fn check(file: &Source, found: &mut Vec<String>) {
+    let path = file.path.as_str();
+    let is_prose = path.starts_with("reports/") && path.contains("/prose/");
+    if is_prose || READ.split(' ').any(|place| path.starts_with(place)) {
+        (1..).zip(file.text.lines()).for_each(|(number, line)| complain(file, number, line, found));
+    } else if path.starts_with("src/cli/") {
+        for (number, code, text) in file.lines_outside_tests() {
+            complain(file, number, &words_of(code, text), found);
+        }
     }
 }
 
@@ -37,10 +30,10 @@ fn words_of(code: &str, text: &str) -> String {
     code.chars().zip(text.chars()).map(kept).collect()
 }
 
-fn complain(file: &TextFile, line_number: usize, line: &str, found: &mut Vec<Complaint>) {
+fn complain(file: &Source, number: usize, line: &str, found: &mut Vec<String>) {
     let prose = line.split('`').step_by(2).collect::<Vec<_>>().join("`").to_lowercase();
     for [private, plain] in rows(PRIVATE).filter(|[private, _]| has_words(&prose, private)) {
-        found.push(file.complaint(line_number, format!("`{private}` is a private word: write {plain}")));
+        found.push(file.complaint(number, format!("`{private}` is a private word: write {plain}")));
     }
 }
 
@@ -57,9 +50,7 @@ mod tests {
     use crate::tidy::lines_of;
 
     fn complaints(path: &str, text: &str) -> Vec<usize> {
-        let mut found = Vec::new();
-        check_text(&TextFile { path: path.into(), text: text.into() }, &mut found);
-        found.iter().map(|complaint| complaint.line).collect()
+        lines_of(path, text, check)
     }
 
     #[test]
@@ -84,12 +75,11 @@ mod tests {
 
     #[test]
     fn help_texts_messages_and_comments_of_the_command_line_are_checked() {
-        let lines = |path: &str, text: &str| lines_of(path, text, check_command_line);
         assert_eq!(
-            lines("src/cli/a.rs", "/// A lap\nlet lap = \"rung\";\nlet x = \"no rung here\"; // told\n"),
+            complaints("src/cli/a.rs", "/// A lap\nlet lap = \"rung\";\nlet x = \"no rung here\"; // told\n"),
             [1, 3, 3]
         );
-        assert_eq!(lines("src/roots/a.rs", "/// A lap\n"), [0; 0]);
-        assert_eq!(lines("src/cli/a.rs", "#[cfg(test)]\nmod tests {\n    // told\n}\n"), [0; 0]);
+        assert_eq!(complaints("src/roots/a.rs", "/// A lap\n"), [0; 0]);
+        assert_eq!(complaints("src/cli/a.rs", "#[cfg(test)]\nmod tests {\n    // told\n}\n"), [0; 0]);
     }
 }

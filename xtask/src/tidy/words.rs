@@ -1,76 +1,68 @@
-//! Rules for every Rust file: a header, one subject's length, and words that have no place, or one place only.
+//! Words that have no place, or one place only; and for every Rust file a header and one subject's length.
 
-use super::Complaint;
-use super::rust_source::{RustSource, word_positions};
+use std::borrow::Cow;
+
+use super::source::{Source, word_positions};
 use crate::prelude::*;
 
 const LONGEST_FILE: usize = 600;
 
-/// Words of code that are refused in some places.
+/// Words that are refused in some places.
 const RULES: &str = include_str!("../../tidy/refused_words.txt");
 
-const NO_CLAIM: &str = "the program knows no claim: its words, criterion and procedure stand in claims.toml";
-const NO_EQUATION: &str =
-    "the program knows no number of an equation: texts name its role in braces (`scene::cited`)";
-
-/// Checks all rules of this file.
-pub fn check(source: &RustSource, found: &mut Vec<Complaint>) {
-    let path = source.file.path.as_str();
-    if !source.file.text.starts_with("//!") {
-        found.push(source.file.complaint(1, "a file starts with `//!` and its one subject"));
-    }
-    let lines = source.file.text.lines().count();
-    if lines > LONGEST_FILE {
-        let message = format!("{lines} lines (at most {LONGEST_FILE}): split by subject");
-        found.push(source.file.complaint(0, message));
-    }
+/// Complains about refused words.
+pub fn check(file: &Source, found: &mut Vec<String>) {
+    let path = file.path.as_str();
     let is_library =
         path.starts_with("crates/") && path.contains("/src/") && !path.starts_with("crates/bench/");
-    let is_program = is_library || path.starts_with("src/");
+    let is_program = file.is_rust() && (is_library || path.starts_with("src/"));
     let is_in = |places: &str| {
-        let is_below = |place| place == "*" || path.starts_with(place) || place == "program" && is_program;
+        let is_below = |place: &str| match place {
+            "*" => true,
+            "program" => is_program,
+            // At any depth.
+            _ if place.starts_with('/') => path.ends_with(place),
+            _ => path.starts_with(place),
+        };
         places.split(' ').any(is_below)
     };
-    for [words, places, except, tests, message] in rows(RULES) {
+    for [words, view, places, except, tests, message] in rows(RULES) {
         if !is_in(places) || is_in(except) {
             continue;
         }
-        let is_checked = |number| tests == "with tests" || !source.is_test_line(number);
-        for (number, code, _) in source.lines().filter(|(number, ..)| is_checked(*number)) {
-            for word in words.split(' ').filter(|word| word_positions(code, word).next().is_some()) {
-                found.push(source.file.complaint(number, format!("`{word}`: {message}")));
+        let text = if view == "code" { &file.code } else { &file.text };
+        for (number, line) in (1..).zip(text.lines()) {
+            if tests == "without tests" && file.is_test_line(number) {
+                continue;
+            }
+            let line = match view {
+                "before comments" => line.split("//").next().unwrap_or_default().to_lowercase().into(),
+                _ => Cow::from(line),
+            };
+            for word in words.split(", ").filter(|word| word_positions(&line, word).next().is_some()) {
+                found.push(file.complaint(number, message.replace("{}", word.trim_matches('*'))));
             }
         }
     }
-    for (number, _, text) in source.lines_outside_tests().filter(|_| is_program) {
-        let claim = names_claim(text).then_some(NO_CLAIM);
-        let messages = claim.into_iter().chain(cites_equation(text).then_some(NO_EQUATION));
-        found.extend(messages.map(|message| source.file.complaint(number, message)));
+}
+
+/// Complains about a Rust file without a header and about a long one.
+pub fn check_file(file: &Source, found: &mut Vec<String>) {
+    if !file.text.starts_with("//!") {
+        found.push(file.complaint(1, "a file starts with `//!` and its one subject"));
+    }
+    let lines = file.text.lines().count();
+    if lines > LONGEST_FILE {
+        let message = format!("{lines} lines (at most {LONGEST_FILE}): split by subject");
+        found.push(file.complaint(0, message));
     }
 }
 
-/// Whether a claim of the first paper's report is named: `"B8"`, or `claim B8`.
-fn names_claim(text: &str) -> bool {
-    ["\"", "claim ", "claims "].iter().any(|mark| text.split(mark).skip(1).any(is_claim))
-}
-
-/// Whether a text cites an equation of the first paper by its number. A comment may: it says where a formula comes from.
-fn cites_equation(text: &str) -> bool {
-    let text = text.split("//").next().unwrap_or_default().to_lowercase();
-    ["eq ", "eqs ", "equation ", "equations "].iter().any(|mark| {
-        text.match_indices(mark).any(|(at, _)| {
-            let is_whole = !text[..at].ends_with(|c: char| c.is_alphanumeric() || c == '_');
-            is_whole && text[at + mark.len()..].starts_with(|c: char| c.is_ascii_digit())
-        })
-    })
-}
-
-/// Whether a text begins with the id of such a claim.
-fn is_claim(text: &str) -> bool {
-    let digits = text.strip_prefix(['F', 'L', 'S', 'B', 'Q', 'Z', 'N', 'X']).unwrap_or_default();
-    let rest = digits.trim_start_matches(|c: char| c.is_ascii_digit());
-    (1..=2).contains(&(digits.len() - rest.len()))
-        && !rest.starts_with(|c: char| c.is_alphanumeric() || c == '_')
+/// The first word of the rule whose reason has these words.
+#[cfg(test)]
+pub fn of(reason: &str) -> &'static str {
+    let rule = rows(RULES).find(|[.., message]: &[&str; 6]| message.contains(reason)).unwrap();
+    rule[0].split(", ").next().unwrap().trim_matches('*')
 }
 
 #[cfg(test)]
@@ -79,7 +71,10 @@ mod tests {
     use crate::tidy::lines_of;
 
     fn complaints(path: &str, text: &str) -> Vec<usize> {
-        lines_of(path, text, check)
+        lines_of(path, text, |file, found| {
+            check_file(file, found);
+            check(file, found);
+        })
     }
 
     #[test]
@@ -97,8 +92,7 @@ mod tests {
 
     #[test]
     fn unfinished_code_is_refused_in_tests_too() {
-        let [refused, ..]: [&str; 5] = rows(RULES).next().unwrap();
-        for refused in refused.split(' ') {
+        for refused in ["todo!", "unimplemented!", "dbg!", "#[ignore"] {
             let bad = format!("//!\nfn f() {{ {refused}() }}");
             assert_eq!(complaints("tests/suite/a.rs", &bad), [2], "{bad}");
         }

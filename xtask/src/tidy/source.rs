@@ -1,34 +1,60 @@
-//! A Rust file with comments and literals blanked out, so that a rule sees code only.
+//! The text files of the repository; of Rust files the code too, with comments and literals blanked out, so that a rule sees code only.
 
-use super::TextFile;
+use std::fmt::Display;
 
-/// A Rust file, its code and which of its lines are tests.
+use crate::prelude::*;
+
+/// A text file, its code when it is Rust, and which of its lines are tests.
 #[derive(Debug)]
-pub struct RustSource<'a> {
-    /// The file as it is.
-    pub file: &'a TextFile,
-    /// The same text with the insides of comments, strings and characters replaced by spaces; lines are kept.
+pub struct Source {
+    /// Relative to the root, with `/`.
+    pub path: String,
+    /// The whole content.
+    pub text: String,
+    /// The same text with the insides of comments, strings and characters replaced by spaces; lines are kept. Empty unless it is Rust.
     pub code: String,
     /// For each line, whether it belongs to tests.
     is_test: Vec<bool>,
 }
 
-impl<'a> RustSource<'a> {
+/// Reads every file that is text; binary files (fonts, archives) have no rules here. Files that another declares as tests are marked so.
+pub fn read(paths: &[String]) -> Result<Vec<Source>> {
+    let mut sources = Vec::new();
+    for path in paths {
+        let place = root().join(path);
+        let text = String::from_utf8(fs::read(&place).map_err(at(&place))?);
+        sources.extend(text.ok().map(|text| Source::new(path, text)));
+    }
+    let tests: BTreeSet<String> = sources.iter().flat_map(Source::test_modules).collect();
+    for source in sources.iter_mut().filter(|source| tests.contains(&source.path)) {
+        source.is_test.fill(true);
+    }
+    Ok(sources)
+}
+
+impl Source {
     /// Blanks comments and literals and finds the tests.
-    pub fn new(file: &'a TextFile) -> Self {
-        let code = blank(&file.text);
-        let is_test = test_lines(&file.path, &code);
-        Self { file, code, is_test }
+    pub fn new(path: &str, text: impl Into<String>) -> Self {
+        let text = text.into();
+        let code = if path.ends_with(".rs") { blank(&text) } else { String::new() };
+        let is_test = test_lines(path, &code);
+        Self { path: path.to_owned(), text, code, is_test }
     }
 
-    /// Marks the whole file as tests, as its parent module declares it.
-    pub fn set_all_tests(&mut self) {
-        self.is_test.fill(true);
+    /// Whether this is a file of Rust.
+    pub fn is_rust(&self) -> bool {
+        self.path.ends_with(".rs")
+    }
+
+    /// A complaint about one line of this file, counted from 1; 0 is the file as a whole.
+    pub fn complaint(&self, line: usize, message: impl Display) -> String {
+        let place = if line == 0 { String::new() } else { format!(":{line}") };
+        format!("{}{place}: {message}", self.path)
     }
 
     /// The paths that this file's `#[cfg(test)] mod name;` declarations may mean.
-    pub fn test_modules(&self) -> Vec<String> {
-        let path = self.file.path.as_str();
+    fn test_modules(&self) -> Vec<String> {
+        let path = self.path.as_str();
         let (folder, name) = path.rsplit_once('/').unwrap_or(("", path));
         let folder = match name {
             "mod.rs" | "lib.rs" | "main.rs" => folder.to_string(),
@@ -43,7 +69,7 @@ impl<'a> RustSource<'a> {
 
     /// Number (from 1), code and original text of each line.
     pub fn lines(&self) -> impl Iterator<Item = (usize, &str, &str)> {
-        self.code.lines().zip(self.file.text.lines()).enumerate().map(|(n, (code, text))| (n + 1, code, text))
+        self.code.lines().zip(self.text.lines()).enumerate().map(|(n, (code, text))| (n + 1, code, text))
     }
 
     /// The same without the lines that belong to tests.
@@ -56,7 +82,7 @@ impl<'a> RustSource<'a> {
         self.is_test.get(number - 1).copied().unwrap_or(false)
     }
 
-    /// The line (from 1) that holds a byte position of [`RustSource::code`].
+    /// The line (from 1) that holds a byte position of [`Source::code`].
     pub fn line_at(&self, position: usize) -> usize {
         self.code[..position].matches('\n').count() + 1
     }
@@ -64,12 +90,17 @@ impl<'a> RustSource<'a> {
 
 const TEST_MARKER: &str = "#[cfg(test)]";
 
-/// Byte positions of a word in code, where neither neighbour continues an identifier of the word.
-pub fn word_positions<'a>(code: &'a str, word: &'a str) -> impl Iterator<Item = usize> + 'a {
-    code.match_indices(word).map(|(position, _)| position).filter(move |position| {
-        let (before, after) = (&code[..*position], &code[position + word.len()..]);
-        let (begins_inside, ends_inside) = (before.ends_with(is_part), after.starts_with(is_part));
-        !(begins_inside && word.starts_with(is_part) || ends_inside && word.ends_with(is_part))
+/// Byte positions of a word, where neither neighbour continues an identifier of the word. A `*` at an end permits any neighbour there; a
+/// `0` at the end stands for a number.
+pub fn word_positions<'a>(text: &'a str, word: &'a str) -> impl Iterator<Item = usize> + 'a {
+    let (fixed, has_number) = (word.trim_matches(['*', '0']), word.contains('0'));
+    text.match_indices(fixed).map(|(position, _)| position).filter(move |position| {
+        let (before, after) = (&text[..*position], &text[position + fixed.len()..]);
+        let rest = after.trim_start_matches(|c: char| has_number && c.is_ascii_digit());
+        let (begins_inside, ends_inside) = (before.ends_with(is_part), rest.starts_with(is_part));
+        let is_whole =
+            !(begins_inside && word.starts_with(is_part) || ends_inside && word.ends_with(is_part));
+        is_whole && has_number == (rest.len() < after.len())
     })
 }
 
@@ -180,12 +211,8 @@ mod tests {
 
     #[test]
     fn test_modules_end_at_their_brace() {
-        let file = TextFile {
-            path: "src/x.rs".into(),
-            text: "fn a() {}\n#[cfg(test)]\nmod tests {\n  fn b() {}\n}\nfn c() {}\n#[cfg(test)]\nmod more;\nfn d() {}\n"
-                .into(),
-        };
-        let source = RustSource::new(&file);
+        let text = "fn a() {}\n#[cfg(test)]\nmod tests {\n  fn b() {}\n}\nfn c() {}\n#[cfg(test)]\nmod more;\nfn d() {}\n";
+        let source = Source::new("src/x.rs", text);
         let outside: Vec<usize> = source.lines_outside_tests().map(|(number, _, _)| number).collect();
         assert_eq!(outside, [1, 6, 9]);
     }
@@ -193,8 +220,7 @@ mod tests {
     #[test]
     fn a_file_may_be_declared_as_tests_by_its_parent() {
         let text = "#[cfg(test)]\npub(crate) mod sample;\nmod other;\n#[cfg(test)]\nmod tests { mod x; }\n";
-        let file = TextFile { path: "src/plot/mod.rs".into(), text: text.into() };
-        let found = RustSource::new(&file).test_modules();
+        let found = Source::new("src/plot/mod.rs", text).test_modules();
         assert_eq!(found[..2], ["src/plot/sample.rs", "src/plot/sample/mod.rs"]);
         assert!(!found.iter().any(|path| path.contains("other")));
     }
@@ -202,5 +228,8 @@ mod tests {
     #[test]
     fn words_are_whole_identifiers() {
         assert_eq!(word_positions("f64 xf64 f64x f64", "f64").collect::<Vec<_>>(), [0, 14]);
+        assert_eq!(word_positions("eq 8 eq 15, eq x, eq 8b, seq 8", "eq 0").collect::<Vec<_>>(), [0, 5]);
+        assert_eq!(word_positions("eq 8 eq 15, eq x, eq 8b, seq 8", "eq 0*").collect::<Vec<_>>(), [0, 5, 18]);
+        assert_eq!(word_positions("seq eqs", "*eq*").collect::<Vec<_>>(), [1, 4]);
     }
 }
