@@ -142,10 +142,6 @@ mod tests {
             rows::<6>(include_str!("../tidy/refused_words.txt")).count(),
         );
         complete("xtask/tidy/floors.txt", rows::<2>(include_str!("../tidy/floors.txt")).count());
-        complete(
-            "xtask/tidy/private_words.txt",
-            rows::<2>(include_str!("../tidy/private_words.txt")).count(),
-        );
     }
 
     #[test]

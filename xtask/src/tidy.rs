@@ -9,7 +9,6 @@ mod references;
 mod source;
 mod text_rules;
 mod views;
-mod wording;
 mod words;
 
 use crate::prelude::*;
@@ -28,7 +27,6 @@ pub fn run() -> Result {
         words::check(file, &mut found);
         views::check(file, &mut found);
         references::check_links(file, &paths, &mut found);
-        wording::check(file, &mut found);
         if file.is_rust() {
             words::check_file(file, &mut found);
             floors::check(file, &mut found);

@@ -46,7 +46,8 @@ fn arrows<'a>(sources: &'a [Source]) -> Arrows<'a> {
     let (mut modules, mut paths) = (Modules::new(), Vec::new());
     for source in sources {
         let Some(place) = place(&source.path) else { continue };
-        let code: String = source.lines_outside_tests().map(|(_, code, _)| format!("{code}\n")).collect();
+        let lines = source.lines().filter(|(number, ..)| !source.is_test_line(*number));
+        let code: String = lines.map(|(_, code, _)| format!("{code}\n")).collect();
         let (uses, rest) = split_uses(&code);
         let imported: BTreeMap<_, _> = uses.iter().flat_map(|tree| brought(tree, &place)).collect();
         let is_end = |c: char| !c.is_alphanumeric() && c != '_' && c != ':';

@@ -72,9 +72,10 @@ impl Source {
         self.code.lines().zip(self.text.lines()).enumerate().map(|(n, (code, text))| (n + 1, code, text))
     }
 
-    /// The same without the lines that belong to tests.
-    pub fn lines_outside_tests(&self) -> impl Iterator<Item = (usize, &str, &str)> {
-        self.lines().filter(|(number, _, _)| !self.is_test_line(*number))
+    /// The comments and strings of a Rust file, which are blank in its code.
+    pub fn words(&self) -> String {
+        let kept = |(code, text): (char, char)| if code.is_whitespace() { text } else { ' ' };
+        self.code.chars().zip(self.text.chars()).map(kept).collect()
     }
 
     /// Whether a line (from 1) belongs to tests.
@@ -213,7 +214,7 @@ mod tests {
     fn test_modules_end_at_their_brace() {
         let text = "fn a() {}\n#[cfg(test)]\nmod tests {\n  fn b() {}\n}\nfn c() {}\n#[cfg(test)]\nmod more;\nfn d() {}\n";
         let source = Source::new("src/x.rs", text);
-        let outside: Vec<usize> = source.lines_outside_tests().map(|(number, _, _)| number).collect();
+        let outside: Vec<usize> = (1..=9).filter(|number| !source.is_test_line(*number)).collect();
         assert_eq!(outside, [1, 6, 9]);
     }
 

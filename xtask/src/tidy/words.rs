@@ -1,7 +1,5 @@
 //! Words that have no place, or one place only; and for every Rust file a header and one subject's length.
 
-use std::borrow::Cow;
-
 use super::source::{Source, word_positions};
 use crate::prelude::*;
 
@@ -10,40 +8,61 @@ const LONGEST_FILE: usize = 600;
 /// Words that are refused in some places.
 const RULES: &str = include_str!("../../tidy/refused_words.txt");
 
+/// Folders and files whose every sentence is for readers, as are all messages and comments of the command line.
+const READ: &str = "README.md ARCHITECTURE.md CONTRIBUTING.md CHANGELOG.md docs/ examples/ templates/ tests/vectors/README.md src/cli/";
+
 /// Complains about refused words.
 pub fn check(file: &Source, found: &mut Vec<String>) {
-    let path = file.path.as_str();
-    let is_library =
-        path.starts_with("crates/") && path.contains("/src/") && !path.starts_with("crates/bench/");
-    let is_program = file.is_rust() && (is_library || path.starts_with("src/"));
-    let is_in = |places: &str| {
-        let is_below = |place: &str| match place {
-            "*" => true,
-            "program" => is_program,
-            // At any depth.
-            _ if place.starts_with('/') => path.ends_with(place),
-            _ => path.starts_with(place),
-        };
-        places.split(' ').any(is_below)
-    };
+    let mut views = BTreeMap::new();
     for [words, view, places, except, tests, message] in rows(RULES) {
-        if !is_in(places) || is_in(except) {
+        if !is_in(file, places) || is_in(file, except) {
             continue;
         }
-        let text = if view == "code" { &file.code } else { &file.text };
-        for (number, line) in (1..).zip(text.lines()) {
-            if tests == "without tests" && file.is_test_line(number) {
-                continue;
-            }
-            let line = match view {
-                "before comments" => line.split("//").next().unwrap_or_default().to_lowercase().into(),
-                _ => Cow::from(line),
-            };
-            for word in words.split(", ").filter(|word| word_positions(&line, word).next().is_some()) {
+        let text: &String = views.entry(view).or_insert_with(|| seen(file, view));
+        let is_checked = |number| tests == "with tests" || !file.is_test_line(number);
+        for (number, line) in (1..).zip(text.lines()).filter(|(number, _)| is_checked(*number)) {
+            for word in words.split(", ").filter(|word| has_word(line, word, view)) {
                 found.push(file.complaint(number, message.replace("{}", word.trim_matches('*'))));
             }
         }
     }
+}
+
+/// Whether a file is in one of these places.
+fn is_in(file: &Source, places: &str) -> bool {
+    let path = file.path.as_str();
+    let is_package =
+        path.starts_with("crates/") && path.contains("/src/") && !path.starts_with("crates/bench/");
+    let is_prose = path.starts_with("reports/") && path.contains("/prose/");
+    places.split(' ').any(|place| match place {
+        "*" => true,
+        "program" => file.is_rust() && (is_package || path.starts_with("src/")),
+        "readers" => is_prose || is_in(file, READ),
+        // At any depth.
+        _ if place.starts_with('/') => path.ends_with(place),
+        _ => path.starts_with(place),
+    })
+}
+
+/// What a rule sees of a file, line by line.
+fn seen(file: &Source, view: &str) -> String {
+    let text = match view {
+        "code" => &file.code,
+        "prose" if file.is_rust() => &file.words(),
+        _ => &file.text,
+    };
+    let seen = |line: &str| match view {
+        "prose" => line.split('`').step_by(2).collect::<Vec<_>>().join("`").to_lowercase(),
+        "before comments" => line.split("//").next().unwrap_or_default().to_lowercase(),
+        _ => line.to_owned(),
+    };
+    text.lines().map(|line| seen(line) + "\n").collect()
+}
+
+/// Whether a word occurs whole, and in prose not alone between quotation marks.
+fn has_word(line: &str, word: &str, view: &str) -> bool {
+    let is_name = |start: usize| line[..start].ends_with('"') && line[start + word.len()..].starts_with('"');
+    word_positions(line, word).any(|start| view != "prose" || !is_name(start))
 }
 
 /// Complains about a Rust file without a header and about a long one.
@@ -69,6 +88,10 @@ pub fn of(reason: &str) -> &'static str {
 mod tests {
     use super::*;
     use crate::tidy::lines_of;
+
+    fn refused(path: &str, text: &str) -> Vec<usize> {
+        lines_of(path, text, check)
+    }
 
     fn complaints(path: &str, text: &str) -> Vec<usize> {
         lines_of(path, text, |file, found| {
@@ -147,5 +170,36 @@ mod tests {
         assert_eq!(complaints("src/claims/a.rs", good), Vec::<usize>::new());
         let test = "//! Subject.\n#[cfg(test)]\nmod tests { const A: &str = \"Z5\"; }\n";
         assert_eq!(complaints("src/claims/a.rs", test), Vec::<usize>::new());
+    }
+
+    #[test]
+    fn private_words_are_refused_where_they_are_read() {
+        let private = rows(RULES).filter(|[_, view, ..]: &[&str; 6]| *view == "prose");
+        for [private, ..] in private {
+            let text = format!("ok\nA {private}, as one says.\n");
+            for path in ["README.md", "docs/evidence/a.md", "reports/a/prose/b.md", "templates/report.html"] {
+                assert!(refused(path, &text).contains(&2), "{path}: {private}");
+            }
+            assert_eq!(refused("reports/a/published/report.md", &text), [0; 0]);
+        }
+        assert_eq!(refused("README.md", "Hard-laps of 3\nLate Behaviour"), [1, 2]);
+    }
+
+    #[test]
+    fn code_spans_and_parts_of_words_pass() {
+        assert_eq!(
+            refused("README.md", "overlap, `rung`, lap_count, `cargo xtask bless`, insight\n"),
+            [0; 0]
+        );
+    }
+
+    #[test]
+    fn help_texts_messages_and_comments_of_the_command_line_are_checked() {
+        assert_eq!(
+            refused("src/cli/a.rs", "/// A lap\nlet lap = \"rung\";\nlet x = \"no rung here\"; // told\n"),
+            [1, 3, 3]
+        );
+        assert_eq!(refused("src/roots/a.rs", "/// A lap\n"), [0; 0]);
+        assert_eq!(refused("src/cli/a.rs", "#[cfg(test)]\nmod tests {\n    // told\n}\n"), [0; 0]);
     }
 }
