@@ -1,15 +1,13 @@
 //! `cargo xtask accept`: rewrites the published copy of every report from a new run.
 
 use crate::prelude::*;
-use crate::repository;
-use crate::{machine, verify};
+use crate::{repository, verify};
 
 /// Runs every report again and replaces its `published/` folder.
 ///
 /// # Errors
 /// When the machine lacks a tool, a report cannot be made, or a file cannot be written.
 pub fn run() -> Result {
-    machine::run()?;
     verify::build()?;
     for name in repository::reports()? {
         let code = verify::slipmode("report --for-publication").arg(format!("reports/{name}")).code()?;

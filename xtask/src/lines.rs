@@ -20,11 +20,8 @@ pub fn run(option: &str) -> Result {
         let rows = counts.iter().map(|(folder, count)| format!("{folder},{count}\n"));
         write(&table, &format!("{HEADER}{}", rows.collect::<String>()))?;
     }
-    println!(
-        "lines: {} of code in {} folders, {tests} of tests",
-        counts.values().sum::<usize>(),
-        counts.len()
-    );
+    let (all, folders) = (counts.values().sum::<usize>(), counts.len());
+    println!("lines: {all} of code in {folders} folders, {tests} of tests");
     Ok(())
 }
 

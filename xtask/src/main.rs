@@ -54,11 +54,9 @@ const TASKS: &[Task] = &[
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = env::args().skip(1).collect();
-    let result = run(&arguments);
-    if let Err(failure) = &result {
-        eprintln!("xtask: {}", failure.message);
-    }
-    ExitCode::from(result.map_or_else(|failure| failure.code, |()| 0))
+    let Err(failure) = run(&arguments) else { return ExitCode::SUCCESS };
+    eprintln!("xtask: {}", failure.message);
+    ExitCode::from(failure.code)
 }
 
 fn run(arguments: &[String]) -> Result {

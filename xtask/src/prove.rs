@@ -11,7 +11,9 @@ mod record;
 mod summary;
 mod tie;
 
+use std::panic::resume_unwind;
 use std::sync::{Mutex, PoisonError};
+use std::{iter, thread};
 
 use crate::prelude::*;
 use crate::repository;
@@ -56,7 +58,6 @@ pub fn run(option: &str) -> Result {
     let start = Instant::now();
     machine::require(&["coqc", "coquelicot", "coq-interval"])?;
     let version = program("coqc", "--print-version").text()?.trim().to_owned();
-    machine::run()?;
     verify::build()?;
     let folder = root().join("target/proofs");
     let generated = generate(&folder)?;
@@ -87,17 +88,10 @@ pub fn run(option: &str) -> Result {
             "prove: proofs/checked.csv records what was checked now: commit it, and nobody checks it again"
         );
     }
-    write_accepted(&accepted)
-}
-
-/// Writes the record of accepted theorems, from which the ledger knows what Coq has checked.
-fn write_accepted(text: &str) -> Result {
-    let path = root().join("proofs/accepted.txt");
-    if read(&path).is_ok_and(|known| known == text) {
-        return Ok(());
-    }
-    write(&path, text)?;
-    Err(Failure::check("proofs/accepted.txt was not the list of accepted theorems; it is now: commit it"))
+    // From this record the ledger knows what Coq has checked.
+    let differs = repository::rewrite(&root().join("proofs/accepted.txt"), &accepted)?;
+    let wrong = "proofs/accepted.txt was not the list of accepted theorems; it is now: commit it";
+    ensure(!differs, || Failure::check(wrong))
 }
 
 /// Has the program write the theorems of all published ledgers.
@@ -125,13 +119,11 @@ fn generate(folder: &Path) -> Result<PathBuf> {
 /// The generated files of theorems, or of altered ones.
 fn generated_tasks(generated: &Path, mode: Mode) -> Result<Vec<Task>> {
     let mut tasks = Vec::new();
-    for path in below(generated)? {
-        let Some(file) = path.strip_suffix(".v") else { continue };
+    for (file, text) in repository::texts(generated, ".v")? {
         if file.ends_with("_faults") == (mode == Mode::Faults) {
-            let text = read(&generated.join(&path))?;
-            files::check_text(file, &text)?;
+            files::check_text(&file, &text)?;
             let theorems = names(&text, if mode == Mode::Faults { "Lemma fault_" } else { "Theorem " });
-            tasks.push(Task { file: file.to_owned(), text, theorems });
+            tasks.push(Task { file, text, theorems });
         }
     }
     Ok(tasks)
@@ -194,20 +186,18 @@ impl Coq {
     /// Checks files, the largest first, as many side by side as there are processors.
     fn check_all(&self, mut tasks: Vec<Task>, digests: &Digests) -> Result<Vec<(Task, Said)>> {
         tasks.sort_by_key(|task| task.text.len());
-        let (waiting, checked) = (Mutex::new(tasks), Mutex::new(Vec::new()));
+        let waiting = Mutex::new(tasks);
         let next = || waiting.lock().unwrap_or_else(PoisonError::into_inner).pop();
-        let work = || {
-            while let Some(task) = next() {
-                let said = self.check(&task, &digests[&task.file]);
-                checked.lock().unwrap_or_else(PoisonError::into_inner).push(said.map(|said| (task, said)));
-            }
-        };
-        std::thread::scope(|scope| {
-            for _ in 0..std::thread::available_parallelism().map_or(1, usize::from) {
-                scope.spawn(work);
-            }
-        });
-        checked.into_inner().unwrap_or_else(PoisonError::into_inner).into_iter().collect()
+        let check = |task: Task| self.check(&task, &digests[&task.file]).map(|said| (task, said));
+        let work = || iter::from_fn(next).map(check).collect::<Vec<_>>();
+        thread::scope(|scope| {
+            let processors = thread::available_parallelism().map_or(1, usize::from);
+            let workers: Vec<_> = (0..processors).map(|_| scope.spawn(work)).collect();
+            workers
+                .into_iter()
+                .flat_map(|it| it.join().unwrap_or_else(|panic| resume_unwind(panic)))
+                .collect()
+        })
     }
 
     /// Coq's output for this file, from the last run if its digest is as it was then.

@@ -23,6 +23,12 @@ pub fn write(path: &Path, text: &str) -> Result {
     fs::create_dir_all(path.parent().unwrap_or(path)).and_then(|()| fs::write(path, text)).map_err(at(path))
 }
 
+/// Writes a file whose text is another by now. Whether it was.
+pub fn rewrite(path: &Path, text: &str) -> Result<bool> {
+    let differs = read(path).ok().as_deref() != Some(text);
+    if differs { write(path, text).map(|()| true) } else { Ok(false) }
+}
+
 /// Copies a file, and makes the folders that its copy is in.
 pub fn copy(from: &Path, to: &Path) -> Result {
     let copied = fs::create_dir_all(to.parent().unwrap_or(to)).and_then(|()| fs::copy(from, to));
@@ -93,6 +99,16 @@ pub fn below(folder: &Path) -> Result<Vec<String>> {
     }
     found.sort();
     Ok(found)
+}
+
+/// The files below a folder that have this ending: path without it, and text.
+///
+/// # Errors
+/// When a folder or a file cannot be read.
+pub fn texts(folder: &Path, ending: &str) -> Result<Vec<(String, String)>> {
+    let paths = below(folder)?;
+    let found = paths.iter().filter_map(|path| Some((path.strip_suffix(ending)?, path)));
+    found.map(|(name, path)| Ok((name.to_owned(), read(&folder.join(path))?))).collect()
 }
 
 /// The names of all report folders: those below `reports/` that hold a `report.toml`, sorted.

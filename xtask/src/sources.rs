@@ -6,6 +6,9 @@
 use crate::prelude::*;
 use crate::{machine, verify};
 
+/// Where the file is made.
+const WORKSHOP: &str = "target/sources";
+
 /// The folder in the file.
 const NAME: &str = "slipmode-sources";
 
@@ -30,13 +33,10 @@ pub fn run() -> Result {
     Ok(())
 }
 
-fn workshop() -> PathBuf {
-    root().join("target/sources")
-}
-
 fn make() -> Result<PathBuf> {
     machine::require(&["tar", "xz"])?;
-    let staging = workshop().join(NAME);
+    let workshop = root().join(WORKSHOP);
+    let staging = workshop.join(NAME);
     make_empty(&staging)?;
     let take = |path: &str| copy(&root().join(path), &staging.join(path));
     for folder in FOLDERS {
@@ -54,8 +54,8 @@ fn make() -> Result<PathBuf> {
     write(&staging.join(".cargo/config.toml"), VENDORED)?;
     let fixed = "--sort=name --mtime=@0 --owner=0 --group=0 --numeric-owner --mode=u+rw,go-w,a+rX";
     let tar = format!("{fixed} --create --xz --file sources.tar.xz {NAME}");
-    program("tar", &tar).env("XZ_OPT", "-6 -T1").current_dir(workshop()).check()?;
-    Ok(workshop().join("sources.tar.xz"))
+    program("tar", &tar).env("XZ_OPT", "-6 -T1").current_dir(&workshop).check()?;
+    Ok(workshop.join("sources.tar.xz"))
 }
 
 /// A manifest without what only tests and benchmarks need, and the workspace without the packages that are not here.
@@ -80,7 +80,7 @@ pub fn try_out() -> Result {
     }
     let sources = make()?;
     verify::build()?;
-    let place = workshop().join("trial");
+    let place = root().join(WORKSHOP).join("trial");
     make_empty(&place)?;
     let archive = place.join("report.zip");
     let make_archive = "archive reports/rice-ruina-1983 --with-sources";

@@ -36,7 +36,7 @@ pub fn run(option: &str) -> Result {
             failed.push(name);
         }
     }
-    let mut count = Count::default();
+    let mut count = [0, 0];
     if timed("tests", || tests(&mut count, option == "--slow")).is_err() {
         failed.push("tests");
     }
@@ -45,7 +45,7 @@ pub fn run(option: &str) -> Result {
     if !failed.is_empty() {
         println!("failed: {failed}");
     }
-    println!("{} passed, {} failed", count.passed, count.failed);
+    println!("{} passed, {} failed", count[0], count[1]);
     ensure(failed.is_empty(), || Failure::check(format!("failed: {failed}")))
 }
 
@@ -69,28 +69,22 @@ fn profiled(words: &str) -> Command {
 
 fn tests(count: &mut Count, is_slow: bool) -> Result {
     let mut command = profiled("test --workspace --locked --no-fail-fast");
-    let code = command.envs(is_slow.then_some(("SLIPMODE_SLOW", "1"))).listen(|line| count.hear(line))?;
-    let is_passed = code == 0 && count.failed == 0 && count.passed > 0;
+    let code = command.envs(is_slow.then_some(("SLIPMODE_SLOW", "1"))).listen(|line| hear(count, line))?;
+    let is_passed = code == 0 && count[0] > 0 && count[1] == 0;
     // A test program that was not built, or that died, prints no count: it is a failure all the same.
-    count.failed = count.failed.max(u64::from(!is_passed));
+    count[1] = count[1].max(u64::from(!is_passed));
     ensure(is_passed, || Failure::check(format!("cargo test exited with {code}")))
 }
 
 /// Tests passed and failed, summed over all test programs.
-#[derive(Debug, Default, PartialEq, Eq)]
-struct Count {
-    passed: u64,
-    failed: u64,
-}
+type Count = [u64; 2];
 
-impl Count {
-    /// Adds a line such as `test result: ok. 12 passed; 0 failed; …`; any other line changes nothing.
-    fn hear(&mut self, line: &str) {
-        let words: Vec<&str> = line.split(' ').collect();
-        if let ["test", "result:", _, passed, "passed;", failed, "failed;", ..] = words[..] {
-            self.passed += passed.parse::<u64>().unwrap_or(0);
-            self.failed += failed.parse::<u64>().unwrap_or(0);
-        }
+/// Adds a line such as `test result: ok. 12 passed; 0 failed; …`; any other line changes nothing.
+fn hear([passed, failed]: &mut Count, line: &str) {
+    let words: Vec<&str> = line.split(' ').collect();
+    if let ["test", "result:", _, good, "passed;", bad, "failed;", ..] = words[..] {
+        *passed += good.parse::<u64>().unwrap_or(0);
+        *failed += bad.parse::<u64>().unwrap_or(0);
     }
 }
 
@@ -100,7 +94,7 @@ mod tests {
 
     #[test]
     fn result_lines_are_summed_and_all_others_ignored() {
-        let mut count = Count::default();
+        let mut count = [0, 0];
         for line in [
             "running 3 tests",
             "test a ... ok",
@@ -108,8 +102,8 @@ mod tests {
             "test result: FAILED. 10 passed; 2 failed; 0 ignored; 0 measured; 0 filtered out; finished in 1.00s",
             "note: test result: ok. 100 passed; 100 failed",
         ] {
-            count.hear(line);
+            hear(&mut count, line);
         }
-        assert_eq!(count, Count { passed: 13, failed: 2 });
+        assert_eq!(count, [13, 2]);
     }
 }

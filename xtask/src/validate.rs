@@ -14,7 +14,6 @@ const VALIDATORS: &str = include_str!("../validate/validators.txt");
 /// # Errors
 /// With exit code 1 when a validator finds a fault, 2 when a required one cannot be installed.
 pub fn run() -> Result {
-    machine::run()?;
     verify::build()?;
     let reports = repository::reports()?;
     let tools: BTreeSet<&str> = rows(VALIDATORS).flat_map(|[_, tools, _]| tools.split(' ')).collect();

@@ -3,12 +3,11 @@
 use crate::prelude::*;
 use crate::{machine, repository};
 
-/// Checks the machine, builds the release binary and verifies every report; the worst exit code wins.
+/// Builds the release binary and verifies every report; the worst exit code wins.
 ///
 /// # Errors
 /// With the code of `slipmode verify`: 1 on drift, 2 on bad input; also when the machine lacks a tool or the build fails.
 pub fn run() -> Result {
-    machine::run()?;
     build()?;
     let (mut worst, mut unverified) = (0, Vec::new());
     for name in repository::reports()? {
@@ -28,11 +27,12 @@ pub fn profile() -> &'static str {
     if machine::is_continuous_integration() { "ci" } else { "release" }
 }
 
-/// Builds the binary that the tasks run, as the lock file says.
+/// Checks the machine, and builds the binary that the tasks run, as the lock file says.
 ///
 /// # Errors
-/// When the build fails.
+/// When the machine lacks a tool or the build fails.
 pub fn build() -> Result {
+    machine::run()?;
     let mut command = cargo(&format!("build --profile {} --locked --bin slipmode", profile()));
     if env::var_os("CARGO_INCREMENTAL").is_none() {
         // The first build is a tenth shorter without what makes later ones short.

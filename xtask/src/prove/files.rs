@@ -1,6 +1,7 @@
 //! Files of the proofs: the library in the order of its imports, and the generated ones.
 
 use crate::prelude::*;
+use crate::repository::texts;
 use crate::tidy::comment_length;
 
 /// Name and text of each module of the library.
@@ -11,13 +12,7 @@ const FORBIDDEN: &str = "Admitted admit Axiom Axioms Parameter Parameters Conjec
 
 /// The library's modules, each after those that it imports.
 pub fn library(folder: &Path) -> Result<Library> {
-    let mut modules = Vec::new();
-    for path in below(folder)? {
-        if let Some(name) = path.strip_suffix(".v") {
-            modules.push((name.to_owned(), read(&folder.join(&path))?));
-        }
-    }
-    in_order(modules)
+    in_order(texts(folder, ".v")?)
 }
 
 fn in_order(mut waiting: Library) -> Result<Library> {

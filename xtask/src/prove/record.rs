@@ -74,11 +74,7 @@ impl Record {
         };
         let rows = checked.iter().filter_map(row).collect::<BTreeSet<String>>();
         let text = format!("{HEADER}{}", rows.into_iter().collect::<String>());
-        let differs = read(&path()).ok().as_ref() != Some(&text);
-        if differs {
-            write(&path(), &text)?;
-        }
-        Ok(differs)
+        repository::rewrite(&path(), &text)
     }
 }
 

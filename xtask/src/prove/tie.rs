@@ -5,35 +5,26 @@
 
 use super::generate;
 use crate::prelude::*;
-use crate::{machine, verify};
+use crate::{repository, verify};
 
-/// A row that has moved: the number of its line, the line as it would be, and what a person reads before.
-struct Moved {
-    line: usize,
-    row: String,
-    to_read: String,
-}
+/// A row that has moved: the number of its line, and a text. Its first line is the row as it would be; a person reads the others before.
+type Moved = (usize, String);
 
 /// Prints the rows that have moved, and writes those of a report, or of its claims that are named.
 ///
 /// # Errors
 /// When the program cannot list them, or a claim has none.
 pub fn run(arguments: &[String]) -> Result {
-    machine::run()?;
     verify::build()?;
-    let generated = generate(&root().join("target/proofs"))?;
     let mut moved = Vec::new();
-    for path in below(&generated)? {
-        let line = path.strip_prefix("ties/").and_then(|path| path.strip_suffix(".txt"));
-        let Some(line) = line else { continue };
-        let line = line.parse().map_err(|_| Failure::check(format!("{path}: no number of a line")))?;
-        let text = read(&generated.join(&path))?;
-        let (row, to_read) = text.split_once('\n').unwrap_or((&text, ""));
-        moved.push(Moved { line, row: row.to_owned(), to_read: to_read.to_owned() });
+    for (path, text) in repository::texts(&generate(&root().join("target/proofs"))?, ".txt")? {
+        let Some(line) = path.strip_prefix("ties/") else { continue };
+        let wrong = |_| Failure::check(format!("{path}.txt: no number of a line"));
+        moved.push((line.parse().map_err(wrong)?, text));
     }
     let Some((report, ids)) = arguments.split_first() else {
-        for Moved { line, row, .. } in &moved {
-            println!("proofs/claims.csv:{line}: {}", claim_of(row).join(" "));
+        for (line, text) in &moved {
+            println!("proofs/claims.csv:{line}: {}", claim_of(text).join(" "));
         }
         println!("tie: {} rows have other digests than their claims", moved.len());
         println!("tie: `cargo xtask tie REPORT [CLAIM...]` shows and writes them");
@@ -55,12 +46,13 @@ fn claim_of(row: &str) -> [&str; 2] {
 
 /// The table with the rows of these claims as they would be, or with all of the report; each is shown.
 fn rewritten(table: &str, moved: &[Moved], report: &str, ids: &[String]) -> Result<String> {
-    let has_moved = |id: &String| moved.iter().any(|one| claim_of(&one.row) == [report, id]);
+    let has_moved = |id: &String| moved.iter().any(|(_, text)| claim_of(text) == [report, id]);
     if let Some(id) = ids.iter().find(|id| !has_moved(id)) {
         return Err(Failure::bad_input(format!("{report} {id}: no row of proofs/claims.csv has moved")));
     }
     let mut lines: Vec<&str> = table.lines().collect();
-    for Moved { line, row, to_read } in moved {
+    for (line, text) in moved {
+        let (row, to_read) = text.split_once('\n').unwrap_or((text, ""));
         let claim @ [name, id] = claim_of(row);
         if name != report || !ids.is_empty() && !ids.iter().any(|known| known == id) {
             continue;
@@ -80,7 +72,7 @@ mod tests {
     #[test]
     fn only_the_rows_of_named_claims_are_written() {
         let table = "report,claim,claim_digest,digest\nr,S1,0,0\nr,S2,0,0\n";
-        let moved = |line, row: &str| Moved { line, row: row.to_owned(), to_read: String::new() };
+        let moved = |line, row: &str| (line, row.to_owned());
         let all = [moved(2, "r,S1,1,1"), moved(3, "r,S2,1,1")];
         let written = |id: &str| rewritten(table, &all, "r", &[id.to_owned()]);
         assert_eq!(written("S2").unwrap(), "report,claim,claim_digest,digest\nr,S1,0,0\nr,S2,1,1\n");
