@@ -1,7 +1,7 @@
 //! The floors: a module imports lower floors only. `xtask/tidy/floors.txt` is the one place that says which is which.
 
 use super::imports::brought;
-use super::source::{Source, word_positions};
+use super::source::{Source, line_at, word_positions};
 use crate::prelude::*;
 
 const LIBRARIES: &str = include_str!("../../tidy/floors.txt");
@@ -26,7 +26,7 @@ pub fn check(source: &Source, found: &mut Vec<String>) {
             Some(_) => format!("`{module}` may not import `{name}`, which is not on a lower floor"),
             None => format!("`{name}` is not a floor: name the module that holds it"),
         };
-        found.push(source.complaint(source.line_at(position), message));
+        found.push(source.complaint(line_at(&source.code, position), message));
     }
     let depth = inside.matches('/').count() + 1 - usize::from(inside.ends_with("/mod.rs"));
     check_super(source, depth, found);

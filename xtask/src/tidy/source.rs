@@ -1,6 +1,7 @@
 //! The text files of the repository; of Rust files the code too, with comments and literals blanked out, so that a rule sees code only.
 
 use std::fmt::Display;
+use std::ops::Range;
 
 use crate::prelude::*;
 
@@ -60,10 +61,8 @@ impl Source {
             "mod.rs" | "lib.rs" | "main.rs" => folder.to_string(),
             name => format!("{folder}/{}", name.trim_end_matches(".rs")),
         };
-        let declared = self.code.match_indices(TEST_MARKER).filter_map(|(start, marker)| {
-            let start = start + marker.len();
-            Some(self.code[start..item_end(&self.code, start)].trim().rsplit_once("mod ")?.1)
-        });
+        let items = test_items(&self.code).map(|item| &self.code[item]);
+        let declared = items.filter_map(|item| Some(item.rsplit_once("mod ")?.1.trim_end()));
         declared.flat_map(|name| [format!("{folder}/{name}.rs"), format!("{folder}/{name}/mod.rs")]).collect()
     }
 
@@ -82,14 +81,7 @@ impl Source {
     pub fn is_test_line(&self, number: usize) -> bool {
         self.is_test.get(number - 1).copied().unwrap_or(false)
     }
-
-    /// The line (from 1) that holds a byte position of [`Source::code`].
-    pub fn line_at(&self, position: usize) -> usize {
-        self.code[..position].matches('\n').count() + 1
-    }
 }
-
-const TEST_MARKER: &str = "#[cfg(test)]";
 
 /// Byte positions of a word, where neither neighbour continues an identifier of the word. A `*` at an end permits any neighbour there; a
 /// `0` at the end stands for a number.
@@ -112,12 +104,22 @@ fn is_part(c: char) -> bool {
 fn test_lines(path: &str, code: &str) -> Vec<bool> {
     let whole_file = ["tests/", "benches/", "/tests.rs", "/tests/"].iter().any(|part| path.contains(part));
     let mut flags = vec![whole_file; code.lines().count()];
-    for (start, marker) in code.match_indices(TEST_MARKER) {
-        let end = item_end(code, start + marker.len());
-        let (first, last) = (code[..start].matches('\n').count(), code[..end].matches('\n').count());
-        flags.iter_mut().take(last + 1).skip(first).for_each(|flag| *flag = true);
+    for item in test_items(code) {
+        let (first, last) = (line_at(code, item.start), line_at(code, item.end));
+        flags.iter_mut().take(last).skip(first - 1).for_each(|flag| *flag = true);
     }
     flags
+}
+
+/// The line (from 1) that holds a byte position of a text.
+pub fn line_at(text: &str, position: usize) -> usize {
+    text[..position].matches('\n').count() + 1
+}
+
+/// The items that are for tests, without their last character.
+fn test_items(code: &str) -> impl Iterator<Item = Range<usize>> {
+    let starts = code.match_indices("#[cfg(test)]").map(|(start, _)| start);
+    starts.map(|start| start..item_end(code, start))
 }
 
 /// Where the item that begins at `start` ends: at its closing brace, or at a semicolon before any brace.

@@ -1,6 +1,6 @@
 //! Templates hold strings: no numbers are computed in them.
 
-use super::source::Source;
+use super::source::{Source, line_at};
 
 /// Complains about arithmetic between the delimiters of a template.
 pub fn check(file: &Source, found: &mut Vec<String>) {
@@ -12,8 +12,8 @@ pub fn check(file: &Source, found: &mut Vec<String>) {
             let rest = &file.text[start + open.len()..];
             let inside = rest.find(close).map_or(rest, |end| &rest[..end]);
             if has_arithmetic(inside) {
-                let line = file.text[..start].matches('\n').count() + 1;
-                found.push(file.complaint(line, "arithmetic in a template: compute it below `report`"));
+                let message = "arithmetic in a template: compute it below `report`";
+                found.push(file.complaint(line_at(&file.text, start), message));
             }
         }
     }
