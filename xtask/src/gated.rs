@@ -86,11 +86,9 @@ fn inputs(root: &Path, step: &str) -> Result<String> {
 
 /// Commit and date of the step's run that passed with these inputs.
 fn passed(root: &Path, step: &str, digest: &str) -> Option<String> {
-    let run = |row: &str| match row.split(',').collect::<Vec<_>>()[..] {
-        [of, recorded, commit, date] if (of, recorded) == (step, digest) => {
-            Some(format!("{commit} ({date})"))
-        }
-        _ => None,
+    let run = |row: &str| {
+        let [of, recorded, commit, date] = row.split(',').collect::<Vec<_>>()[..] else { return None };
+        ((of, recorded) == (step, digest)).then(|| format!("{commit} ({date})"))
     };
     read(&root.join(GREEN)).ok()?.lines().find_map(run)
 }

@@ -59,9 +59,8 @@ impl Run for Command {
 
     fn listen(&mut self, mut listen: impl FnMut(&str)) -> Result<u8> {
         let mut child = self.stdout(Stdio::piped()).spawn().map_err(|error| cannot_start(self, &error))?;
-        let lines =
-            child.stdout.take().map(|output| BufReader::new(output).lines().map_while(|line| line.ok()));
-        for line in lines.into_iter().flatten() {
+        let lines = child.stdout.take().into_iter().flat_map(|output| BufReader::new(output).lines());
+        for line in lines.map_while(|line| line.ok()) {
             println!("{line}");
             listen(&line);
         }

@@ -1,15 +1,15 @@
 //! Where the repository is, which files it has, and what git says of it.
 
-use std::fs;
-use std::io::{Error, Write};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::Command;
+use std::{fs, thread};
 
 use crate::failure::{Failure, Result, ensure};
 use crate::process::{Run, program, root};
 
 /// The failure to read or write a file.
-pub fn at(path: &Path) -> impl Fn(Error) -> Failure {
+pub fn at(path: &Path) -> impl Fn(io::Error) -> Failure {
     move |error| Failure::bad_input(format!("{}: {error}", path.display()))
 }
 
@@ -70,14 +70,11 @@ pub fn commit(root: &Path) -> Result<String> {
 
 /// The digest of a text, as git computes that of a file.
 pub fn digest(text: &str) -> Result<String> {
-    let mut git = git(&root(), "hash-object --stdin");
-    let spawned = git.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn();
-    let output = spawned.and_then(|mut child| {
-        child.stdin.take().map_or(Ok(()), |mut input| input.write_all(text.as_bytes()))?;
-        child.wait_with_output()
-    });
-    let output = output.map_err(at("git hash-object".as_ref()))?;
-    Ok(String::from_utf8_lossy(&output.stdout).trim().to_owned())
+    let (input, mut output) = io::pipe().map_err(at("git hash-object".as_ref()))?;
+    thread::scope(|scope| {
+        scope.spawn(move || output.write_all(text.as_bytes()));
+        Ok(git(&root(), "hash-object --stdin").stdin(input).text()?.trim().to_owned())
+    })
 }
 
 /// Paths of all files below a folder, relative to it, with `/`, sorted; build products and version control left out.
@@ -87,14 +84,12 @@ pub fn digest(text: &str) -> Result<String> {
 pub fn below(folder: &Path) -> Result<Vec<String>> {
     let mut found = Vec::new();
     for path in entries(folder)? {
-        let name = file_name(&path);
-        if matches!(name.as_str(), "target" | ".git" | "__pycache__") {
-            continue;
-        }
-        if path.is_dir() {
-            found.extend(below(&path)?.into_iter().map(|inner| format!("{name}/{inner}")));
-        } else {
-            found.push(name);
+        match file_name(&path) {
+            name if ["target", ".git", "__pycache__"].contains(&name.as_str()) => {}
+            name if path.is_dir() => {
+                found.extend(below(&path)?.iter().map(|inner| format!("{name}/{inner}")))
+            }
+            name => found.push(name),
         }
     }
     found.sort();
@@ -128,9 +123,7 @@ pub fn reports() -> Result<Vec<String>> {
 /// # Errors
 /// When the folder cannot be read.
 pub fn entries(folder: &Path) -> Result<Vec<PathBuf>> {
-    let entries =
-        fs::read_dir(folder).and_then(|all| all.map(|entry| entry.map(|entry| entry.path())).collect());
-    entries.map_err(at(folder))
+    fs::read_dir(folder).and_then(|all| all.map(|entry| Ok(entry?.path())).collect()).map_err(at(folder))
 }
 
 /// The last component of a path as text.

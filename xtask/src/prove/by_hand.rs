@@ -11,8 +11,7 @@ const FOLDER: &str = "by_hand/";
 /// A task for each row of `proofs/equations.csv`: its file, with twice its definition.
 pub fn altered(library: &Library, table: &str) -> Result<Vec<Task>> {
     let task = |row: &str| {
-        let mut fields = row.split(',');
-        let (file, name) = (fields.next()?, fields.next()?);
+        let [file, name, ..] = row.split(',').collect::<Vec<_>>()[..] else { return None };
         let (_, text) = library.iter().find(|(known, _)| known == file)?;
         let text = format!("Set Default Timeout 60.\n{}", doubled(text, name)?);
         let fault = format!("{file}_{name}");

@@ -51,10 +51,9 @@ fn imports(text: &str) -> Vec<&str> {
 pub fn check_text(name: &str, text: &str) -> Result {
     let is_inner = |c: char| c.is_alphanumeric() || c == '_' || c == '\'';
     let is_forbidden = |word: &&str| FORBIDDEN.split(' ').any(|forbidden| forbidden == *word);
-    match without_comments(text).split(|c| !is_inner(c)).find(is_forbidden) {
-        Some(word) => Err(Failure::check(format!("{name}: has the word {word}"))),
-        None => Ok(()),
-    }
+    let plain = without_comments(text);
+    let found = plain.split(|c| !is_inner(c)).find(is_forbidden);
+    found.map_or(Ok(()), |word| Err(Failure::check(format!("{name}: has the word {word}"))))
 }
 
 /// The text without its comments, which may lie in each other.

@@ -6,6 +6,7 @@ use super::{Digests, Said, Task, assumptions};
 use crate::prelude::*;
 use crate::repository;
 
+const TABLE: &str = "proofs/checked.csv";
 const HEADER: &str = "file,digest,commit,assumes\n";
 
 /// What stands in the place of the axioms of a file that Coq did not accept.
@@ -21,7 +22,7 @@ pub struct Record {
 impl Record {
     /// Reads the table; there may be none yet.
     pub fn read() -> Self {
-        let text = read(&path()).unwrap_or_default();
+        let text = read(&root().join(TABLE)).unwrap_or_default();
         let row = |line: &str| {
             let [file, digest, commit, assumes] = line.splitn(4, ',').collect::<Vec<_>>().try_into().ok()?;
             Some((file.to_owned(), [digest, commit, assumes].map(str::to_owned)))
@@ -74,12 +75,8 @@ impl Record {
         };
         let rows = checked.iter().filter_map(row).collect::<BTreeSet<String>>();
         let text = format!("{HEADER}{}", rows.into_iter().collect::<String>());
-        repository::rewrite(&path(), &text)
+        repository::rewrite(&root().join(TABLE), &text)
     }
-}
-
-fn path() -> PathBuf {
-    root().join("proofs/checked.csv")
 }
 
 #[cfg(test)]
