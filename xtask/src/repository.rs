@@ -150,6 +150,7 @@ mod tests {
             "xtask/tidy/refused_words.txt",
             rows::<6>(include_str!("../tidy/refused_words.txt")).count(),
         );
+        complete("xtask/cluster/daemons.txt", rows::<2>(include_str!("../cluster/daemons.txt")).count());
         complete("xtask/tidy/floors.txt", rows::<2>(include_str!("../tidy/floors.txt")).count());
     }
 

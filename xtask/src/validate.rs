@@ -143,20 +143,19 @@ fn venv() -> Result<PathBuf> {
 /// The programs of a virtual environment that pip fills with the packages of a list, which has their digests.
 pub fn environment(folder: &Path, list: &Path) -> Result<PathBuf> {
     once(&folder.join(STAMP), &read(list)?, || {
-        new_environment(folder)?;
-        pip(folder).args(["--require-hashes", "--requirement"]).arg(list).check()
+        pip(&new_environment(folder)?).args(["--require-hashes", "--requirement"]).arg(list).check()
     })?;
     Ok(folder.join("bin"))
 }
 
-/// Makes an empty virtual environment.
-pub fn new_environment(folder: &Path) -> Result {
-    program("python3", "-m venv --clear").arg(folder).check()
+/// Makes an empty virtual environment. The folder of its programs.
+pub fn new_environment(folder: &Path) -> Result<PathBuf> {
+    program("python3", "-m venv --clear").arg(folder).check().map(|()| folder.join("bin"))
 }
 
-/// A command that installs into a virtual environment.
-pub fn pip(environment: &Path) -> Command {
-    program(environment.join("bin/python"), "-m pip install --quiet --disable-pip-version-check")
+/// A command that installs into the virtual environment with these programs.
+pub fn pip(programs: &Path) -> Command {
+    program(programs.join("python"), "-m pip install --quiet --disable-pip-version-check")
 }
 
 #[cfg(test)]

@@ -40,11 +40,9 @@ pub fn run(option: &str) -> Result {
     if option == "--test" { test(&tools, &wheel) } else { Ok(()) }
 }
 
-/// The environment of the tools.
+/// The folder of the tools.
 pub fn tools() -> Result<PathBuf> {
-    let folder = workshop("tools");
-    environment(&folder, &root().join("python/tests/requirements.txt"))?;
-    Ok(folder)
+    environment(&workshop("tools"), &root().join("python/tests/requirements.txt"))
 }
 
 /// An earlier version's wheel would be taken for this one's.
@@ -56,7 +54,7 @@ pub fn remove_wheels() {
 pub fn maturin(tools: &Path, words: &str, variables: &[(&str, OsString)]) -> Result<PathBuf> {
     let folder = root().join(WHEELS);
     let before = entries(&folder).unwrap_or_default();
-    let mut command = program(tools.join("bin/maturin"), words);
+    let mut command = program(tools.join("maturin"), words);
     command.arg("--out").arg(&folder).envs(variables.iter().cloned());
     command.current_dir(root().join("python")).check()?;
     let made = entries(&folder)?.into_iter().find(|path| !before.contains(path));
@@ -65,15 +63,14 @@ pub fn maturin(tools: &Path, words: &str, variables: &[(&str, OsString)]) -> Res
 
 /// Installs a wheel where no compiler is found, and tests and checks it.
 pub fn test(tools: &Path, wheel: &Path) -> Result {
-    let fresh = workshop("fresh");
-    new_environment(&fresh)?;
+    let fresh = new_environment(&workshop("fresh"))?;
     // Without the folders of compilers.
-    pip(&fresh).arg(wheel).env("PATH", fresh.join("bin")).check()?;
-    use_first(&fresh).env("PATH", fresh.join("bin")).check()?;
+    pip(&fresh).arg(wheel).env("PATH", &fresh).check()?;
+    use_first(&fresh).env("PATH", &fresh).check()?;
     install(tools, wheel)?;
     let of_python = |path: &str| root().join("python").join(path);
     let check = |name: &str, words: &str, files: &[PathBuf]| {
-        program(tools.join("bin").join(name), words).args(files).current_dir(workshop("")).check()
+        program(tools.join(name), words).args(files).current_dir(workshop("")).check()
     };
     let settings = of_python("pyproject.toml");
     let pytest = "-m pytest --quiet --numprocesses=auto --dist=worksteal --rootdir";
@@ -86,10 +83,10 @@ pub fn test(tools: &Path, wheel: &Path) -> Result {
     if cfg!(target_os = "linux") { check("auditwheel", "show", &[wheel.to_path_buf()]) } else { Ok(()) }
 }
 
-/// The first use, in an environment and its folder.
-pub fn use_first(environment: &Path) -> Command {
-    let mut python = program(environment.join("bin/python"), "-c");
-    python.arg(FIRST_USE).current_dir(environment);
+/// The first use, in the environment with these programs and in its folder.
+pub fn use_first(programs: &Path) -> Command {
+    let mut python = program(programs.join("python"), "-c");
+    python.arg(FIRST_USE).current_dir(programs.with_file_name(""));
     python
 }
 
@@ -100,7 +97,7 @@ fn install(tools: &Path, wheel: &Path) -> Result {
 
 /// Makes the site of `docs/`. Warnings are errors, such as a link that leads nowhere.
 fn pages(tools: &Path) -> Result {
-    let mut sphinx = program(tools.join("bin/sphinx-build"), "--quiet --fail-on-warning --fresh-env");
+    let mut sphinx = program(tools.join("sphinx-build"), "--quiet --fail-on-warning --fresh-env");
     sphinx.arg(root().join("docs")).arg(workshop("pages")).check()
 }
 

@@ -36,11 +36,10 @@ pub fn run() -> Result {
     let source = maturin(&tools, "sdist", &[])?;
     wheel::test(&tools, &wheels[0])?;
     // The source package is installed with one command, as on a machine for which no wheel is published.
-    let folder = workshop("source");
-    new_environment(&folder)?;
+    let fresh = new_environment(&workshop("source"))?;
     // The dependencies are those of the wheels.
-    pip(&folder).arg(source).env("CARGO_TARGET_DIR", root().join("target")).check()?;
-    use_first(&folder).check()?;
+    pip(&fresh).arg(source).env("CARGO_TARGET_DIR", root().join("target")).check()?;
+    use_first(&fresh).check()?;
     println!("wheels: all tested; they lie in {WHEELS}");
     Ok(())
 }
@@ -62,7 +61,7 @@ fn build(tools: &Path, programs: &Path, [rust, zig, stated, found]: &[&str; 4]) 
     let words = format!("{BUILD} --zig --target {target} --compatibility {stated}");
     let wheel = maturin(tools, &words, &variables)?;
     if !found.is_empty() {
-        let shown = program(tools.join("bin/auditwheel"), "show").arg(&wheel).text()?;
+        let shown = program(tools.join("auditwheel"), "show").arg(&wheel).text()?;
         println!("{shown}");
         let wrong = || Failure::check(format!("{}: needs more than {found}", wheel.display()));
         ensure(shown.contains(&format!("\"{found}_{ARCH}\"")), wrong)?;

@@ -13,6 +13,8 @@ use super::{sessions, wait_until};
 use crate::prelude::*;
 
 const CONFIGURATION: &str = include_str!("../../cluster/slurm.conf");
+/// The daemons in the order of their starts: name and command.
+const DAEMONS: &str = include_str!("../../cluster/daemons.txt");
 
 /// The nodes' names.
 const NODES: [&str; 3] = ["n1", "n2", "n3"];
@@ -28,18 +30,11 @@ impl Cluster {
     pub fn start(place: &Path) -> Result<Self> {
         make_folder(place).map_err(at(place))?;
         let mut cluster = Self { place: place.to_path_buf(), daemons: Vec::new() };
-        // Slurm's configuration accepts no path with a space, so none is expected here.
-        let place = place.display();
-        let files = format!(
-            "--socket={place}/munge.sock --key-file={place}/munge.key --seed-file={place}/munged.seed"
-        );
-        let logs = format!("--pid-file={place}/munged.pid --log-file={place}/munged.log");
-        cluster.spawn("munged", &format!("munged --foreground --force {files} {logs}"))?;
-        let socket = cluster.place.join("munge.sock");
-        wait_until("munge", || Ok(socket.exists()))?;
-        cluster.spawn("slurmctld", &format!("slurmctld -D -c -f {place}/slurm.conf"))?;
-        for node in NODES {
-            cluster.spawn(node, &format!("slurmd -D -N {node} -f {place}/slurm.conf"))?;
+        for [name, words] in rows(DAEMONS) {
+            // Slurm's configuration accepts no path with a space, so none is expected here.
+            cluster.spawn(name, &words.replace("{place}", &place.display().to_string()))?;
+            // All others need munge.
+            wait_until("munge", || Ok(place.join("munge.sock").exists()))?;
         }
         wait_until("three idle nodes", || {
             // Until the controller listens, sinfo fails and says so; only its last word counts.

@@ -7,17 +7,16 @@ use crate::prelude::*;
 /// A batch step has a session of its own: its supervisor, the script of the task, and what the script runs.
 ///
 /// # Errors
-/// When `kill` cannot be started.
+/// When the processes cannot be listed, or `kill` cannot be started.
 pub fn kill(variables: &[String]) -> Result<usize> {
-    let ids = fs::read_dir("/proc").into_iter().flatten().flatten();
-    let ids: Vec<String> = ids.map(|entry| entry.file_name().to_string_lossy().into_owned()).collect();
+    let names: Vec<String> = entries("/proc".as_ref())?.iter().map(|path| file_name(path)).collect();
+    let ids = || names.iter().filter(|name| name.bytes().all(|byte| byte.is_ascii_digit()));
     let own = session("self");
     // A node's work never has our session; killing that would be a mistake of ours.
-    let marked = ids.iter().filter(|id| has(id, variables)).filter_map(|id| session(id));
+    let marked = ids().filter(|id| has(id, variables)).filter_map(|id| session(id));
     let sessions: Vec<u32> = marked.filter(|session| Some(*session) != own).collect();
     let is_condemned = |id: &&String| session(id).is_some_and(|session| sessions.contains(&session));
-    let processes = ids.iter().filter(|id| id.bytes().all(|byte| byte.is_ascii_digit()));
-    let condemned: Vec<&String> = processes.filter(is_condemned).collect();
+    let condemned: Vec<&String> = ids().filter(is_condemned).collect();
     if !condemned.is_empty() {
         // Some may have ended meanwhile: that is what is wanted.
         program("kill", "-KILL").args(&condemned).stderr(Stdio::null()).code()?;
