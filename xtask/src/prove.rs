@@ -193,10 +193,7 @@ impl Coq {
         thread::scope(|scope| {
             let processors = thread::available_parallelism().map_or(1, usize::from);
             let workers: Vec<_> = (0..processors).map(|_| scope.spawn(work)).collect();
-            workers
-                .into_iter()
-                .flat_map(|it| it.join().unwrap_or_else(|panic| resume_unwind(panic)))
-                .collect()
+            workers.into_iter().flat_map(|it| it.join().unwrap_or_else(|why| resume_unwind(why))).collect()
         })
     }
 
@@ -205,7 +202,7 @@ impl Coq {
         let path = self.folder.join("checked").join(format!("{}.v", task.file));
         let (seal, known) = (path.with_extension("seal"), path.with_extension("out"));
         if read(&seal).is_ok_and(|sealed| sealed == digest) {
-            return Ok(Ok(read(&known)?));
+            return read(&known).map(Ok);
         }
         write(&path, &task.text)?;
         let start = Instant::now();

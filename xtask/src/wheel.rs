@@ -29,7 +29,8 @@ pub fn run(option: &str) -> Result {
     }
     machine::run()?;
     let tools = tools()?;
-    remove_wheels();
+    // An earlier version's wheel would be taken for this one's.
+    make_empty(&root().join(WHEELS))?;
     let profile = if option.is_empty() { "dist" } else { verify::profile() };
     let wheel = maturin(&tools, &format!("build --locked --profile {profile}"), &[])?;
     if option == "--pages" {
@@ -45,15 +46,10 @@ pub fn tools() -> Result<PathBuf> {
     environment(&workshop("tools"), &root().join("python/tests/requirements.txt"))
 }
 
-/// An earlier version's wheel would be taken for this one's.
-pub fn remove_wheels() {
-    let _ = fs::remove_dir_all(root().join(WHEELS));
-}
-
 /// Has maturin make a wheel or a source package, which is returned.
 pub fn maturin(tools: &Path, words: &str, variables: &[(&str, OsString)]) -> Result<PathBuf> {
     let folder = root().join(WHEELS);
-    let before = entries(&folder).unwrap_or_default();
+    let before = entries(&folder)?;
     let mut command = program(tools.join("maturin"), words);
     command.arg("--out").arg(&folder).envs(variables.iter().cloned());
     command.current_dir(root().join("python")).check()?;

@@ -26,7 +26,7 @@ const BUILD: &str = "build --locked --profile dist";
 pub fn run() -> Result {
     machine::require(&["python3", "cc", "make", "m4", "diff"])?;
     let tools = wheel::tools()?;
-    wheel::remove_wheels();
+    make_empty(&root().join(WHEELS))?;
     let wheels = if cfg!(target_os = "linux") {
         let programs = environment(&workshop("zig"), &root().join("python/tests/zig.txt"))?;
         C_LIBRARIES.iter().map(|library| build(&tools, &programs, library)).collect::<Result<Vec<_>>>()?

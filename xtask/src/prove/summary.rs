@@ -104,11 +104,9 @@ impl Steps {
                 open += &format!("not proved: {report} {claim}, {proof}, step {step} ({kind}): {why}\n");
             }
         }
-        let mut text = String::new();
-        for (kind, [done, all]) in &kinds {
-            text += &format!("{kind:<12} {done:>4} of {all:>4} steps\n");
-        }
-        text += &open;
+        let kinds =
+            kinds.iter().map(|(kind, [done, all])| format!("{kind:<12} {done:>4} of {all:>4} steps\n"));
+        let mut text = kinds.collect::<String>() + &open;
         let mut counts = [0; 5];
         for ([report, id], steps) in &claims {
             let Some((way, words)) = way(steps) else { continue };

@@ -124,17 +124,12 @@ fn test_items(code: &str) -> impl Iterator<Item = Range<usize>> {
 
 /// Where the item that begins at `start` ends: at its closing brace, or at a semicolon before any brace.
 fn item_end(code: &str, start: usize) -> usize {
-    let mut depth = 0_u32;
-    for (offset, character) in code[start..].char_indices() {
-        match character {
-            ';' if depth == 0 => return start + offset,
-            '{' => depth += 1,
-            '}' if depth <= 1 => return start + offset,
-            '}' => depth -= 1,
-            _ => {}
-        }
-    }
-    code.len()
+    let mut depth = 0;
+    let is_end = |c: char| {
+        depth += i32::from(c == '{') - i32::from(c == '}');
+        depth <= 0 && c == '}' || depth == 0 && c == ';'
+    };
+    code[start..].find(is_end).map_or(code.len(), |offset| start + offset)
 }
 
 /// Replaces comments and the insides of literals by spaces, keeping line breaks.
@@ -189,14 +184,9 @@ pub fn comment_length(rest: &str, [open, close]: [&str; 2]) -> usize {
 }
 
 fn quoted_length(rest: &str, quote: char) -> usize {
-    let mut escaped = false;
-    for (position, character) in rest.char_indices().skip(1) {
-        if character == quote && !escaped {
-            return position + 1;
-        }
-        escaped = character == '\\' && !escaped;
-    }
-    rest.len()
+    let is_escaped = |before: &str| (before.len() - before.trim_end_matches('\\').len()) % 2 == 1;
+    let mut quotes = rest.match_indices(quote).map(|(at, _)| at).skip(1);
+    quotes.find(|at| !is_escaped(&rest[..*at])).map_or(rest.len(), |at| at + 1)
 }
 
 #[cfg(test)]

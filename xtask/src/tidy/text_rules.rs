@@ -20,11 +20,10 @@ pub fn check(file: &Source, found: &mut Vec<String>) {
     // Not `lines()`, which would hide a carriage return.
     for (index, line) in file.text.split('\n').enumerate() {
         let mut complain = |message: &str| found.push(file.complaint(index + 1, message));
-        match line {
-            _ if !is_ours => {}
-            _ if line.contains('\t') => complain("a tab: indent with spaces"),
-            _ if line.ends_with([' ', '\r']) => complain("trailing whitespace"),
-            _ => {}
+        if is_ours && line.contains('\t') {
+            complain("a tab: indent with spaces");
+        } else if is_ours && line.ends_with([' ', '\r']) {
+            complain("trailing whitespace");
         }
         if is_lock && line.starts_with("source = ") && line != LOCK_SOURCE {
             complain("a package from elsewhere than the default registry");
