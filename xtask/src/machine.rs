@@ -75,11 +75,10 @@ fn packages(tools: &[&str]) -> Vec<&'static str> {
 }
 
 fn is_found(ways: &str) -> bool {
-    let succeeds =
-        |mut command: Command| command.stdin(Stdio::null()).output().is_ok_and(|it| it.status.success());
     ways.split(',').any(|way| match way.split_once(' ') {
         None => find_program(way).is_some(),
-        Some((name, words)) => succeeds(program(name, words)),
+        // Its standard input is empty.
+        Some((name, words)) => program(name, words).output().is_ok_and(|it| it.status.success()),
     })
 }
 

@@ -19,7 +19,7 @@ use crate::prelude::*;
 use crate::repository;
 use crate::{machine, verify};
 use files::{Library, library, names};
-use record::Record;
+use record::{Record, TABLE};
 use summary::Steps;
 pub use tie::run as tie;
 
@@ -84,9 +84,7 @@ pub fn run(option: &str) -> Result {
         return Ok(());
     }
     if record.update(&checked, &digests)? {
-        println!(
-            "prove: proofs/checked.csv records what was checked now: commit it, and nobody checks it again"
-        );
+        println!("prove: {TABLE} records what was checked now: commit it, and nobody checks it again");
     }
     // From this record the ledger knows what Coq has checked.
     let differs = repository::rewrite(&root().join("proofs/accepted.txt"), &accepted)?;

@@ -126,9 +126,7 @@ fn npm() -> Result<PathBuf> {
     let modules = workshop().join("node_modules");
     let sources = ["package.json", "package-lock.json", "pages.mjs"].map(definition);
     once(&modules.join(STAMP), &sources.iter().map(|path| read(path)).collect::<Result<String>>()?, || {
-        for source in &sources {
-            copy(source, &workshop().join(file_name(source)))?;
-        }
+        sources.iter().try_for_each(|source| copy(source, &workshop().join(file_name(source))))?;
         let options = "ci --no-audit --no-fund --ignore-scripts --loglevel=error";
         program("npm", options).current_dir(workshop()).check()
     })?;

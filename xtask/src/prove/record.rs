@@ -6,7 +6,8 @@ use super::{Digests, Said, Task, assumptions};
 use crate::prelude::*;
 use crate::repository;
 
-const TABLE: &str = "proofs/checked.csv";
+/// The record.
+pub const TABLE: &str = "proofs/checked.csv";
 const HEADER: &str = "file,digest,commit,assumes\n";
 
 /// What stands in the place of the axioms of a file that Coq did not accept.

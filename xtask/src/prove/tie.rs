@@ -7,6 +7,8 @@ use super::generate;
 use crate::prelude::*;
 use crate::{repository, verify};
 
+const TABLE: &str = "proofs/claims.csv";
+
 /// A row that has moved: the number of its line, and a text. Its first line is the row as it would be; a person reads the others before.
 type Moved = (usize, String);
 
@@ -24,17 +26,15 @@ pub fn run(arguments: &[String]) -> Result {
     }
     let Some((report, ids)) = arguments.split_first() else {
         for (line, text) in &moved {
-            println!("proofs/claims.csv:{line}: {}", claim_of(text).join(" "));
+            println!("{TABLE}:{line}: {}", claim_of(text).join(" "));
         }
         println!("tie: {} rows have other digests than their claims", moved.len());
         println!("tie: `cargo xtask tie REPORT [CLAIM...]` shows and writes them");
         return Ok(());
     };
-    let path = root().join("proofs/claims.csv");
+    let path = root().join(TABLE);
     write(&path, &rewritten(&read(&path)?, &moved, report, ids)?)?;
-    println!(
-        "tie: proofs/claims.csv is written; `cargo xtask prove` has Coq accept the theorems for these claims"
-    );
+    println!("tie: {TABLE} is written; `cargo xtask prove` has Coq accept the theorems for these claims");
     Ok(())
 }
 
@@ -48,7 +48,7 @@ fn claim_of(row: &str) -> [&str; 2] {
 fn rewritten(table: &str, moved: &[Moved], report: &str, ids: &[String]) -> Result<String> {
     let has_moved = |id: &String| moved.iter().any(|(_, text)| claim_of(text) == [report, id]);
     if let Some(id) = ids.iter().find(|id| !has_moved(id)) {
-        return Err(Failure::bad_input(format!("{report} {id}: no row of proofs/claims.csv has moved")));
+        return Err(Failure::bad_input(format!("{report} {id}: no row of {TABLE} has moved")));
     }
     let mut lines: Vec<&str> = table.lines().collect();
     for (line, text) in moved {
@@ -57,7 +57,7 @@ fn rewritten(table: &str, moved: &[Moved], report: &str, ids: &[String]) -> Resu
         if name != report || !ids.is_empty() && !ids.iter().any(|known| known == id) {
             continue;
         }
-        let wrong = || Failure::check(format!("proofs/claims.csv:{line}: not the row of {id}"));
+        let wrong = || Failure::check(format!("{TABLE}:{line}: not the row of {id}"));
         let place = lines.get_mut(line - 1).filter(|known| claim_of(known) == claim).ok_or_else(wrong)?;
         println!("--- {report} {id}\n{to_read}");
         *place = row;
