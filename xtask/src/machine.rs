@@ -26,7 +26,7 @@ pub fn run() -> Result {
 /// With exit code 2, naming what is missing and how to install it.
 pub fn require(tools: &[&str]) -> Result {
     let missing = provide(tools)?;
-    let (names, packages) = (missing.join(", "), packages(&missing).join(" "));
+    let (names, packages) = (missing.join(", "), Vec::from_iter(packages(&missing)).join(" "));
     let message =
         || format!("missing {names}; install these packages (their names in Debian and Ubuntu): {packages}");
     ensure(missing.is_empty(), || Failure::bad_input(message()))
@@ -69,9 +69,8 @@ pub fn path_of(tool: &str) -> PathBuf {
     row(tool)[1].split(',').find_map(find_program).unwrap_or_default()
 }
 
-fn packages(tools: &[&str]) -> Vec<&'static str> {
-    let packages: BTreeSet<&str> = tools.iter().flat_map(|tool| row(tool)[2].split(' ')).collect();
-    packages.into_iter().collect()
+fn packages(tools: &[&str]) -> BTreeSet<&'static str> {
+    tools.iter().flat_map(|tool| row(tool)[2].split(' ')).collect()
 }
 
 fn is_found(ways: &str) -> bool {
@@ -153,10 +152,8 @@ mod tests {
 
     #[test]
     fn every_tool_has_its_packages() {
-        assert_eq!(
-            packages(&["cc", "slurmd", "sbatch", "diff"]),
-            ["diffutils", "gcc", "libc6-dev", "slurm-wlm"]
-        );
+        let packages = packages(&["cc", "slurmd", "sbatch", "diff"]);
+        assert_eq!(Vec::from_iter(packages), ["diffutils", "gcc", "libc6-dev", "slurm-wlm"]);
         assert!(rows(TOOLS).all(|[tool, ..]: [&str; 3]| row(tool).iter().all(|field| !field.is_empty())));
     }
 }

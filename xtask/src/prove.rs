@@ -121,7 +121,7 @@ fn generated_tasks(generated: &Path, mode: Mode) -> Result<Vec<Task>> {
         if file.ends_with("_faults") == (mode == Mode::Faults) {
             files::check_text(&file, &text)?;
             let theorems = names(&text, if mode == Mode::Faults { "Lemma fault_" } else { "Theorem " });
-            tasks.push(Task { file, text, theorems });
+            tasks.push(Task { theorems: theorems.map(str::to_owned).collect(), file, text });
         }
     }
     Ok(tasks)
@@ -133,7 +133,7 @@ fn library_check(library: &Library) -> Task {
     let mut theorems = Vec::new();
     for word in ["Theorem ", "Lemma "] {
         for (module, text) in library {
-            theorems.extend(names(text, word).iter().map(|name| format!("{module}.{name}")));
+            theorems.extend(names(text, word).map(|name| format!("{module}.{name}")));
         }
     }
     let text = format!(

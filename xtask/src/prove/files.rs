@@ -68,9 +68,8 @@ fn without_comments(text: &str) -> String {
 }
 
 /// The names after this word at the beginning of a line.
-pub fn names(text: &str, word: &str) -> Vec<String> {
-    let lines = text.lines().filter_map(|line| line.strip_prefix(word));
-    lines.filter_map(|line| line.split_whitespace().next()).map(str::to_owned).collect()
+pub fn names<'t>(text: &'t str, word: &'t str) -> impl Iterator<Item = &'t str> {
+    text.lines().filter_map(move |line| line.strip_prefix(word)?.split_whitespace().next())
 }
 
 #[cfg(test)]
