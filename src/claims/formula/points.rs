@@ -208,7 +208,10 @@ pub(super) fn value(expression: &Expression, point: &Point) -> Option<String> {
     }
     let balls = point.iter().map(|(name, value)| (name.clone(), Ball::from_rational(value, BITS)));
     let value = expression.enclosed(&balls.collect(), BITS)?;
-    Some(format!("{}…", value.centre().to_string_radix_round(10, Some(DIGITS), Round::Zero)))
+    let text = |digits| value.centre().to_string_radix_round(10, Some(digits), Round::Zero);
+    // Cut at its decimal point, a number would not say how large it is: with a digit less it has an exponent.
+    let text = Some(text(DIGITS)).filter(|text| text.contains('.')).unwrap_or_else(|| text(DIGITS - 1));
+    Some(format!("{text}…"))
 }
 
 /// Bits and digits of values that are not rational.
