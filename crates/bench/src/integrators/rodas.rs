@@ -92,7 +92,7 @@ impl<R: Scalar> Stepper<R> for Rodas5P<R> {
 
     fn attempt(&mut self, model: &Model<R>, from: &State<R>, h: &R, weight: Weight) -> Option<Trial<R>> {
         // (1/γ − hJ) k_i = h f(argument) + Σ c_ij k_j.
-        let jacobian = model.jacobian(from).scaled(h);
+        let jacobian = model.jacobian(from).map(|entry| entry.clone() * h);
         let factors = Factors::new(&R::from_f64(1.0 / GAMMA), &jacobian);
         let mut stages: [State<R>; STAGES] = std::array::from_fn(|_| zero());
         let mut increment = zero();

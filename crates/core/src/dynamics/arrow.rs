@@ -7,47 +7,25 @@
 use std::ops::{Add, Mul, Neg, Sub};
 
 use super::Scalar;
+use crate::number::{Complex, fields};
 
-/// The non-zero entries of the Jacobian in the order (x, y, ζ).
-#[derive(Debug, Clone)]
-pub struct Arrow<R> {
-    /// ∂x'/∂x.
-    pub xx: R,
-    /// ∂x'/∂y.
-    pub xy: R,
-    /// ∂x'/∂ζ.
-    pub xz: R,
-    /// ∂y'/∂x.
-    pub yx: R,
-    /// ∂y'/∂y.
-    pub yy: R,
-    /// ∂ζ'/∂x.
-    pub zx: R,
-}
-
-impl<R: Scalar> Arrow<R> {
-    /// All entries times the step.
-    #[must_use]
-    #[inline(always)]
-    pub fn scaled(&self, h: &R) -> Self {
-        Self {
-            xx: self.xx.clone() * h,
-            xy: self.xy.clone() * h,
-            xz: self.xz.clone() * h,
-            yx: self.yx.clone() * h,
-            yy: self.yy.clone() * h,
-            zx: self.zx.clone() * h,
-        }
+fields! {
+    /// The non-zero entries of the Jacobian in the order (x, y, ζ).
+    #[derive(Debug, Clone)]
+    pub struct Arrow<R>[6] {
+        /// ∂x'/∂x.
+        pub xx,
+        /// ∂x'/∂y.
+        pub xy,
+        /// ∂x'/∂ζ.
+        pub xz,
+        /// ∂y'/∂x.
+        pub yx,
+        /// ∂y'/∂y.
+        pub yy,
+        /// ∂ζ'/∂x.
+        pub zx,
     }
-}
-
-/// A complex number over any scalar, with just the operations that the elimination needs.
-#[derive(Debug, Clone)]
-pub struct Complex<R> {
-    /// The real part.
-    pub re: R,
-    /// The imaginary part.
-    pub im: R,
 }
 
 /// What the elimination asks of its numbers: a field, with the real scalars acting on it.
@@ -80,55 +58,20 @@ impl<R: Scalar> OverReals<R> for R {
 impl<R: Scalar> OverReals<R> for Complex<R> {
     #[inline(always)]
     fn from_real(value: &R) -> Self {
-        Self { re: value.clone(), im: R::from(0) }
+        Self::real(value.clone())
     }
     /// Scaled by the larger part: no overflow while operand and result are in range, and no branch to mispredict.
     #[inline(always)]
     fn inverse(&self) -> Self {
         let (re_size, im_size) = (self.re.abs(), self.im.abs());
         let scale = R::from(1) / if re_size < im_size { im_size } else { re_size };
-        let (re, im) = (self.re.clone() * &scale, self.im.clone() * &scale);
+        let Self { re, im } = Self::times_real(self, &scale);
         let factor = scale / (re.square() + im.square());
         Self { re: re * &factor, im: -(im * &factor) }
     }
     #[inline(always)]
     fn times_real(&self, factor: &R) -> Self {
-        Self { re: self.re.clone() * factor, im: self.im.clone() * factor }
-    }
-}
-
-impl<R: Scalar> Add for Complex<R> {
-    type Output = Self;
-    #[inline(always)]
-    fn add(self, other: Self) -> Self {
-        Self { re: self.re + other.re, im: self.im + other.im }
-    }
-}
-
-impl<R: Scalar> Sub for Complex<R> {
-    type Output = Self;
-    #[inline(always)]
-    fn sub(self, other: Self) -> Self {
-        Self { re: self.re - other.re, im: self.im - other.im }
-    }
-}
-
-impl<R: Scalar> Neg for Complex<R> {
-    type Output = Self;
-    #[inline(always)]
-    fn neg(self) -> Self {
-        Self { re: -self.re, im: -self.im }
-    }
-}
-
-impl<R: Scalar> Mul for Complex<R> {
-    type Output = Self;
-    #[inline(always)]
-    fn mul(self, other: Self) -> Self {
-        Self {
-            re: self.re.clone() * &other.re - self.im.clone() * &other.im,
-            im: self.re * &other.im + self.im * &other.re,
-        }
+        Self::times_real(self, factor)
     }
 }
 
@@ -208,11 +151,11 @@ mod tests {
             let jacobian = arrow(e);
             let lambda = Complex { re, im };
             let right = r.map(|re| Complex { re, im: 0.25 });
-            let d = Factors::new(&lambda, &jacobian).solve(&jacobian, right.clone());
+            let d = Factors::new(&lambda, &jacobian).solve(&jacobian, right);
             let product_re = jacobian.times(&[d[0].re, d[1].re, d[2].re]);
             let product_im = jacobian.times(&[d[0].im, d[1].im, d[2].im]);
             for i in 0..3 {
-                let left = lambda.clone() * d[i].clone() - Complex { re: product_re[i], im: product_im[i] };
+                let left = lambda * d[i] - Complex { re: product_re[i], im: product_im[i] };
                 prop_assert!((left.re - right[i].re).abs() < 1e-13 && (left.im - right[i].im).abs() < 1e-13);
             }
         }

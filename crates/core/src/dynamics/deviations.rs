@@ -97,8 +97,7 @@ impl<R: Scalar> Sampling<R> {
     /// From the fastest rate on, in the model's own units.
     fn of(model: &Model<R>, local_tolerance: f64) -> Self {
         let zero: [R; 3] = std::array::from_fn(|_| R::from(0));
-        let jacobian = model.jacobian(&zero);
-        let entries = [jacobian.xx, jacobian.xy, jacobian.xz, jacobian.yx, jacobian.yy, jacobian.zx];
+        let entries: [R; 6] = model.jacobian(&zero).into();
         let fastest = entries.iter().fold(0.0f64, |largest, entry| largest.max(entry.to_f64().abs()));
         Self {
             local_tolerance,

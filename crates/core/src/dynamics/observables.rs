@@ -1,20 +1,23 @@
 //! What a cycle shows, quantity by quantity: values, differences, errors or derivatives of the same five.
 
 use super::{Return, Scalar};
+use crate::number::fields;
 
-/// One value for each quantity that a return shows.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Observables<T> {
-    /// Of ln(V_peak/V_l).
-    pub log_peak: T,
-    /// Of ln(duration).
-    pub log_duration: T,
-    /// Of ln(V_min/V_l).
-    pub log_trough: T,
-    /// Of the largest ζ on V = V_l.
-    pub highest_stress: T,
-    /// Of the least ζ on V = V_l.
-    pub lowest_stress: T,
+fields! {
+    /// One value for each quantity that a return shows.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    pub(super) struct Observables<T>[5] {
+        /// Of ln(V_peak/V_l).
+        pub log_peak,
+        /// Of ln(duration).
+        pub log_duration,
+        /// Of ln(V_min/V_l).
+        pub log_trough,
+        /// Of the largest ζ on V = V_l.
+        pub highest_stress,
+        /// Of the least ζ on V = V_l.
+        pub lowest_stress,
+    }
 }
 
 impl Observables<f64> {
@@ -44,7 +47,7 @@ impl Observables<f64> {
 
     /// The largest of the values, at least 0.
     pub fn largest(self) -> f64 {
-        self.values().into_iter().fold(0.0f64, f64::max)
+        <[f64; 5]>::from(self).into_iter().fold(0.0f64, f64::max)
     }
 
     /// The larger error of peak and duration, which the requested tolerance bounds.
@@ -55,40 +58,25 @@ impl Observables<f64> {
 
 impl<T: Copy> Observables<T> {
     /// The same value for all.
-    pub const fn all(value: T) -> Self {
-        Self::from_values([value; 5])
+    pub fn all(value: T) -> Self {
+        [value; 5].into()
     }
 
     /// `stress` for the quantities that a stick phase carries on, the least velocity and both stresses, and `other` for the rest.
-    pub const fn held(held: T, other: T) -> Self {
+    pub fn held(held: T, other: T) -> Self {
         Self { log_trough: held, highest_stress: held, lowest_stress: held, ..Self::all(other) }
-    }
-
-    const fn values(self) -> [T; 5] {
-        [self.log_peak, self.log_duration, self.log_trough, self.highest_stress, self.lowest_stress]
-    }
-
-    const fn from_values(
-        [log_peak, log_duration, log_trough, highest_stress, lowest_stress]: [T; 5],
-    ) -> Self {
-        Self { log_peak, log_duration, log_trough, highest_stress, lowest_stress }
-    }
-
-    /// Applies a function to each.
-    pub fn map<S: Copy>(self, f: impl FnMut(T) -> S) -> Observables<S> {
-        Observables::from_values(self.values().map(f))
     }
 
     /// Joins each with its counterpart.
     pub fn zip<S: Copy>(self, other: Observables<S>) -> Observables<(T, S)> {
-        let (own, others) = (self.values(), other.values());
-        Observables::from_values(std::array::from_fn(|n| (own[n], others[n])))
+        let (own, others): ([T; 5], [S; 5]) = (self.into(), other.into());
+        std::array::from_fn(|n| (own[n], others[n])).into()
     }
 }
 
 impl std::ops::Add for Observables<f64> {
     type Output = Self;
     fn add(self, other: Self) -> Self {
-        self.zip(other).map(|(a, b)| a + b)
+        self.zip(other).map(|&(a, b)| a + b)
     }
 }

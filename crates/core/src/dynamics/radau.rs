@@ -4,10 +4,11 @@
 //! systems (λ − hJ) ΔW = T^{-1} h F − ΛW, each solved by the arrowhead elimination. Newton stops on the update: the
 //! residual of x' is rounding noise magnified by e^{−x}/η in stick phases and says nothing.
 
-use super::arrow::{Arrow, Complex, Factors};
+use super::arrow::{Arrow, Factors};
 use super::collocation::Collocation;
 use super::stepper::{Stepper, Trial, Weight, increment};
 use super::{Model, Scalar, State};
+use crate::number::Complex;
 use crate::number::dispatch::{Kernel, run_on_widest_unit};
 
 /// Newton iterations before a step is given up.
@@ -271,7 +272,10 @@ impl<R: Scalar, const S: usize> Kernel for Attempt<'_, R, S> {
         method.predict(h);
         // The Jacobian of the predicted middle of the step: in half the iterations of the one at its start.
         let centre = sum(from, &method.stages[S / 2]);
-        let factors = StepFactors::new(&method.constants.eigenvalues, model.jacobian(&centre).scaled(h));
+        let factors = StepFactors::new(
+            &method.constants.eigenvalues,
+            model.jacobian(&centre).map(|entry| entry.clone() * h),
+        );
         if !method.solve_stages(model, from, h, &factors, weight) {
             return;
         }

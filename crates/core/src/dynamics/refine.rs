@@ -202,7 +202,7 @@ fn approach<R: Scalar, M: Stepper<R> + Clone>(
         }
         let noise = derivative.correction([rounding(&mapped); 2]);
         let resolved = size <= noise[0].abs().max(noise[1].abs());
-        if change.map(f64::abs).peak_or_duration() <= 0.1 * requested || resolved {
+        if change.map(|part| part.abs()).peak_or_duration() <= 0.1 * requested || resolved {
             return Ok(Some((mapped, rate)));
         }
         // The map has steps of the size of its errors; nearer than that no correction leads.

@@ -33,14 +33,14 @@ pub(super) fn rounding_shown<R: Scalar>(
     mapped: &MappedReturn<R>,
     gains: Observables<f64>,
 ) -> Observables<f64> {
-    let shown = Observables::of(&mapped.orbit).map(f64::abs);
+    let shown = Observables::of(&mapped.orbit).map(|value| value.abs());
     let range = shown.log_peak.max(shown.log_trough).max(1.0);
     let whole = rounding(mapped);
     let unit = whole / mapped.size().max(range);
     shown
         .zip(gains)
         .zip(Observables::held(1.0, 0.0))
-        .map(|((shown, gain), held)| unit * shown.max(range) + HELD * whole * gain.max(held))
+        .map(|&((shown, gain), held)| unit * shown.max(range) + HELD * whole * gain.max(held))
 }
 
 /// The errors of the finer of two returns that differ by this much, and of what is seen of a bad step, which acts like a deviation of the
@@ -56,7 +56,7 @@ pub(super) fn return_errors<R: Scalar>(
     // Stress is loaded at a steady rate: what a stick phase errs in its duration, stress errs in its range.
     let range = (orbit.highest_stress.to_f64() - orbit.lowest_stress.to_f64()).abs();
     let loaded = Observables::held(range, 0.0).map(|range| range * differences.log_duration.abs());
-    differences.zip(loaded).zip(scales).zip(gains).map(|(((difference, loaded), scale), gain)| {
+    differences.zip(loaded).zip(scales).zip(gains).map(|&(((difference, loaded), scale), gain)| {
         OF_DIFFERENCE * (difference.abs() + loaded) + OF_LARGEST * largest * scale + gain.max(1.0) * floor
     })
 }

@@ -154,7 +154,7 @@ impl Derivative {
                 derivative.image[row][column] = if slope.abs() < resolution { 0.0 } else { slope };
             }
             let differences = Observables::differences(&high.orbit, &low.orbit);
-            derivative.observed = derivative.observed.zip(differences).map(|(mut row, difference)| {
+            derivative.observed = derivative.observed.zip(differences).map(|&(mut row, difference)| {
                 // Errors are bounded by these: what cannot be resolved counts with all it may be.
                 row[column] = slope(difference).abs().max(resolution);
                 row

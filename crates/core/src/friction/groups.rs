@@ -2,28 +2,30 @@
 
 use std::ops::{Add, Sub};
 
-use crate::number::Field;
+use crate::number::{Field, fields};
 
-/// η, κ and β: with time in units of D_c/V0 the slider, linear or not, has no other parameter.
-///
-/// ```
-/// use slipmode_core::{friction::Groups, number::Rational};
-///
-/// let [inertial_parameter, stiffness_group, effect_ratio] = [1, 2, 3].map(Rational::from);
-/// let groups = Groups { inertial_parameter, stiffness_group, effect_ratio };
-/// // Eq 8: η p³ + (1 + η) p² + (κ + 1 − β) p + κ = 0.
-/// assert_eq!(groups.characteristic_cubic(), [2, 0, 2, 1].map(Rational::from));
-/// // κ_c = (β − 1)(1 + η) = 4 > κ: unstable.
-/// assert_eq!(groups.transition_margin(), -2);
-/// ```
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Groups<R> {
-    /// η = M V0²/(σ a D_c).
-    pub inertial_parameter: R,
-    /// κ = K D_c/(a σ).
-    pub stiffness_group: R,
-    /// β = b/a.
-    pub effect_ratio: R,
+fields! {
+    /// η, κ and β: with time in units of D_c/V0 the slider, linear or not, has no other parameter.
+    ///
+    /// ```
+    /// use slipmode_core::{friction::Groups, number::Rational};
+    ///
+    /// let [inertial_parameter, stiffness_group, effect_ratio] = [1, 2, 3].map(Rational::from);
+    /// let groups = Groups { inertial_parameter, stiffness_group, effect_ratio };
+    /// // Eq 8: η p³ + (1 + η) p² + (κ + 1 − β) p + κ = 0.
+    /// assert_eq!(groups.characteristic_cubic(), [2, 0, 2, 1].map(Rational::from));
+    /// // κ_c = (β − 1)(1 + η) = 4 > κ: unstable.
+    /// assert_eq!(groups.transition_margin(), -2);
+    /// ```
+    #[derive(Debug, Clone, PartialEq, Eq)]
+    pub struct Groups<R>[3] {
+        /// η = M V0²/(σ a D_c).
+        pub inertial_parameter,
+        /// κ = K D_c/(a σ).
+        pub stiffness_group,
+        /// β = b/a.
+        pub effect_ratio,
+    }
 }
 
 /// κ_c = (β−1)(1+η), the κ of K = K_c (eq 9) at these β and η.
@@ -70,16 +72,5 @@ impl<R: Field> Groups<R> {
     #[must_use]
     pub fn natural_angular_frequency_squared(&self) -> R {
         self.stiffness_group.clone() / &self.inertial_parameter
-    }
-
-    /// The same groups in another number type.
-    #[must_use]
-    #[inline(always)]
-    pub fn map<S>(&self, mut convert: impl FnMut(&R) -> S) -> Groups<S> {
-        Groups {
-            inertial_parameter: convert(&self.inertial_parameter),
-            stiffness_group: convert(&self.stiffness_group),
-            effect_ratio: convert(&self.effect_ratio),
-        }
     }
 }

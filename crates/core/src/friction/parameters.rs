@@ -1,23 +1,25 @@
 //! A slider at an operating point: the seven inputs of the spring-slider, in SI.
 
 use crate::friction::{Groups, Slider};
-use crate::number::Field;
+use crate::number::{Field, fields};
 
-/// How the slider is driven: one point of the (V0, σ) plane; both values are positive.
-///
-/// ```
-/// use slipmode_core::friction::{OperatingPoint, Parameters, Slider};
-///
-/// let point = OperatingPoint { normal_stress_pa: 1e6, loading_velocity_m_per_s: 1e-5 };
-/// let parameters = Parameters { slider: Slider::from([0.004, 0.006, 1e-5, 1e7, 1000.0]), point };
-/// assert!((parameters.rate_per_s() - 1.0).abs() < 1e-15);
-/// ```
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct OperatingPoint<R> {
-    /// σ of eq 4, Pa.
-    pub normal_stress_pa: R,
-    /// V0 of eq 4 (the paper's V_l in its section 3), m/s.
-    pub loading_velocity_m_per_s: R,
+fields! {
+    /// How the slider is driven: one point of the (V0, σ) plane; both values are positive.
+    ///
+    /// ```
+    /// use slipmode_core::friction::{OperatingPoint, Parameters, Slider};
+    ///
+    /// let point = OperatingPoint { normal_stress_pa: 1e6, loading_velocity_m_per_s: 1e-5 };
+    /// let parameters = Parameters { slider: Slider::from([0.004, 0.006, 1e-5, 1e7, 1000.0]), point };
+    /// assert!((parameters.rate_per_s() - 1.0).abs() < 1e-15);
+    /// ```
+    #[derive(Debug, Clone, PartialEq, Eq, Hash)]
+    pub struct OperatingPoint<R>[2] {
+        /// σ of eq 4, Pa.
+        pub normal_stress_pa,
+        /// V0 of eq 4 (the paper's V_l in its section 3), m/s.
+        pub loading_velocity_m_per_s,
+    }
 }
 
 /// A slider at an operating point: all that the equations of motion need.
@@ -40,18 +42,15 @@ pub struct Parameters<R> {
 /// The seven values in the order of the fields: a, b, D_c, K, M, σ, V0.
 impl<R> From<[R; 7]> for Parameters<R> {
     fn from([a, b, d, k, m, s, v]: [R; 7]) -> Self {
-        Self {
-            slider: Slider::from([a, b, d, k, m]),
-            point: OperatingPoint { normal_stress_pa: s, loading_velocity_m_per_s: v },
-        }
+        Self { slider: [a, b, d, k, m].into(), point: [s, v].into() }
     }
 }
 
 /// The inverse of [`Parameters::from`] an array: a, b, D_c, K, M, σ, V0.
 impl<R> From<Parameters<R>> for [R; 7] {
     fn from(Parameters { slider, point }: Parameters<R>) -> Self {
-        let [a, b, d, k, m] = slider.into();
-        [a, b, d, k, m, point.normal_stress_pa, point.loading_velocity_m_per_s]
+        let ([a, b, d, k, m], [s, v]) = (slider.into(), point.into());
+        [a, b, d, k, m, s, v]
     }
 }
 
@@ -66,10 +65,7 @@ impl<R: Clone> Slider<R> {
     /// ```
     #[must_use]
     pub fn at(&self, normal_stress_pa: R, loading_velocity_m_per_s: R) -> Parameters<R> {
-        Parameters {
-            slider: self.clone(),
-            point: OperatingPoint { normal_stress_pa, loading_velocity_m_per_s },
-        }
+        Parameters { slider: self.clone(), point: [normal_stress_pa, loading_velocity_m_per_s].into() }
     }
 }
 
@@ -78,13 +74,7 @@ impl<R> Parameters<R> {
     #[must_use]
     #[inline(always)]
     pub fn map<S>(&self, mut convert: impl FnMut(&R) -> S) -> Parameters<S> {
-        Parameters {
-            slider: self.slider.map(&mut convert),
-            point: OperatingPoint {
-                normal_stress_pa: convert(&self.point.normal_stress_pa),
-                loading_velocity_m_per_s: convert(&self.point.loading_velocity_m_per_s),
-            },
-        }
+        Parameters { slider: self.slider.map(&mut convert), point: self.point.map(convert) }
     }
 }
 

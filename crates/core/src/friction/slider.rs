@@ -1,72 +1,35 @@
 //! Material and machine: the five inputs of the spring-slider that do not say how it is driven, in SI.
 
 use super::Quantity;
-use crate::number::{Field, Real};
+use crate::number::{Field, Real, fields};
 
-/// Rate-and-state friction on a spring and a mass; every value is positive.
-///
-/// ```
-/// use slipmode_core::{friction::Slider, number::parse_decimal};
-///
-/// // A laboratory slider: a, b, D_c in m, K in Pa/m, M in kg/m².
-/// let slider = Slider::from(["0.004", "0.006", "1e-5", "1e7", "1000"].map(|text| parse_decimal(text).unwrap()));
-/// assert!(slider.has_transition()); // b > a
-/// assert_eq!(slider.critical_normal_stress_pa(), 50_000); // K D_c/(b − a)
-/// ```
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Slider<R> {
-    /// a of eq 1, dimensionless.
-    pub direct_effect: R,
-    /// b of eq 1, dimensionless.
-    pub evolution_effect: R,
-    /// D_c of eqs 1-3, m.
-    pub critical_slip_distance_m: R,
-    /// K of eq 4: shear stress per slip, Pa/m.
-    pub stiffness_pa_per_m: R,
-    /// M of eq 4: mass per unit area, kg/m².
-    pub mass_per_area_kg_per_m2: R,
-}
-
-/// The five values in the order of the fields: a, b, D_c, K, M.
-impl<R> From<[R; 5]> for Slider<R> {
-    fn from([a, b, d, k, m]: [R; 5]) -> Self {
-        Self {
-            direct_effect: a,
-            evolution_effect: b,
-            critical_slip_distance_m: d,
-            stiffness_pa_per_m: k,
-            mass_per_area_kg_per_m2: m,
-        }
-    }
-}
-
-/// The inverse of [`Slider::from`] an array: a, b, D_c, K, M.
-impl<R> From<Slider<R>> for [R; 5] {
-    fn from(slider: Slider<R>) -> Self {
-        [
-            slider.direct_effect,
-            slider.evolution_effect,
-            slider.critical_slip_distance_m,
-            slider.stiffness_pa_per_m,
-            slider.mass_per_area_kg_per_m2,
-        ]
+fields! {
+    /// Rate-and-state friction on a spring and a mass; every value is positive.
+    ///
+    /// ```
+    /// use slipmode_core::{friction::Slider, number::parse_decimal};
+    ///
+    /// // A laboratory slider: a, b, D_c in m, K in Pa/m, M in kg/m².
+    /// let slider = Slider::from(["0.004", "0.006", "1e-5", "1e7", "1000"].map(|text| parse_decimal(text).unwrap()));
+    /// assert!(slider.has_transition()); // b > a
+    /// assert_eq!(slider.critical_normal_stress_pa(), 50_000); // K D_c/(b − a)
+    /// ```
+    #[derive(Debug, Clone, PartialEq, Eq, Hash)]
+    pub struct Slider<R>[5] {
+        /// a of eq 1, dimensionless.
+        pub direct_effect,
+        /// b of eq 1, dimensionless.
+        pub evolution_effect,
+        /// D_c of eqs 1-3, m.
+        pub critical_slip_distance_m,
+        /// K of eq 4: shear stress per slip, Pa/m.
+        pub stiffness_pa_per_m,
+        /// M of eq 4: mass per unit area, kg/m².
+        pub mass_per_area_kg_per_m2,
     }
 }
 
 impl<R> Slider<R> {
-    /// The same slider in another number type.
-    #[must_use]
-    #[inline(always)]
-    pub fn map<S>(&self, mut convert: impl FnMut(&R) -> S) -> Slider<S> {
-        Slider {
-            direct_effect: convert(&self.direct_effect),
-            evolution_effect: convert(&self.evolution_effect),
-            critical_slip_distance_m: convert(&self.critical_slip_distance_m),
-            stiffness_pa_per_m: convert(&self.stiffness_pa_per_m),
-            mass_per_area_kg_per_m2: convert(&self.mass_per_area_kg_per_m2),
-        }
-    }
-
     /// The value of a quantity; none of the operating point.
     #[must_use]
     pub const fn value(&self, quantity: Quantity) -> Option<&R> {

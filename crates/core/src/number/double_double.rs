@@ -41,6 +41,12 @@ pub(crate) fn two_product(a: f64, b: f64) -> (f64, f64) {
     (product, a.mul_add(b, -product))
 }
 
+/// One of two numbers, without a branch.
+#[inline(always)]
+pub(crate) fn select(condition: bool, yes: f64, no: f64) -> f64 {
+    if condition { yes } else { no }
+}
+
 impl Dd {
     /// Bound on the relative error of one operation: 2^-102 (the division's 15·2^-106 is the largest).
     pub const UNIT: f64 = 1.0 / (1u128 << 102) as f64;
@@ -125,8 +131,7 @@ impl Dd {
     /// One of two numbers, without a branch.
     #[inline(always)]
     pub(crate) fn select(condition: bool, yes: Self, no: Self) -> Self {
-        let (hi, lo) = if condition { (yes.hi, yes.lo) } else { (no.hi, no.lo) };
-        Self { hi, lo }
+        Self { hi: select(condition, yes.hi, no.hi), lo: select(condition, yes.lo, no.lo) }
     }
 
     /// Whether every number within `error` of this one rounds to its leading part; the error is at least [`Dd::UNIT`] of it.

@@ -8,23 +8,21 @@
 //! assert_eq!(nearest_f64(&parse_decimal("0.1").unwrap()), 0.1);
 //! ```
 
+mod complex;
 mod dd_decimal;
-#[doc(hidden)]
 pub mod dispatch;
 mod double_double;
-#[doc(hidden)]
+mod fields;
 pub mod format;
-mod rectangle;
-#[doc(hidden)]
 pub mod search;
-#[doc(hidden)]
 pub mod split_mix;
 mod wide;
 
-#[doc(hidden)]
+pub(crate) use complex::{Complex, Rectangle};
 pub use dd_decimal::parse_decimal_to_dd;
 pub use double_double::Dd;
-pub(crate) use rectangle::Rectangle;
+pub(crate) use double_double::select;
+pub(crate) use fields::fields;
 pub(crate) use slipmode_algebra::number::Interval;
 pub use slipmode_algebra::number::{
     Ball, DecimalError, Field, MAX_DIGITS, MAX_EXPONENT, Rational, Real, bits_for_digits, nearest_f64,

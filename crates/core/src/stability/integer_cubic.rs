@@ -51,7 +51,7 @@ impl IntegerCubic {
     }
 
     /// What double-double then says of the point.
-    pub(super) fn values(&self, point: &Parameters<Dd>) -> PointValues {
+    pub(super) fn values(&self, point: &Parameters<Dd>) -> PointValues<f64> {
         let Depressed { linear, constant, .. } = &self.depressed;
         let [linear, constant, direct] = [linear, constant, &self.direct].map(leading);
         // Beyond ±1000 the quotient lies far outside the range in any case, as no leading part exceeds 2^126.
@@ -74,7 +74,7 @@ struct OfDepressed<'a> {
     linear: (Dd, i32),
     constant: (Dd, i32),
     direct: Dd,
-    values: &'a mut PointValues,
+    values: &'a mut PointValues<f64>,
 }
 
 impl Kernel for OfDepressed<'_> {

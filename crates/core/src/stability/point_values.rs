@@ -2,7 +2,7 @@
 
 use super::certain_signs::{BoundedGroups, InputError};
 use crate::friction::{Groups, Parameters};
-use crate::number::Dd;
+use crate::number::{Dd, fields, select};
 use crate::roots::{Bounded, BranchlessRoots};
 
 /// The relative error of V0/D_c and of the product with it, beyond the inputs' own: three operations.
@@ -23,98 +23,45 @@ pub(super) enum Route {
     Shift,
 }
 
-/// What is said of a point; every field is a number, so that a block of points is a few columns.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct PointValues {
-    /// 0 when 64-bit is not certain of both signs, else 1, plus 1 when K > K_c, plus 2 when all roots are real.
-    pub(super) filtered: f64,
-    /// +1 when all roots are real, −1 when two are a pair, 0 when some root is not within its bound.
-    pub(super) sign: f64,
-    /// A real root, 1/s.
-    pub(super) real: f64,
-    /// Another real root, or the real part of the pair, 1/s.
-    pub(super) first: f64,
-    /// The third real root, or the imaginary part of the pair, 1/s.
-    pub(super) second: f64,
-    /// Its trailing part in double-double, 1/s.
-    pub(super) second_trailing: f64,
-    /// Bound on the error of both parts together, 1/s.
-    pub(super) second_error: f64,
-    /// The largest real part, 1/s.
-    pub(super) max_real: f64,
-    /// Bound on its error, rounding included, 1/s.
-    pub(super) max_real_error: f64,
-    /// 1 when the largest real part and a pair's imaginary part are certain to be correctly rounded.
-    pub(super) rounded: f64,
-    /// The imaginary part of the pair in units of V0/D_c.
-    pub(super) frequency: f64,
-    /// V0/D_c, 1/s.
-    pub(super) rate: f64,
-    /// η.
-    pub(super) inertial_parameter: f64,
-    /// κ.
-    pub(super) stiffness_group: f64,
-    /// β.
-    pub(super) effect_ratio: f64,
+fields! {
+    /// What is said of a point; every field is a number, so that a block of points is a few columns.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    pub(super) struct PointValues<R>[FIELDS] {
+        /// 0 when 64-bit is not certain of both signs, else 1, plus 1 when K > K_c, plus 2 when all roots are real.
+        pub(super) filtered,
+        /// +1 when all roots are real, −1 when two are a pair, 0 when some root is not within its bound.
+        pub(super) sign,
+        /// A real root, 1/s.
+        pub(super) real,
+        /// Another real root, or the real part of the pair, 1/s.
+        pub(super) first,
+        /// The third real root, or the imaginary part of the pair, 1/s.
+        pub(super) second,
+        /// Its trailing part in double-double, 1/s.
+        pub(super) second_trailing,
+        /// Bound on the error of both parts together, 1/s.
+        pub(super) second_error,
+        /// The largest real part, 1/s.
+        pub(super) max_real,
+        /// Bound on its error, rounding included, 1/s.
+        pub(super) max_real_error,
+        /// 1 when the largest real part and a pair's imaginary part are certain to be correctly rounded.
+        pub(super) rounded,
+        /// The imaginary part of the pair in units of V0/D_c.
+        pub(super) frequency,
+        /// V0/D_c, 1/s.
+        pub(super) rate,
+        /// η.
+        pub(super) inertial_parameter,
+        /// κ.
+        pub(super) stiffness_group,
+        /// β.
+        pub(super) effect_ratio,
+    }
 }
 
 /// The number of the fields of [`PointValues`].
 pub(super) const FIELDS: usize = 15;
-
-impl From<PointValues> for [f64; FIELDS] {
-    #[inline(always)]
-    fn from(values: PointValues) -> Self {
-        [
-            values.filtered,
-            values.sign,
-            values.real,
-            values.first,
-            values.second,
-            values.second_trailing,
-            values.second_error,
-            values.max_real,
-            values.max_real_error,
-            values.rounded,
-            values.frequency,
-            values.rate,
-            values.inertial_parameter,
-            values.stiffness_group,
-            values.effect_ratio,
-        ]
-    }
-}
-
-impl From<[f64; FIELDS]> for PointValues {
-    #[inline(always)]
-    fn from(values: [f64; FIELDS]) -> Self {
-        let [filtered, sign, real, first, second, second_trailing, second_error, ..] = values;
-        let [.., max_real, max_real_error, rounded, frequency, rate, _, _, _] = values;
-        let [.., inertial_parameter, stiffness_group, effect_ratio] = values;
-        Self {
-            filtered,
-            sign,
-            real,
-            first,
-            second,
-            second_trailing,
-            second_error,
-            max_real,
-            max_real_error,
-            rounded,
-            frequency,
-            rate,
-            inertial_parameter,
-            stiffness_group,
-            effect_ratio,
-        }
-    }
-}
-
-/// One of two numbers, without a branch.
-#[inline(always)]
-fn select(condition: bool, yes: f64, no: f64) -> f64 {
-    if condition { yes } else { no }
-}
 
 /// A root in 1/s, with its bound before it is rounded to 64-bit.
 #[inline(always)]
@@ -133,7 +80,7 @@ fn larger((one, one_error): (f64, f64), (other, other_error): (f64, f64)) -> (f6
     (value, select(value - error > rest, error, one_error.max(other_error)))
 }
 
-impl PointValues {
+impl PointValues<f64> {
     /// The groups in 64-bit.
     pub(super) const fn groups(&self) -> Groups<f64> {
         Groups {

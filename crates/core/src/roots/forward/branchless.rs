@@ -13,7 +13,7 @@
 
 use super::super::kahan::kahan_root_without_branches;
 use super::{Bounded, BoundedCubic, SLACK, Working, is_small};
-use crate::number::{Dd, Field, Real};
+use crate::number::{Dd, Field, Real, select};
 
 /// Bound on the relative error of one operation in double-double.
 const UNIT: f64 = Dd::UNIT;
@@ -41,12 +41,6 @@ impl BranchlessRoots {
         let as_real = within(&self.first) & within(&self.second);
         within(&self.real) & ((self.sign > 0.0) & as_real | (self.sign < 0.0) & as_pair)
     }
-}
-
-/// One of two numbers, without a branch.
-#[inline(always)]
-fn select(condition: bool, yes: f64, no: f64) -> f64 {
-    if condition { yes } else { no }
 }
 
 /// What is known of a function at a 64-bit number.

@@ -46,7 +46,7 @@ pub fn classify_points(
 }
 
 /// The classification where 64-bit decides both signs and both values are certain to be correctly rounded.
-fn classified(values: &PointValues, limit: f64) -> Option<Classification> {
+fn classified(values: &PointValues<f64>, limit: f64) -> Option<Classification> {
     let is_pair = values.sign < 0.0;
     let usable = values.filtered > 0.0 && values.sign != 0.0 && values.rounded > 0.0;
     // What lies far outside is left to the general way, which has a wider range.

@@ -14,7 +14,7 @@ pub(in crate::stability) fn point_values(
     points: &[Parameters<Dd>],
     input_error: InputError,
     route: Route,
-) -> Vec<PointValues> {
+) -> Vec<PointValues<f64>> {
     points.chunks(BLOCK).flat_map(|block| values_of_block(block, input_error, route)).collect()
 }
 
@@ -22,7 +22,7 @@ fn values_of_block(
     points: &[Parameters<Dd>],
     input_error: InputError,
     route: Route,
-) -> impl Iterator<Item = PointValues> + use<> {
+) -> impl Iterator<Item = PointValues<f64>> + use<> {
     let count = points.len().min(BLOCK);
     let mut columns =
         Columns { high: [[1.0; BLOCK]; 7], low: [[0.0; BLOCK]; 7], values: [[0.0; BLOCK]; FIELDS] };
@@ -34,7 +34,8 @@ fn values_of_block(
         }
     }
     run_on_widest_unit(ValueLoop { columns: &mut columns, count, input_error, route });
-    (0..count).map(move |index| PointValues::from(columns.values.each_ref().map(|column| column[index])))
+    let values = PointValues::from(columns.values);
+    (0..count).map(move |index| values.map(|column| column[index]))
 }
 
 /// A block of points, a column for each part of an input and for each value.
@@ -83,7 +84,7 @@ pub(in crate::stability) fn one_point(
     point: &Parameters<Dd>,
     input_error: InputError,
     route: Route,
-) -> PointValues {
+) -> PointValues<f64> {
     let mut found = [0.0; FIELDS];
     run_on_widest_unit(OnePoint { point, input_error, route, found: &mut found });
     found.into()
@@ -117,7 +118,7 @@ mod tests {
             let points: Vec<Parameters<Dd>> =
                 exponents.iter().map(|e| Parameters::from(e.map(|e| Dd::from(libm::exp10(e))))).collect();
             for route in [Route::Deflation, Route::Shift] {
-                let bits = |values: &PointValues| <[f64; FIELDS]>::from(*values).map(f64::to_bits);
+                let bits = |values: &PointValues<f64>| <[f64; FIELDS]>::from(*values).map(f64::to_bits);
                 let vector: Vec<_> = point_values(&points, InputError::None, route).iter().map(bits).collect();
                 let plain: Vec<_> =
                     points.iter().map(|point| bits(&PointValues::of(point, InputError::None, route))).collect();

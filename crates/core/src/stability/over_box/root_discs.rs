@@ -148,7 +148,10 @@ impl Rectangle {
 fn weight(cubic: &[Interval; 4], centres: &[Complex64; 3], i: usize) -> Interval {
     let z = Rectangle { re: Interval::point(centres[i].re), im: Interval::point(centres[i].im) };
     let (square, cube) = (z.square(), z.square() * z);
-    let value = Rectangle::real(cubic[0]) + z * cubic[1] + square * cubic[2] + cube * cubic[3];
+    let value = Rectangle::real(cubic[0])
+        + z.times_real(&cubic[1])
+        + square.times_real(&cubic[2])
+        + cube.times_real(&cubic[3]);
     let others = (0..3).filter(|j| *j != i);
     let product = others.fold(cubic[3], |product, j| product * distance(centres[i], centres[j]));
     value.squared_magnitude().square_root() * 3.0 / product

@@ -1,22 +1,37 @@
-//! Rectangles of complex numbers. Each operation rounds outwards.
+//! Complex numbers, and rectangles of complex numbers, whose operations round outwards.
 
-use std::ops::{Add, Mul, Sub};
+use std::ops::{Add, Mul, Neg, Sub};
 
+use super::Field;
 use slipmode_algebra::number::Interval;
 
-/// All complex numbers with real and imaginary part in two intervals.
+/// A complex number, of parts in any field.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Rectangle {
-    pub(crate) re: Interval,
-    pub(crate) im: Interval,
+pub struct Complex<R> {
+    /// The real part.
+    pub re: R,
+    /// The imaginary part.
+    pub im: R,
+}
+
+/// All complex numbers with real and imaginary part in two intervals.
+pub(crate) type Rectangle = Complex<Interval>;
+
+impl<R: Field> Complex<R> {
+    /// A real number.
+    #[inline(always)]
+    pub fn real(re: R) -> Self {
+        Self { re, im: R::from(0) }
+    }
+
+    /// The product with a real number.
+    #[inline(always)]
+    pub fn times_real(&self, factor: &R) -> Self {
+        Self { re: self.re.clone() * factor, im: self.im.clone() * factor }
+    }
 }
 
 impl Rectangle {
-    /// Real numbers.
-    pub(crate) const fn real(re: Interval) -> Self {
-        Self { re, im: Interval::point(0.0) }
-    }
-
     /// The squared absolute values.
     pub(crate) fn squared_magnitude(self) -> Interval {
         self.re.square() + self.im.square()
@@ -28,35 +43,38 @@ impl Rectangle {
     }
 }
 
-impl Add for Rectangle {
+impl<R: Field> Add for Complex<R> {
     type Output = Self;
-
+    #[inline(always)]
     fn add(self, other: Self) -> Self {
         Self { re: self.re + other.re, im: self.im + other.im }
     }
 }
 
-impl Sub for Rectangle {
+impl<R: Field> Sub for Complex<R> {
     type Output = Self;
-
+    #[inline(always)]
     fn sub(self, other: Self) -> Self {
         Self { re: self.re - other.re, im: self.im - other.im }
     }
 }
 
-impl Mul for Rectangle {
+impl<R: Field> Neg for Complex<R> {
     type Output = Self;
-
-    fn mul(self, other: Self) -> Self {
-        Self { re: self.re * other.re - self.im * other.im, im: self.re * other.im + self.im * other.re }
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self { re: -self.re, im: -self.im }
     }
 }
 
-impl Mul<Interval> for Rectangle {
+impl<R: Field> Mul for Complex<R> {
     type Output = Self;
-
-    fn mul(self, factor: Interval) -> Self {
-        Self { re: self.re * factor, im: self.im * factor }
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        Self {
+            re: self.re.clone() * &other.re - self.im.clone() * &other.im,
+            im: self.re * &other.im + self.im * &other.re,
+        }
     }
 }
 
