@@ -12,6 +12,7 @@
 
 use rug::Rational;
 
+use crate::friction::Groups;
 use crate::number::{Ball, Field, Real};
 use crate::stability::Arc;
 
@@ -20,10 +21,8 @@ use crate::stability::Arc;
 pub struct ArcPoint<R> {
     /// The double root r of eq 8, in units of V0/D_c.
     pub double_root: R,
-    /// η.
-    pub inertial_parameter: R,
-    /// κ.
-    pub stiffness_group: R,
+    /// η, κ and β.
+    pub groups: Groups<R>,
     /// η/κ = (V0/D_c)²·M/K: the square of the velocity in units of D_c·√(K/M).
     pub velocity_squared: R,
 }
@@ -55,8 +54,11 @@ impl<R: Field> ArcFrame<R> {
         let double_root = self.double_root(arc, &terms);
         let (scaled, cubic) = (terms.scaled_slope(), double_root.square() * &terms.cubic);
         ArcPoint {
-            inertial_parameter: terms.linear.clone() / &scaled,
-            stiffness_group: cubic.clone() / scaled,
+            groups: Groups {
+                inertial_parameter: terms.linear.clone() / &scaled,
+                stiffness_group: cubic.clone() / scaled,
+                effect_ratio: self.root_ratio.square(),
+            },
             velocity_squared: terms.linear / cubic,
             double_root,
         }
@@ -124,11 +126,12 @@ impl<R: Field> ArcFrame<R> {
         }
     }
 
-    /// Relative change of the boundary's σ, at given V0, per relative change of each parameter.
+    /// ∂ ln σ/∂ ln(parameter) of the boundary at given V0, for a, b, D_c, K, M and V0.
     ///
+    /// Those for a and b have the sum −1. On the upper arc they grow like 1/(√β − 1) as a → b.
     /// From r²dη + dκ = (r/(r+1))dβ along the boundary; the seven inputs enter η, κ and β as powers.
     #[must_use]
-    pub fn sensitivity(&self, arc: Arc, parameter: &R) -> Sensitivity<R> {
+    pub fn sensitivity(&self, arc: Arc, parameter: &R) -> [R; 6] {
         let x = self.scaled(parameter);
         let (one, q) = (R::from(1), &self.root_ratio);
         let twice_x = x.clone() + &x;
@@ -140,14 +143,9 @@ impl<R: Field> ArcFrame<R> {
             Arc::Lower => -(q.square() * parameter / (self.sum.clone() * &near)),
         };
         let twice_mass = mass.clone() + &mass;
-        Sensitivity {
-            direct_effect: -(evolution_effect.clone() + &one),
-            critical_slip_distance: one.clone() - &twice_mass,
-            stiffness: one - &mass,
-            loading_velocity: twice_mass,
-            evolution_effect,
-            mass,
-        }
+        let direct_effect = -(evolution_effect.clone() + &one);
+        let (critical_slip_distance, stiffness) = (one.clone() - &twice_mass, one - &mass);
+        [direct_effect, evolution_effect, critical_slip_distance, stiffness, mass, twice_mass]
     }
 
     /// λq.
@@ -195,38 +193,6 @@ impl<R: Field> Terms<R> {
     fn scaled_slope(&self) -> R {
         let half = self.slope.clone() * self.y.square();
         half.clone() + half
-    }
-}
-
-/// ∂ ln σ/∂ ln(parameter) of the boundary at given V0.
-#[derive(Debug, Clone)]
-pub struct Sensitivity<R> {
-    /// With respect to a; grows like 1/(√β − 1) on the upper arc as a → b.
-    pub direct_effect: R,
-    /// With respect to b; minus one minus that of a.
-    pub evolution_effect: R,
-    /// With respect to D_c.
-    pub critical_slip_distance: R,
-    /// With respect to K.
-    pub stiffness: R,
-    /// With respect to M.
-    pub mass: R,
-    /// With respect to V0.
-    pub loading_velocity: R,
-}
-
-impl<R> Sensitivity<R> {
-    /// The six numbers.
-    #[must_use]
-    pub fn all(&self) -> [&R; 6] {
-        [
-            &self.direct_effect,
-            &self.evolution_effect,
-            &self.critical_slip_distance,
-            &self.stiffness,
-            &self.mass,
-            &self.loading_velocity,
-        ]
     }
 }
 

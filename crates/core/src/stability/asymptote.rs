@@ -116,18 +116,9 @@ pub fn inertial_lower_velocity_m_per_s<R: Real>(slider: &Slider<R>, normal_stres
 /// The corner of an arc's two asymptotes, 15∩18 or 16∩20.
 #[must_use]
 pub fn corner<R: Real>(arc: Arc, slider: &Slider<R>) -> OperatingPoint<R> {
-    let (normal_stress_pa, loading_velocity_m_per_s) = match arc {
-        Arc::Upper => {
-            let stress = quasi_static_upper_normal_stress_pa(slider);
-            let velocity = inertial_upper_velocity_m_per_s(slider, &stress);
-            (stress, velocity)
-        }
-        Arc::Lower => {
-            let stress = quasi_static_lower_normal_stress_pa(slider);
-            let velocity = inertial_lower_velocity_m_per_s(slider, &stress);
-            (stress, velocity)
-        }
-    };
+    // Eqs 15 and 16 do not depend on σ.
+    let normal_stress_pa = Asymptote::quasi_static(arc).value(slider, &R::from(0));
+    let loading_velocity_m_per_s = Asymptote::inertial(arc).value(slider, &normal_stress_pa);
     OperatingPoint { normal_stress_pa, loading_velocity_m_per_s }
 }
 

@@ -80,14 +80,9 @@ fn step_at(asymptote: Asymptote, frame: &ArcFrame<Ball>, decade: u32, bits: u32)
         frame.sum.clone() / (frame.root_ratio.square() * power)
     };
     let place = frame.point(asymptote.arc(), &parameter);
-    let groups = Groups {
-        inertial_parameter: place.inertial_parameter,
-        stiffness_group: place.stiffness_group,
-        effect_ratio: frame.root_ratio.square(),
-    };
     let errors = ErrorPair::at(frame, asymptote.arc(), &parameter);
     let relative_error = if asymptote.is_quasi_static() { errors.quasi_static } else { errors.inertial };
-    let leading = leading_relative_error(asymptote, &groups);
+    let leading = leading_relative_error(asymptote, &place.groups);
     let ratio = relative_error.clone() / &leading;
     ConvergenceStep { leading, relative_error, ratio, order: None }
 }
@@ -260,7 +255,7 @@ mod tests {
             let quadratic = Ball::from(2) * q * lambda.square() + frame.sum.clone() * &lambda - &frame.sum;
             assert!(quadratic.contains_zero() && lambda.to_f64() > 0.0, "{text} {quadratic:?}");
             // Eq 16 is κ = (1 + √β)² with κ = K D_c/(aσ).
-            let kappa = frame.point(Arc::Lower, &lambda).stiffness_group;
+            let kappa = frame.point(Arc::Lower, &lambda).groups.stiffness_group;
             assert!((kappa - frame.sum.square()).contains_zero(), "{text}");
         }
     }

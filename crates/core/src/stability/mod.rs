@@ -15,19 +15,14 @@
 //! ```
 
 mod arc_point;
-#[doc(hidden)]
 pub mod asymptote;
 pub mod batch;
-#[doc(hidden)]
 pub mod boundary;
 mod certain_signs;
-#[doc(hidden)]
 pub mod curve;
-#[doc(hidden)]
 pub mod cusp;
 mod deciding_signs;
 mod decision;
-#[doc(hidden)]
 pub mod deviation;
 mod distance;
 mod double_root;
@@ -48,11 +43,10 @@ mod slip_mode;
 mod spectral_class;
 mod spectrum;
 mod three_roots;
-#[doc(hidden)]
 pub mod tolerance;
 
 pub use crate::friction::SlipMode;
-pub use arc_point::{ArcFrame, ArcPoint, Sensitivity};
+pub use arc_point::{ArcFrame, ArcPoint};
 pub use asymptote::Asymptote;
 pub use boundary::{BoundaryCurve, BoundaryPoint, Mark, Section};
 pub use curve::Arc;

@@ -69,17 +69,17 @@ pub fn limit(
     };
     let place = ArcFrame::of_rational(effect_ratio, bits).point(arc, &parameter);
     let leading = leading_limit(asymptote, effect_ratio, tolerance);
-    let exact = if asymptote.is_quasi_static() { &place.inertial_parameter } else { &place.stiffness_group };
+    let exact = if asymptote.is_quasi_static() {
+        &place.groups.inertial_parameter
+    } else {
+        &place.groups.stiffness_group
+    };
     Some(Limit {
         asymptote,
         whole_branch: reached.is_none(),
         exact_over_leading: exact.clone() / Ball::from_rational(&leading, bits),
         velocity_squared: place.velocity_squared,
-        groups: Groups {
-            inertial_parameter: place.inertial_parameter,
-            stiffness_group: place.stiffness_group,
-            effect_ratio: Ball::from_rational(effect_ratio, bits),
-        },
+        groups: Groups { effect_ratio: Ball::from_rational(effect_ratio, bits), ..place.groups },
         leading,
     })
 }

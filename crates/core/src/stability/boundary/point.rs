@@ -1,7 +1,9 @@
 //! One row of the table of the boundary.
 
+use std::cmp::Ordering;
+
 use crate::friction::{Groups, OperatingPoint};
-use crate::number::{Ball, Field, Real};
+use crate::number::{Ball, Real};
 use crate::stability::logarithm::log10_one_plus;
 use crate::stability::{Arc, ArcFrame, Asymptote};
 
@@ -122,11 +124,7 @@ impl BoundaryPoint {
             arc,
             parameter: parameter.clone(),
             double_root: place.double_root,
-            groups: Groups {
-                inertial_parameter: place.inertial_parameter,
-                stiffness_group: place.stiffness_group,
-                effect_ratio: frame.root_ratio.square(),
-            },
+            groups: place.groups,
             asymptote,
             asymptote_value: exact.clone() / (Ball::from(1) + &relative_error),
             log10_distance: log10_one_plus(&relative_error),
@@ -141,10 +139,8 @@ impl BoundaryPoint {
 
 /// The largest magnitude among the sensitivities of the boundary's σ.
 fn condition_number(frame: &ArcFrame<Ball>, arc: Arc, parameter: &Ball) -> Ball {
-    let sensitivity = frame.sensitivity(arc, parameter);
-    let largest = sensitivity.all().into_iter().max_by(|x, y| {
-        x.centre().as_abs().partial_cmp(&*y.centre().as_abs()).unwrap_or(std::cmp::Ordering::Equal)
-    });
-    let largest = largest.cloned().unwrap_or_else(|| Ball::from(0));
+    let larger = |x: &Ball, y: &Ball| x.centre().cmp_abs(y.centre()).unwrap_or(Ordering::Equal);
+    let largest = frame.sensitivity(arc, parameter).into_iter().max_by(larger);
+    let largest = largest.unwrap_or_else(|| Ball::from(0));
     if largest.centre().is_sign_negative() { -largest } else { largest }
 }

@@ -42,43 +42,24 @@ impl BoundaryCurve {
         (0..count).map(|index| power_of_two(low + step * index as f64)).collect()
     }
 
-    /// λ of the cusp and of the points at the coordinates of the asymptotes' corner.
-    #[must_use]
-    pub fn marked_parameters(&self, arc: Arc) -> Vec<(Ball, Option<Mark>)> {
-        let mut marked: Vec<_> = self.corner_velocity_parameters(arc);
+    /// λ of the cusp, and of the points at the coordinates of the asymptotes' corner: an arc has its V0 once (upper arc) or twice (lower
+    /// arc, whose cusp lies beyond the corner), and the lower arc has the σ of eq 16 once.
+    fn marked_parameters(&self, arc: Arc) -> Vec<(Ball, Option<Mark>)> {
+        let at_velocity = ParameterEquation::at_corner_velocity(&self.effect_ratio, arc).roots(self.bits);
+        let mut marked: Vec<_> =
+            at_velocity.into_iter().map(|parameter| (parameter, Some(Mark::CornerVelocity))).collect();
         if arc == Arc::Lower {
-            marked.push(self.cusp_parameter());
-            let marks = [Mark::CornerVelocity, Mark::CornerVelocity, Mark::Cusp];
-            let mut marked: Vec<_> = marked.into_iter().zip(marks.map(Some)).collect();
-            marked.push((self.corner_normal_stress_parameter(), Some(Mark::CornerNormalStress)));
-            return marked;
+            let at_stress = corner_normal_stress_parameter(&self.frame);
+            marked.push((self.cusp_parameter.clone(), Some(Mark::Cusp)));
+            marked.push((at_stress, Some(Mark::CornerNormalStress)));
         }
-        marked.into_iter().map(|parameter| (parameter, Some(Mark::CornerVelocity))).collect()
-    }
-
-    /// λ of the cusp on the lower arc.
-    #[must_use]
-    pub fn cusp_parameter(&self) -> Ball {
-        self.cusp_parameter.clone()
-    }
-
-    /// λ where the arc has the V0 of the corner of its asymptotes: one on the upper arc, two on the lower (the cusp lies
-    /// beyond the corner), descending.
-    #[must_use]
-    pub fn corner_velocity_parameters(&self, arc: Arc) -> Vec<Ball> {
-        ParameterEquation::at_corner_velocity(&self.effect_ratio, arc).roots(self.bits)
-    }
-
-    /// λ where the lower arc has the σ of eq 16.
-    #[must_use]
-    pub fn corner_normal_stress_parameter(&self) -> Ball {
-        corner_normal_stress_parameter(&self.frame)
+        marked
     }
 
     /// The cusp: the point of the lower arc where σ and V0 are both as large as they get.
     #[must_use]
     pub fn cusp(&self) -> BoundaryPoint {
-        self.point(Arc::Lower, &self.cusp_parameter(), Some(Mark::Cusp))
+        self.point(Arc::Lower, &self.cusp_parameter, Some(Mark::Cusp))
     }
 }
 

@@ -87,19 +87,15 @@ mod tests {
                 let r = place.double_root.clone();
                 let x = if arc == Arc::Upper { r.clone() } else { -(r.clone() + 1_u32) };
                 for (given, value) in [
-                    (GivenGroup::StiffnessGroup, &place.stiffness_group),
+                    (GivenGroup::StiffnessGroup, &place.groups.stiffness_group),
                     (GivenGroup::VelocitySquared, &place.velocity_squared),
                 ] {
                     let all = coefficients(arc, given, value, &effect_ratio, &excess);
                     let sum = all.iter().rev().fold(Rational::new(), |sum, c| sum * &x + c);
                     assert_eq!(sum, 0, "{q} {numerator} {arc:?} {given:?}");
                 }
-                let groups = crate::friction::Groups {
-                    inertial_parameter: place.inertial_parameter,
-                    stiffness_group: place.stiffness_group,
-                    effect_ratio: effect_ratio.clone(),
-                };
-                assert_eq!(discriminant(&groups.characteristic_cubic()), 0);
+                assert_eq!(place.groups.effect_ratio, effect_ratio);
+                assert_eq!(discriminant(&place.groups.characteristic_cubic()), 0);
             }
         }
     }
