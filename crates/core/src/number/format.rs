@@ -41,10 +41,9 @@ impl Decimal {
     }
 }
 
-/// A finite non-zero float rounded to nearest at this many digits.
-fn decimal_of_float(value: &Float, significant: usize) -> Decimal {
-    let (negative, digits, exponent) =
-        value.to_sign_string_exp_round(10, Some(significant.max(1)), Round::Nearest);
+/// A finite non-zero float rounded to this many digits.
+fn decimal_of_float(value: &Float, significant: usize, round: Round) -> Decimal {
+    let (negative, digits, exponent) = value.to_sign_string_exp_round(10, Some(significant.max(1)), round);
     Decimal { negative, digits, exponent: i64::from(exponent.unwrap_or(0)) }
 }
 
@@ -57,7 +56,7 @@ pub fn round_float(value: &Float, significant: usize) -> String {
     if !value.is_finite() {
         return value.to_f64().to_string();
     }
-    decimal_of_float(value, significant).trimmed().layout(false)
+    decimal_of_float(value, significant, Round::Nearest).trimmed().layout(false)
 }
 
 /// The f64 rounded to this many significant digits, trailing zeros of the fraction dropped.
@@ -83,9 +82,7 @@ pub fn rounded(value: f64, significant: usize, side: Side) -> String {
         return nearest;
     }
     let round = if side == Side::Above { Round::Up } else { Round::Down };
-    let float = Float::with_val(53, value);
-    let (negative, digits, exponent) = float.to_sign_string_exp_round(10, Some(significant.max(1)), round);
-    Decimal { negative, digits, exponent: i64::from(exponent.unwrap_or(0)) }.trimmed().layout(false)
+    decimal_of_float(&Float::with_val(53, value), significant, round).trimmed().layout(false)
 }
 
 /// The shortest decimal that reads back as the same f64.
@@ -144,14 +141,13 @@ pub fn certain_digits(ball: &Ball, max_digits: usize) -> String {
             (-ball.relative_radius_log2() * std::f64::consts::LOG10_2).min(max_digits as f64) as usize;
         let (lower, upper) = (ball.lower(), ball.upper());
         for significant in (1..=(certain + 1).min(max_digits)).rev() {
-            let (low, high) = (decimal_of_float(&lower, significant), decimal_of_float(&upper, significant));
+            let [low, high] = [&lower, &upper].map(|end| decimal_of_float(end, significant, Round::Nearest));
             if low.digits == high.digits && low.exponent == high.exponent {
                 return low.layout(true);
             }
         }
     }
-    let (_, digits, exponent) = ball.radius().to_sign_string_exp_round(10, Some(1), Round::Up);
-    let radius = Decimal { negative: false, digits, exponent: i64::from(exponent.unwrap_or(0)) };
+    let radius = decimal_of_float(&ball.radius(), 1, Round::Up);
     let radius = if !ball.is_bounded() { "inf".to_owned() } else { radius.layout(false) };
     format!("{}±{radius}", round_float(ball.centre(), 2))
 }

@@ -23,8 +23,11 @@ impl Wide {
     /// The nearest value to a finite float; zero for one that is not finite.
     #[must_use]
     pub fn from_float(value: &Float) -> Self {
-        let rounded = Float::with_val(53, value);
-        let (mantissa, exponent) = rounded.to_f64_exp();
+        Self::scaled(Float::with_val(53, value).to_f64_exp())
+    }
+
+    /// From 1/2 ≤ |mantissa| < 1.
+    fn scaled((mantissa, exponent): (f64, i32)) -> Self {
         if mantissa == 0.0 || !mantissa.is_finite() {
             return Self::ZERO;
         }
@@ -34,14 +37,7 @@ impl Wide {
     /// The f64 itself; `None` for an infinity or what is not a number.
     #[must_use]
     pub fn from_f64(value: f64) -> Option<Self> {
-        value.is_finite().then(|| {
-            let (mantissa, exponent) = libm::frexp(value);
-            if mantissa == 0.0 {
-                Self::ZERO
-            } else {
-                Self { mantissa: mantissa * 2.0, exponent: exponent - 1 }
-            }
-        })
+        value.is_finite().then(|| Self::scaled(libm::frexp(value)))
     }
 
     /// The value as f64 when f64 holds it to full precision; `None` when it would overflow, or lose bits as a subnormal.

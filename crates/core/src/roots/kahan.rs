@@ -7,13 +7,9 @@ const OUTSIDE: f64 = 1.324_717_957_244_746;
 const STEPS: usize = 8;
 
 /// Kahan's iteration in 64-bit: from outside the three roots to the one farthest from the inflection point, monotonically.
-pub(super) fn kahan_root([c0, c1, c2, c3]: [f64; 4]) -> f64 {
-    let evaluate = |x: f64| {
-        let lead = c3 * x;
-        let first = lead + c2;
-        let second = first * x + c1;
-        (second * x + c0, (lead + first) * x + second)
-    };
+pub(super) fn kahan_root(cubic: [f64; 4]) -> f64 {
+    let [_, _, c2, c3] = cubic;
+    let evaluate = |x: f64| value_and_slope(cubic, x);
     let inflection = -(c2 / c3) / 3.0;
     let (value, slope) = evaluate(inflection);
     let height = value / c3;
@@ -40,13 +36,9 @@ pub(super) fn kahan_root([c0, c1, c2, c3]: [f64; 4]) -> f64 {
 
 /// The same root by the same iteration, with a rough cube root at its start and a fixed number of steps: for vector units.
 #[inline(always)]
-pub(super) fn kahan_root_without_branches([c0, c1, c2, c3]: [f64; 4]) -> f64 {
-    let evaluate = |x: f64| {
-        let lead = c3 * x;
-        let first = lead + c2;
-        let second = first * x + c1;
-        (second * x + c0, (lead + first) * x + second)
-    };
+pub(super) fn kahan_root_without_branches(cubic: [f64; 4]) -> f64 {
+    let [_, _, c2, c3] = cubic;
+    let evaluate = |x: f64| value_and_slope(cubic, x);
     let inflection = -c2 / (3.0 * c3);
     let (value, slope) = evaluate(inflection);
     let height = value / c3;
@@ -60,6 +52,14 @@ pub(super) fn kahan_root_without_branches([c0, c1, c2, c3]: [f64; 4]) -> f64 {
         root -= value / slope;
     }
     root
+}
+
+#[inline(always)]
+fn value_and_slope([c0, c1, c2, c3]: [f64; 4], x: f64) -> (f64, f64) {
+    let lead = c3 * x;
+    let first = lead + c2;
+    let second = first * x + c1;
+    (second * x + c0, (lead + first) * x + second)
 }
 
 /// The cube root of x ≥ 0 to 6 %, by a third of the exponent (Kahan); 1e-103 for zero.

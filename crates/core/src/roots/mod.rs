@@ -20,12 +20,10 @@ mod depressed;
 mod discriminant;
 mod forward;
 mod kahan;
-mod multiple;
 mod precision_level;
 
 pub use certified::{CertifiedRoot, CertifiedRoots, certified_roots};
 pub(crate) use depressed::Depressed;
 pub use discriminant::discriminant;
-#[doc(hidden)]
 pub use forward::{Bounded, BoundedCubic, BranchlessRoots, Pair, Spectrum, Working, bounded_roots};
 pub use precision_level::PrecisionLevel;

@@ -14,7 +14,6 @@ use rug::{Float, Integer};
 
 use super::bracket::outermost_real_root;
 use super::depressed::{Depressed, integer_coefficients};
-use super::multiple::rational_roots;
 use crate::number::{Ball, Field, Rational, Real, bits_for_digits};
 
 /// Guard bits: the few operations after the root is known lose less than half of them.
@@ -142,9 +141,22 @@ fn in_limbs(cubic: [&Integer; 4], target_bits: u32) -> Option<CertifiedRoots> {
     }
 }
 
+/// The distinct roots, ascending, of a cubic whose discriminant is zero. Over the rationals every root is then rational.
+///
+/// With y³ + Py + Q = 0 and 4P³ + 27Q² = 0 the simple root is y = 3Q/P and the double root y = −3Q/(2P).
 fn multiple_roots(depressed: &Depressed, bits: u32) -> Vec<CertifiedRoot> {
-    let rounded = |(root, multiplicity)| CertifiedRoot::real(&Ball::from_rational(&root, bits), multiplicity);
-    rational_roots(depressed).into_iter().map(rounded).collect()
+    let root = |(y, multiplicity): (Rational, u32)| {
+        let root = (y - depressed.quadratic()) / (depressed.lead().clone() * 3u32);
+        CertifiedRoot::real(&Ball::from_rational(&root, bits), multiplicity)
+    };
+    if depressed.linear.is_zero() {
+        return vec![root((Rational::new(), 3))];
+    }
+    let simple = Rational::from((depressed.constant.clone() * 3u32, depressed.linear.clone()));
+    let double = simple.clone() / -2;
+    let mut roots = [(simple, 1), (double, 2)];
+    roots.sort();
+    roots.map(root).into()
 }
 
 fn real_roots(depressed: &Depressed, bits: u32) -> Vec<CertifiedRoot> {
