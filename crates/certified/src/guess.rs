@@ -4,7 +4,7 @@ use crate::interval::Interval;
 use crate::manifold::Manifold;
 use crate::sticking::{ENTRY_DELAY, EXIT_DELAY};
 use crate::{Constants, Reason};
-use slipmode_core::dynamics::{Control, Cycle, Integrator, Model, Radau, State, Stepper, increment};
+use slipmode_core::dynamics::{Control, Cycle, Integrator, Model, Radau};
 
 /// A section and a point of it near the cycle.
 #[derive(Debug, Clone, Copy)]
@@ -38,8 +38,7 @@ pub(super) fn guess(constants: &Constants, model: &Model<f64>, cycle: &Cycle<f64
         run.advance(None).map_err(failed)?;
         time += run.step();
         for part in 1..=SAMPLES {
-            let state = sample(&run, part as f64 / SAMPLES as f64);
-            let [x, y, zeta] = state;
+            let [x, y, zeta] = run.state_within(&(part as f64 / SAMPLES as f64));
             let at = [x, y].map(Interval::point);
             let (least, delay) =
                 (Manifold::least_delay(constants, &at), || Manifold::over(constants, &at).delay());
@@ -53,9 +52,4 @@ pub(super) fn guess(constants: &Constants, model: &Model<f64>, cycle: &Cycle<f64
         }
     }
     Ok(at_level)
-}
-
-fn sample(run: &Integrator<'_, f64, Radau<f64, 5>>, part: f64) -> State<f64> {
-    let change = increment(run.method().polynomial(), &part);
-    std::array::from_fn(|i| run.step_start()[i] + change[i])
 }

@@ -5,8 +5,7 @@ use crate::parallel;
 use crate::experiments::start_sensitivity::StartSensitivitySection;
 use crate::scene::PlanePoint;
 use slipmode_core::dynamics::{
-    Control, Failure, Integrator, Model, Options, Radau, ReturnEnd, Simulation, Start, Stepper, increment,
-    next_return, simulate,
+    Control, Failure, Integrator, Model, Options, Radau, ReturnEnd, Simulation, Start, next_return, simulate,
 };
 use slipmode_core::friction::{EvolutionLaw, Slider};
 use slipmode_core::number::{Rational, nearest_f64};
@@ -132,10 +131,7 @@ fn back(run: &mut Integrator<'_, f64, Radau<f64, 5>>, start: f64) -> Result<(f64
         if !near(run.state()[0]) {
             continue;
         }
-        let at = |theta: f64| {
-            let increment = increment(run.method().polynomial(), &theta);
-            std::array::from_fn::<f64, 3, _>(|i| run.step_start()[i] + increment[i])
-        };
+        let at = |theta: f64| run.state_within(&theta);
         let (mut low, mut high) = (0.0, 1.0);
         for _ in 0..40 {
             let middle = 0.5 * (low + high);

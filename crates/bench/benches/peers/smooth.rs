@@ -4,9 +4,7 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 
-use slipmode_core::dynamics::{
-    Control, Integrator, Model, Radau, Scalar, Start, State, Stepper, Taylor, increment,
-};
+use slipmode_core::dynamics::{Control, Integrator, Model, Radau, Scalar, Start, State, Stepper, Taylor};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::Dd;
 
@@ -46,8 +44,7 @@ pub fn samples<R: Scalar, M: Stepper<R>>(
                 break;
             }
             let theta = (time - &began) / run.step();
-            let moved = increment(run.method().polynomial(), &theta);
-            found.push(std::array::from_fn(|i| run.step_start()[i].clone() + &moved[i]));
+            found.push(run.state_within(&theta));
         }
         began = ends;
     }

@@ -7,7 +7,6 @@
 use super::integrator::{Control, Integrator};
 use super::radau::Radau;
 use super::sensitivity::{Derivatives, Direction, STAGES, over_step};
-use super::stepper::{Stepper, increment};
 use super::{Failure, Model};
 use crate::friction::{EvolutionLaw, Groups};
 
@@ -181,10 +180,9 @@ impl<'r, T: Iterator<Item = f64>> DrivenRun<'r, T> {
             self.integrator.advance(Some(&(until - began)))?;
             let step = *self.integrator.step();
             let slopes = self.with_derivatives.then(|| self.carry_derivatives(step));
-            let from = *self.integrator.step_start();
             while let Some(time) = self.times.next_if(|time| *time <= began + step) {
                 let theta = (time - began) / step;
-                let excess = from[2] + increment(self.integrator.method().polynomial(), &theta)[2];
+                let excess = self.integrator.state_within(&theta)[2];
                 let derivatives = match &slopes {
                     Some(slopes) => std::array::from_fn(|p| {
                         slopes[p].iter().rev().fold(0.0, |sum, coefficient| sum * theta + coefficient)

@@ -134,6 +134,5 @@ pub fn state_at<R: Scalar, M: Stepper<R> + Clone>(
             return aside.state().clone();
         }
     }
-    let increment = increment(run.method().polynomial(), &R::from_f64(candidate.theta));
-    std::array::from_fn(|i| run.step_start()[i].clone() + &increment[i])
+    run.state_within(&R::from_f64(candidate.theta))
 }

@@ -4,7 +4,7 @@
 //! For η ≫ 1 friction is small beside inertia and spring, and the integral keeps all digits of this small change.
 
 use super::integrator::{Control, Integrator, Work};
-use super::stepper::{Stepper, increment};
+use super::stepper::Stepper;
 use super::{Failure, Model, State, Taylor};
 
 /// Coefficients of the series.
@@ -46,8 +46,7 @@ fn work_of_step<M: Stepper<f64>>(run: &Integrator<'_, f64, M>) -> f64 {
     let [of_near, of_far] = [322.0 + outer, 322.0 - outer].map(|weight| weight / 900.0);
     let points = [(0.0, 128.0 / 225.0), (near, of_near), (-near, of_near), (far, of_far), (-far, of_far)];
     let power = |place: f64| {
-        let moved = increment(run.method().polynomial(), &(0.5 + 0.5 * place));
-        let state: State<f64> = std::array::from_fn(|i| run.step_start()[i] + moved[i]);
+        let state = run.state_within(&(0.5 + 0.5 * place));
         libm::expm1(state[0]) * run.model().friction(&state)
     };
     0.5 * run.step() * points.iter().map(|&(place, weight)| weight * power(place)).sum::<f64>()

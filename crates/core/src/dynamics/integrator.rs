@@ -5,7 +5,7 @@
 
 use super::arrest::{Arrest, arrest};
 use super::clock::Clock;
-use super::stepper::{Stepper, Trial, Weight};
+use super::stepper::{Stepper, Trial, Weight, increment};
 use super::{Failure, Model, Scalar, State};
 
 /// The tightest local tolerance, in units of the arithmetic's rounding error.
@@ -105,6 +105,13 @@ impl<'m, R: Scalar, M: Stepper<R>> Integrator<'m, R, M> {
     #[must_use]
     pub const fn step_start(&self) -> &State<R> {
         &self.from
+    }
+
+    /// The state at this part of the last step, from its polynomial.
+    #[must_use]
+    pub fn state_within(&self, part: &R) -> State<R> {
+        let moved = increment(self.method.polynomial(), part);
+        std::array::from_fn(|i| self.from[i].clone() + &moved[i])
     }
 
     /// The length of the last step.

@@ -109,11 +109,6 @@ pub(super) const fn extremes(long_term: &LongTerm<f64>) -> &Return<f64> {
     }
 }
 
-/// Largest minus least ζ.
-fn stress_drop(long_term: &LongTerm<f64>) -> f64 {
-    extremes(long_term).highest_stress - extremes(long_term).lowest_stress
-}
-
 impl Outcome {
     /// A long-term behaviour with the errors of what it shows.
     pub(super) fn new(
@@ -193,7 +188,8 @@ impl Outcome {
     #[must_use]
     pub fn in_si(&self, parameters: &Parameters<f64>) -> Simulation {
         let rate_per_s = parameters.rate_per_s();
-        let drop = stress_drop(&self.long_term);
+        let Return { highest_stress, lowest_stress, .. } = extremes(&self.long_term);
+        let drop = highest_stress - lowest_stress;
         let (log_peak, period) = peak_and_period(&self.long_term);
         let (returns, growth) = match &self.long_term {
             LongTerm::Cycle(cycle) => (cycle.returns_per_cycle, None),

@@ -5,7 +5,6 @@
 //! with p = μ/a and m = μ0/a. They differ by e^{x − 2φ − 2m}, where φ = p − m = x + βy.
 
 use super::integrator::{Control, Integrator};
-use super::stepper::{Stepper, increment};
 use super::trajectory::GAUSS;
 use super::{Failure, Model, Radau, State};
 
@@ -86,8 +85,7 @@ impl Pass {
             let began = run.time();
             run.advance(Some(&(duration - began)))?;
             for [place, weight] in GAUSS {
-                let increment = increment(run.method().polynomial(), &place);
-                let state: State<f64> = std::array::from_fn(|i| run.step_start()[i] + increment[i]);
+                let state = run.state_within(&place);
                 let excess = libm::expm1(state[0]);
                 let angle = std::f64::consts::TAU * (began + place * run.step()) / duration;
                 let terms = [1.0, excess, libm::cos(angle), libm::sin(angle)];

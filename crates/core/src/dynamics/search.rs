@@ -151,7 +151,7 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
         let rough = self.levels.rough;
         let fast = FOLLOW_FROM * self.options.tolerance.max(1e-2);
         let permitted = PermittedDistance { fast, slow: NEWTON_FROM };
-        match self.run(rough, |run, returns| long_term_within(run, permitted, returns))? {
+        match self.run(rough, permitted)? {
             LongTerm::Cycle(cycle) => match self.refined(cycle, rough) {
                 // A slow decay looks like the approach to a cycle that is not there: it is followed to its end.
                 Err(Failure::Undecided { .. }) => self.followed(),
@@ -173,19 +173,15 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
     fn long_term_at(&mut self, local_tolerance: f64) -> Result<LongTerm<f64>, Failure> {
         let permitted =
             PermittedDistance { fast: 0.01 * self.options.tolerance.min(LOOSEST_FOLLOWED), slow: 0.0 };
-        self.run(local_tolerance, |run, returns| long_term_within(run, permitted, returns))
+        self.run(local_tolerance, permitted)
     }
 
     /// A run from the start.
-    fn run(
-        &mut self,
-        local_tolerance: f64,
-        long_term_behaviour: impl Fn(&mut Integrator<'m, f64, M>, u64) -> Result<LongTerm<f64>, Failure>,
-    ) -> Result<LongTerm<f64>, Failure> {
+    fn run(&mut self, local_tolerance: f64, permitted: PermittedDistance) -> Result<LongTerm<f64>, Failure> {
         let start = self.options.start.state(self.model, &libm::log(self.options.velocity_ratio));
         let control = Control { local_tolerance, most_steps: self.options.most_steps };
         let mut run = Integrator::new(self.model, self.method.clone(), start, control)?;
-        let long_term = long_term_behaviour(&mut run, self.options.most_returns);
+        let long_term = long_term_within(&mut run, permitted, self.options.most_returns);
         self.work += run.work();
         long_term
     }

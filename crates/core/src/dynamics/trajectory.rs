@@ -4,7 +4,7 @@
 //! steps; since ζ must be ζ_0 + κ (t − slip), their difference is a check that costs the solution nothing.
 
 use super::integrator::{Control, Integrator};
-use super::stepper::{Stepper, increment};
+use super::stepper::Stepper;
 use super::{Failure, Model, Scalar, State};
 
 /// One sample.
@@ -55,12 +55,9 @@ pub fn trajectory<M: Stepper<f64>>(
     while until - run.time() > 1e-13 * until {
         let began = run.time();
         run.advance(Some(&(until - began)))?;
-        let polynomial = run.method().polynomial();
         for part in 1..samples_per_step {
             let theta = part as f64 / samples_per_step as f64;
-            let increment = increment(polynomial, &theta);
-            let state = std::array::from_fn(|i| run.step_start()[i] + increment[i]);
-            samples.push(Sample { time: began + theta * run.step(), state });
+            samples.push(Sample { time: began + theta * run.step(), state: run.state_within(&theta) });
         }
         samples.push(Sample { time: run.time(), state: *run.state() });
         residual.add_step(&run);
@@ -82,17 +79,15 @@ pub fn trajectory_at<M: Stepper<f64>>(
     let until = times.last().copied().unwrap_or(0.0);
     let mut run = Integrator::new(model, method, start, control)?;
     let mut samples: Vec<Sample> = Vec::new();
-    let later = times.iter().skip_while(|time| **time <= 0.0);
-    samples.extend(
-        times.iter().take_while(|time| **time <= 0.0).map(|time| Sample { time: *time, state: start }),
-    );
-    let mut later = later.copied().peekable();
+    let mut later = times.iter().copied().peekable();
+    while let Some(time) = later.next_if(|time| *time <= 0.0) {
+        samples.push(Sample { time, state: start });
+    }
     while until - run.time() > 1e-13 * until {
         let began = run.time();
         run.advance(Some(&(until - began)))?;
         while let Some(time) = later.next_if(|time| *time <= run.time()) {
-            let increment = increment(run.method().polynomial(), &((time - began) / run.step()));
-            samples.push(Sample { time, state: std::array::from_fn(|i| run.step_start()[i] + increment[i]) });
+            samples.push(Sample { time, state: run.state_within(&((time - began) / run.step())) });
         }
     }
     // The end of the last step and the last time differ by a rounding.
@@ -113,10 +108,7 @@ impl FreeResidual {
     }
 
     fn add_step<M: Stepper<f64>>(&mut self, run: &Integrator<'_, f64, M>) {
-        let excess = |theta: f64| {
-            let x = run.step_start()[0] + increment(run.method().polynomial(), &theta)[0];
-            x.exponentials().1
-        };
+        let excess = |theta: f64| run.state_within(&theta)[0].exponentials().1;
         self.excess_slip +=
             run.step() * GAUSS.iter().map(|&[theta, weight]| weight * excess(theta)).sum::<f64>();
         let expected = self.start - run.model().groups().stiffness_group * self.excess_slip;
