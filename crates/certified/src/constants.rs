@@ -16,21 +16,16 @@ pub(super) struct Constants {
 impl Constants {
     /// Those of one slider.
     pub fn of(groups: &Groups<Rational>, law: EvolutionLaw) -> Self {
-        Self {
-            inertia: Interval::of_rational(&groups.inertial_parameter),
-            stiffness: Interval::of_rational(&groups.stiffness_group),
-            effect_ratio: Interval::of_rational(&groups.effect_ratio),
-            law,
-        }
+        let [inertia, stiffness, effect_ratio] = groups.map(Interval::of_rational).into();
+        Self { inertia, stiffness, effect_ratio, law }
     }
 
     /// Those of all sliders in a box: each group rises with some values and falls with others, and is extreme at two corners.
     pub fn over(region: &ParameterBox, law: EvolutionLaw) -> Self {
         let [low, high] = [region.lower(), region.upper()];
         let corners = |up: &Parameters<Rational>, down: &Parameters<Rational>| {
-            let (slider, point) = (up.slider.clone(), up.point.clone());
             // All three groups fall with a, and η and κ with σ.
-            let mut corner = Parameters { slider, point };
+            let mut corner = up.clone();
             corner.slider.direct_effect.clone_from(&down.slider.direct_effect);
             corner.point.normal_stress_pa.clone_from(&down.point.normal_stress_pa);
             let others = corner.groups();
@@ -39,13 +34,9 @@ impl Constants {
             Groups { inertial_parameter: corner.groups().inertial_parameter, ..others }
         };
         let [least, largest] = [corners(&low, &high), corners(&high, &low)];
-        let over = |of: fn(&Groups<Rational>) -> &Rational| Interval::over([of(&least), of(&largest)]);
-        Self {
-            inertia: over(|groups| &groups.inertial_parameter),
-            stiffness: over(|groups| &groups.stiffness_group),
-            effect_ratio: over(|groups| &groups.effect_ratio),
-            law,
-        }
+        let [least, largest] = [least, largest].map(<[Rational; 3]>::from);
+        let [inertia, stiffness, effect_ratio] = [0, 1, 2].map(|i| Interval::over([&least[i], &largest[i]]));
+        Self { inertia, stiffness, effect_ratio, law }
     }
 }
 

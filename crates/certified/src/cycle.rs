@@ -47,7 +47,7 @@ pub(super) fn prove_again(
 ) -> Result<Certificate, Reason> {
     long_or_short(|longest| {
         let test = Test::of(stated, longest).ok_or(Reason::NotContained)?;
-        let (crossing, observed, Krawczyk { value }) = test.mapped(constants)?;
+        let (crossing, observed, value) = test.mapped(constants)?;
         if !test.contains(&value) {
             return Err(Reason::NotContained);
         }
@@ -134,7 +134,7 @@ impl Test {
         let mut radius = [0.0; COORDINATES];
         for _ in 0..CORRECTIONS {
             let (crossing, _) = map.image(self.found.point, radius)?;
-            let value = Krawczyk::of(&crossing, &self.centre(), radius).value;
+            let value = krawczyk(&crossing, &self.centre(), radius);
             let change = value.map(|c| c.mid);
             radius = std::array::from_fn(|i| if is_tube(i) { 2.0 * value[i].magnitude() } else { 0.0 });
             self.found.point =
@@ -152,14 +152,14 @@ impl Test {
     fn grow(mut self, constants: &Constants) -> Result<(Self, CrossingSet, Observed), Reason> {
         let mut scale = FIRST;
         for _ in 0..=BOXES {
-            let (crossing, observed, Krawczyk { value }) = self.mapped(constants)?;
+            let (crossing, observed, value) = self.mapped(constants)?;
             if self.contains(&value) {
                 return Ok((self, crossing, observed));
             }
             let mut radius = value.map(|c| scale * c.magnitude() + f64::MIN_POSITIVE);
             // With the derivative found so far, what each side of the box adds to the others.
             for _ in 0..COORDINATES {
-                let next = Krawczyk::of(&crossing, &self.centre(), radius).value;
+                let next = krawczyk(&crossing, &self.centre(), radius);
                 radius = std::array::from_fn(|i| radius[i].max(SPARE * next[i].magnitude()));
             }
             self.set_radius(radius);
@@ -174,11 +174,14 @@ impl Test {
     }
 
     /// The return of the box, and Krawczyk's operator.
-    fn mapped(&self, constants: &Constants) -> Result<(CrossingSet, Observed, Krawczyk), Reason> {
+    fn mapped(
+        &self,
+        constants: &Constants,
+    ) -> Result<(CrossingSet, Observed, [Interval; COORDINATES]), Reason> {
         let radius = self.radius();
         let (crossing, observed) = self.map(constants).image(self.found.point, radius)?;
-        let operator = Krawczyk::of(&crossing, &self.centre(), radius);
-        Ok((crossing, observed, operator))
+        let value = krawczyk(&crossing, &self.centre(), radius);
+        Ok((crossing, observed, value))
     }
 
     /// Whether all of the operator's values, which count from the point, lie between the stated ends.
@@ -193,7 +196,7 @@ impl Test {
     /// Whether the operator of a slider maps the box into itself.
     #[cfg(test)]
     pub fn holds(&self, constants: &Constants) -> bool {
-        self.mapped(constants).is_ok_and(|(_, _, operator)| self.contains(&operator.value))
+        self.mapped(constants).is_ok_and(|(_, _, value)| self.contains(&value))
     }
 
     /// The same box, followed with shorter steps.
@@ -281,24 +284,22 @@ impl ReturnMap<'_> {
 /// Krawczyk's operator of p − P(p) on a box around zero: C P(0) + (I − C(I − P'))p, where C is near (I − P')⁻¹.
 ///
 /// If it lies inside the box, the return map has one fixed point in the box.
-struct Krawczyk {
-    value: [Interval; COORDINATES],
-}
-
-impl Krawczyk {
-    fn of(crossing: &CrossingSet, centre: &[f64; COORDINATES], radius: [f64; COORDINATES]) -> Self {
-        let one = |i: usize, j: usize| if i == j { Interval::ONE } else { Interval::ZERO };
-        let slope: Square<COORDINATES> =
-            std::array::from_fn(|i| std::array::from_fn(|j| one(i, j) - crossing.derivative[i][j]));
-        let inverse = points(&inverse(&slope.map(|row| row.map(|entry| entry.mid))));
-        let product = multiply(&inverse, &slope);
-        let rest: Square<COORDINATES> =
-            std::array::from_fn(|i| std::array::from_fn(|j| one(i, j) - product[i][j]));
-        let moved = std::array::from_fn(|i| crossing.centre[i] - Interval::point(centre[i]));
-        let newton = apply(&inverse, &moved);
-        let of_box = apply(&rest, &radius.map(Interval::symmetric));
-        Self { value: std::array::from_fn(|i| newton[i] + of_box[i]) }
-    }
+fn krawczyk(
+    crossing: &CrossingSet,
+    centre: &[f64; COORDINATES],
+    radius: [f64; COORDINATES],
+) -> [Interval; COORDINATES] {
+    let one = |i: usize, j: usize| if i == j { Interval::ONE } else { Interval::ZERO };
+    let slope: Square<COORDINATES> =
+        std::array::from_fn(|i| std::array::from_fn(|j| one(i, j) - crossing.derivative[i][j]));
+    let inverse = points(&inverse(&slope.map(|row| row.map(|entry| entry.mid))));
+    let product = multiply(&inverse, &slope);
+    let rest: Square<COORDINATES> =
+        std::array::from_fn(|i| std::array::from_fn(|j| one(i, j) - product[i][j]));
+    let moved = std::array::from_fn(|i| crossing.centre[i] - Interval::point(centre[i]));
+    let newton = apply(&inverse, &moved);
+    let of_box = apply(&rest, &radius.map(Interval::symmetric));
+    std::array::from_fn(|i| newton[i] + of_box[i])
 }
 
 fn inverse([[a, b], [c, d]]: &Square2) -> Square2 {

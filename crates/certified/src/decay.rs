@@ -25,7 +25,9 @@ pub(super) fn certify(constants: &Constants, start: Start, units: &Units) -> Res
     let ellipsoid = Ellipsoid::around_steady_sliding(constants).ok_or(Reason::NoAttraction)?;
     let state = start_state(constants, start);
     let set = Set::new([Interval::ZERO; COORDINATES], state, [[Interval::ZERO; COORDINATES]; 3]);
-    let mut motion = Motion::new(constants, States::Inertial(set), MOST_STEPS).sticks_at_once();
+    let mut motion = Motion::new(constants, States::Inertial(set), MOST_STEPS);
+    // The slider may stick before x has fallen.
+    motion.has_fallen = true;
     let at_rest = Manifold::over(constants, &[Interval::ZERO; 2]).delay() / ENTRY_DELAY;
     let steps_of_inertia = STEPS / constants.inertia.mid;
     if steps_of_inertia > MOST_STEPS as f64 && at_rest > 1.0 && at_rest < LATEST {

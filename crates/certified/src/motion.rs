@@ -73,12 +73,6 @@ impl<'c> Motion<'c> {
         }
     }
 
-    /// Lets the slider stick before x has fallen.
-    pub const fn sticks_at_once(mut self) -> Self {
-        self.has_fallen = true;
-        self
-    }
-
     /// One step, which ends on `section` (rising) if it reaches it; then the crossing.
     pub fn advance(&mut self, section: Option<f64>) -> Result<Option<CrossingSet>, Reason> {
         self.steps_left = self.steps_left.checked_sub(1).ok_or(Reason::TooManySteps)?;

@@ -343,8 +343,8 @@ fn a_change_of_the_description_holds_the_members() {
             .map(|row| row.map(|mid| Interval { mid, rad: 1e-3 * mid.abs() }));
         let state = std::array::from_fn(|i| Interval { mid: [x, y, force][i], rad: errors[i] });
         let whole = Set::new(near.radius.map(Interval::symmetric), state, slopes);
-        let mut motion = Motion::new(&constants, States::Inertial(whole.clone()), 1).sticks_at_once();
-        motion.lateness = 1e9;
+        let mut motion = Motion::new(&constants, States::Inertial(whole.clone()), 1);
+        (motion.has_fallen, motion.lateness) = (true, 1e9);
         let Some(States::Stuck(stuck, tube)) = motion.entered(&whole) else { continue };
         entered += 1;
         let (hull, derivative, at_centre) = (stuck.hull(), stuck.derivative(), stuck.at_centre());
