@@ -27,7 +27,7 @@ pub(super) struct BoundedGroups<R> {
 
 /// How well the inputs are known.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum InputError {
+pub enum InputError {
     /// Exactly.
     None,
     /// To a relative [`Dd::UNIT`].

@@ -5,7 +5,7 @@ use super::slip_mode::slip_mode_by;
 use super::spectrum::{LargestParts, OfPair, clearly_inertial};
 use super::{Classification, InertialThreshold, SpectralClass};
 use crate::friction::{Groups, Parameters};
-use crate::number::Dd;
+use crate::number::{Dd, nearest_f64};
 use crate::roots::PrecisionLevel;
 
 /// How close to a limit a comparison of groups is left open; they are known to far better.
@@ -32,7 +32,11 @@ pub fn classify_quickly(
         || clearly_in_upper_area(&groups),
         || {
             let natural_squared = groups.natural_angular_frequency_squared();
-            clearly_inertial(parts.imaginary.value.hi(), natural_squared, threshold)
+            clearly_inertial(
+                parts.imaginary.value.hi(),
+                natural_squared,
+                nearest_f64(threshold.squared_ratio()),
+            )
         },
     )?;
     Some(Classification {

@@ -104,7 +104,7 @@ pub fn classify(parameters: &Parameters<Rational>, threshold: &InertialThreshold
         let imaginary = parts.as_ref().map(|parts| parts.imaginary.value.hi());
         let natural_squared = groups.map(nearest_f64).natural_angular_frequency_squared();
         imaginary
-            .and_then(|p| clearly_inertial(p, natural_squared, threshold))
+            .and_then(|p| clearly_inertial(p, natural_squared, nearest_f64(threshold.squared_ratio())))
             .unwrap_or_else(exactly_inertial)
     };
     Classification {
@@ -120,17 +120,9 @@ pub fn classify(parameters: &Parameters<Rational>, threshold: &InertialThreshold
     }
 }
 
-/// Whether ω² > T·κ/η, when 64-bit can tell: ω is known to 5e-15, and the few operations lose less than as much again.
-pub(super) fn clearly_inertial(
-    omega: f64,
-    natural_squared: f64,
-    threshold: &InertialThreshold,
-) -> Option<bool> {
-    clearly_inertial_beyond(omega, natural_squared, nearest_f64(threshold.squared_ratio()))
-}
-
-/// [`clearly_inertial`] for a threshold that was rounded before.
-pub(super) fn clearly_inertial_beyond(omega: f64, natural_squared: f64, squared_ratio: f64) -> Option<bool> {
+/// Whether ω² > T·κ/η, when 64-bit can tell: ω is known to 5e-15, and the few operations lose less than as much again. T is the
+/// rounded threshold.
+pub(super) fn clearly_inertial(omega: f64, natural_squared: f64, squared_ratio: f64) -> Option<bool> {
     let ratio = omega * omega / (natural_squared * squared_ratio);
     ((ratio - 1.0).abs() > 1e-12).then_some(ratio > 1.0)
 }

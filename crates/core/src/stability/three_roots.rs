@@ -81,24 +81,15 @@ pub enum RootsError {
 
 /// A number that is an exact input: `f64`, taken as the binary fraction that it is, or [`Rational`].
 pub trait ExactInput: Clone {
-    #[doc(hidden)]
-    const ERROR_IN_DOUBLE_DOUBLE: InputErrorOf;
-    #[doc(hidden)]
+    const ERROR_IN_DOUBLE_DOUBLE: InputError;
     fn in_double_double(&self) -> Dd;
-    #[doc(hidden)]
     fn exactly(&self) -> Option<Rational>;
     /// The number, if it is positive and its type has none but 64-bit ones.
-    #[doc(hidden)]
     fn binary_fraction(&self) -> Option<f64>;
 }
 
-/// How an exact input is known in double-double.
-#[doc(hidden)]
-#[derive(Debug, Clone, Copy)]
-pub struct InputErrorOf(InputError);
-
 impl ExactInput for f64 {
-    const ERROR_IN_DOUBLE_DOUBLE: InputErrorOf = InputErrorOf(InputError::None);
+    const ERROR_IN_DOUBLE_DOUBLE: InputError = InputError::None;
     fn in_double_double(&self) -> Dd {
         Dd::from(*self)
     }
@@ -111,7 +102,7 @@ impl ExactInput for f64 {
 }
 
 impl ExactInput for Rational {
-    const ERROR_IN_DOUBLE_DOUBLE: InputErrorOf = InputErrorOf(InputError::Unit);
+    const ERROR_IN_DOUBLE_DOUBLE: InputError = InputError::Unit;
     fn in_double_double(&self) -> Dd {
         Dd::from_rational(self)
     }
@@ -145,16 +136,15 @@ impl ExactInput for Rational {
 /// assert!((found.roots[2] - num_complex::Complex::new(re, im)).norm() <= 2.0 * ROOT_ERROR * found.roots[2].norm());
 /// ```
 pub fn three_roots<R: ExactInput>(parameters: &Parameters<R>) -> Result<ThreeRoots, RootsError> {
-    let InputErrorOf(input_error) = R::ERROR_IN_DOUBLE_DOUBLE;
     let doubled = parameters.map(R::in_double_double);
-    let by = |route| ThreeRoots::of_values(&one_point(&doubled, input_error, route));
+    let by = |route| ThreeRoots::of_values(&one_point(&doubled, R::ERROR_IN_DOUBLE_DOUBLE, route));
     let found = by(Route::Deflation).or_else(|| by(Route::Shift));
     found.map_or_else(|| ThreeRoots::beyond_double_double(parameters), Ok)
 }
 
 impl ThreeRoots {
     /// The roots that double-double found, if each is within its bound and range.
-    pub(super) fn of_values(values: &PointValues) -> Option<Self> {
+    pub(super) fn of_values(values: &PointValues<f64>) -> Option<Self> {
         let is_pair = values.sign < 0.0;
         let real = |re: f64| Complex::new(re, 0.0);
         let roots = if is_pair {

@@ -11,7 +11,7 @@ use crate::stability::certain_signs::InputError;
 use crate::stability::point_values::{PointValues, Route};
 use crate::stability::quick::{classify_quickly, clearly_in_upper_area};
 use crate::stability::slip_mode::slip_mode_by;
-use crate::stability::spectrum::{OfPair, clearly_inertial_beyond};
+use crate::stability::spectrum::{OfPair, clearly_inertial};
 use crate::stability::three_roots::{RootsError, ThreeRoots};
 use crate::stability::{Classification, InertialThreshold, SpectralClass};
 
@@ -62,7 +62,7 @@ fn classified(values: &PointValues<f64>, limit: f64) -> Option<Classification> {
     let slip_mode = slip_mode_by(
         spectral_class,
         || clearly_in_upper_area(&groups),
-        || clearly_inertial_beyond(values.frequency, groups.natural_angular_frequency_squared(), limit),
+        || clearly_inertial(values.frequency, groups.natural_angular_frequency_squared(), limit),
     )?;
     Some(Classification {
         transition_sign,

@@ -90,20 +90,16 @@ impl BoundaryCurve {
     pub fn on_section(&self, section: &Section) -> Vec<BoundaryPoint> {
         let line = SectionLine::new(self, section);
         let row = |arc: Arc, parameter: &Ball, unknown: &Ball| {
-            let OperatingPoint { normal_stress_pa, loading_velocity_m_per_s } = line.position(unknown);
-            let position = OperatingPoint {
-                normal_stress_pa: normal_stress_pa.with_precision(self.bits),
-                loading_velocity_m_per_s: loading_velocity_m_per_s.with_precision(self.bits),
-            };
-            BoundaryPoint::new(&self.frame, (arc, parameter), position, None)
+            let position = line.position(unknown).map(|part| part.with_precision(self.bits));
+            BoundaryPoint::new(&self.frame, (arc, &parameter.with_precision(self.bits)), position, None)
         };
         line.each(
             |found| {
                 let (arc, unknown) = (found.arc, found.unknown.clone());
                 let parameter = self.constants.parameter(found, line.given, &line.value)?;
-                Some(row(arc, &parameter.with_precision(self.bits), &unknown))
+                Some(row(arc, &parameter, &unknown))
             },
-            |arc, unknown, parameter| row(arc, &parameter.with_precision(self.bits), unknown),
+            |arc, unknown, parameter| row(arc, parameter, unknown),
         )
     }
 
@@ -122,7 +118,6 @@ impl BoundaryCurve {
     }
 
     /// What each of the crossings takes; nothing for one that takes the general way, to its place or to its λ.
-    #[doc(hidden)]
     #[must_use]
     pub fn work(&self, section: &Section) -> Vec<Option<Work>> {
         let line = SectionLine::new(self, section);

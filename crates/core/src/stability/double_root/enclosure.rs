@@ -49,11 +49,11 @@ pub(super) struct Loss {
 
 impl Loss {
     pub(super) fn of(start: &Start) -> Self {
-        let x = start.root.hi();
+        let (x, at) = (start.root.hi(), &start.values);
         Self {
-            value: bits_of(start.terms / (x * start.slope).abs()),
-            slope: bits_of(start.slope_terms / start.slope.abs()),
-            curvature: bits_of((x * start.curvature / start.slope).abs()),
+            value: bits_of(at.terms / (x * at.slope).abs()),
+            slope: bits_of(at.slope_terms / at.slope.abs()),
+            curvature: bits_of((x * at.curvature / at.slope).abs()),
         }
     }
 }

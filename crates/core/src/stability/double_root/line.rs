@@ -271,7 +271,7 @@ impl Line<'_> {
             GivenGroup::VelocitySquared => root * rest * next * (1.0 + inertia),
             GivenGroup::StiffnessGroup => value * root * next * next * inertia,
         };
-        let change = libm::log2((start.slope * x * x / denominator).abs());
+        let change = libm::log2((start.values.slope * x * x / denominator).abs());
         let half = (f64::from(bits) + change.max(-f64::from(bits))) / 2.0;
         half.is_finite().then(|| half.max(0.0) as u32 + 1)
     }

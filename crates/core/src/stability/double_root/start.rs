@@ -23,6 +23,16 @@ pub(super) struct Start {
     pub(super) root: Dd,
     /// The distance to the root, estimated.
     pub(super) error: f64,
+    /// What F is there.
+    pub(super) values: Values,
+    /// Double-double steps.
+    pub(super) steps: u32,
+}
+
+/// F in 64-bit arithmetic.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Values {
+    pub(super) value: f64,
     /// F′.
     pub(super) slope: f64,
     /// F″.
@@ -30,17 +40,6 @@ pub(super) struct Start {
     /// Σ|c_k x^k|.
     pub(super) terms: f64,
     /// Σ|k c_k x^(k−1)|.
-    pub(super) slope_terms: f64,
-    /// Double-double steps.
-    pub(super) steps: u32,
-}
-
-/// F, F′ and F″ in 64-bit arithmetic, and the sums of the magnitudes of the terms of F and F′.
-pub(super) struct Values {
-    pub(super) value: f64,
-    pub(super) slope: f64,
-    pub(super) curvature: f64,
-    pub(super) terms: f64,
     pub(super) slope_terms: f64,
 }
 
@@ -92,7 +91,8 @@ impl Start {
         let mut best: Option<Self> = None;
         for steps in 1..=MOST_DOUBLE_DOUBLE_STEPS {
             let value = coefficients.iter().rev().fold(Dd::from(0.0), |value, c| value * root + c);
-            let Values { slope, curvature, terms, slope_terms, .. } = values(&leading, root.hi());
+            let at = values(&leading, root.hi());
+            let Values { slope, curvature, terms, slope_terms, .. } = at;
             let step = value.hi() / slope;
             let relative = SLOPE_ROUNDING * slope_terms / slope.abs() + (curvature * step / slope).abs();
             let error = step.abs() * relative + ROUNDING * terms / slope.abs();
@@ -104,7 +104,7 @@ impl Start {
             if !gained {
                 break;
             }
-            best = Some(Self { root, error, slope, curvature, terms, slope_terms, steps });
+            best = Some(Self { root, error, values: at, steps });
             if error <= GOOD * root.hi().abs() {
                 break;
             }

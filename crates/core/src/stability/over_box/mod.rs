@@ -143,10 +143,12 @@ pub fn over_box(region: &ParameterBox, threshold: &InertialThreshold) -> Option<
 /// Whether a point of the box is on K = K_c.
 pub(super) fn transition_sought(region: &ParameterBox) -> Sought {
     let threshold = InertialThreshold::default();
-    match Classes::transition_signs(&Filtered::new(region, &threshold)) {
-        [-1, -1] | [1, 1] => Sought::Nowhere,
-        _ => Sought::Somewhere,
-    }
+    zero_sought(Classes::transition_signs(&Filtered::new(region, &threshold)))
+}
+
+/// Whether a quantity vanishes somewhere, from its least and its greatest sign.
+const fn zero_sought(signs: [i8; 2]) -> Sought {
+    if let [-1, -1] | [1, 1] = signs { Sought::Nowhere } else { Sought::Somewhere }
 }
 
 /// The least and the greatest sign of the distance from the boundary, exactly.
@@ -156,10 +158,7 @@ fn boundary_signs(region: &ParameterBox) -> [i8; 2] {
 
 /// Whether a point of the box has a double root.
 pub(super) fn boundary_sought(region: &ParameterBox) -> Sought {
-    match boundary_signs(region) {
-        [-1, -1] | [1, 1] => Sought::Nowhere,
-        _ => Sought::Somewhere,
-    }
+    zero_sought(boundary_signs(region))
 }
 
 /// Whether a point of the box has a pair at this ω/ω_n; unknown for a threshold that is not allowed over a box.
