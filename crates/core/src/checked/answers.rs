@@ -107,13 +107,10 @@ impl Boundary {
     ///
     /// # Errors
     /// When the velocity is no number, not positive, or out of range.
-    pub fn at_loading_velocity<V>(
+    pub fn at_loading_velocity(
         &self,
-        loading_velocity_m_per_s: V,
-    ) -> Result<Vec<BoundaryPoint>, InputError>
-    where
-        V: TryInto<Exact, Error: Into<NumberError>>,
-    {
+        loading_velocity_m_per_s: impl TryInto<Exact, Error: Into<NumberError>>,
+    ) -> Result<Vec<BoundaryPoint>, InputError> {
         Quantity::LoadingVelocity
             .checked(loading_velocity_m_per_s)
             .map(|value| self.on(&Section::AtVelocity(value)))
@@ -123,10 +120,10 @@ impl Boundary {
     ///
     /// # Errors
     /// When the stress is no number, not positive, or out of range.
-    pub fn at_normal_stress<S>(&self, normal_stress_pa: S) -> Result<Vec<BoundaryPoint>, InputError>
-    where
-        S: TryInto<Exact, Error: Into<NumberError>>,
-    {
+    pub fn at_normal_stress(
+        &self,
+        normal_stress_pa: impl TryInto<Exact, Error: Into<NumberError>>,
+    ) -> Result<Vec<BoundaryPoint>, InputError> {
         Quantity::NormalStress.checked(normal_stress_pa).map(|value| self.on(&Section::AtNormalStress(value)))
     }
 

@@ -66,10 +66,10 @@ pub enum QuantityError {
 
 impl Quantity {
     /// The value, if it is one of this input.
-    pub(super) fn checked<N>(self, value: N) -> Result<Rational, InputError>
-    where
-        N: TryInto<Exact, Error: Into<NumberError>>,
-    {
+    pub(super) fn checked(
+        self,
+        value: impl TryInto<Exact, Error: Into<NumberError>>,
+    ) -> Result<Rational, InputError> {
         let refused = |problem| InputError { quantity: self, problem };
         let exact = value.try_into().map_err(|error| refused(QuantityError::Number(error.into())))?;
         if exact.0 <= 0 {

@@ -57,20 +57,13 @@ impl Slider {
     ///
     /// # Errors
     /// Every value that is no number, not positive, or out of the range 1e-300 to 1e300.
-    pub fn new<A, B, D, K, M>(
-        direct_effect: A,
-        evolution_effect: B,
-        critical_slip_distance_m: D,
-        stiffness_pa_per_m: K,
-        mass_per_area_kg_per_m2: M,
-    ) -> Result<Self, InputErrors>
-    where
-        A: TryInto<Exact, Error: Into<NumberError>>,
-        B: TryInto<Exact, Error: Into<NumberError>>,
-        D: TryInto<Exact, Error: Into<NumberError>>,
-        K: TryInto<Exact, Error: Into<NumberError>>,
-        M: TryInto<Exact, Error: Into<NumberError>>,
-    {
+    pub fn new(
+        direct_effect: impl TryInto<Exact, Error: Into<NumberError>>,
+        evolution_effect: impl TryInto<Exact, Error: Into<NumberError>>,
+        critical_slip_distance_m: impl TryInto<Exact, Error: Into<NumberError>>,
+        stiffness_pa_per_m: impl TryInto<Exact, Error: Into<NumberError>>,
+        mass_per_area_kg_per_m2: impl TryInto<Exact, Error: Into<NumberError>>,
+    ) -> Result<Self, InputErrors> {
         let values = all([
             Quantity::DirectEffect.checked(direct_effect),
             Quantity::EvolutionEffect.checked(evolution_effect),
@@ -142,11 +135,10 @@ impl OperatingPoint {
     ///
     /// # Errors
     /// As [`Slider::new`].
-    pub fn new<S, V>(normal_stress_pa: S, loading_velocity_m_per_s: V) -> Result<Self, InputErrors>
-    where
-        S: TryInto<Exact, Error: Into<NumberError>>,
-        V: TryInto<Exact, Error: Into<NumberError>>,
-    {
+    pub fn new(
+        normal_stress_pa: impl TryInto<Exact, Error: Into<NumberError>>,
+        loading_velocity_m_per_s: impl TryInto<Exact, Error: Into<NumberError>>,
+    ) -> Result<Self, InputErrors> {
         let [normal_stress_pa, loading_velocity_m_per_s] = all([
             Quantity::NormalStress.checked(normal_stress_pa),
             Quantity::LoadingVelocity.checked(loading_velocity_m_per_s),
