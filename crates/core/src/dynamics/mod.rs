@@ -57,7 +57,6 @@ mod deviations;
 mod double_double_exp;
 mod driven;
 mod edge_law;
-#[doc(hidden)]
 pub mod events;
 mod failure;
 mod floquet;
@@ -95,19 +94,14 @@ mod tests;
 mod threshold;
 mod trajectory;
 
-#[doc(hidden)]
 pub use arrow::{Arrow, Factors};
-#[doc(hidden)]
 pub use cycle_family::{CycleFamily, Member};
-#[doc(hidden)]
 pub use cycle_fold::Fold;
 pub use decay::{Decay, Oscillation};
-#[doc(hidden)]
 pub use deviations::oscillation_of_small_deviations;
 pub use driven::{DRIVEN_PARAMETERS, Driven, DrivenControl, DrivenSlider, Piece, drive};
 pub use edge_law::{EdgeOrbit, edge_orbit};
 pub use failure::Failure;
-#[doc(hidden)]
 pub use integrator::{Control, Integrator};
 pub use kick::Kick;
 pub use long_term::{Cycle, LongTerm, long_term_behaviour};
@@ -115,23 +109,14 @@ pub use model::{Balance, Model, State};
 pub use options::Options;
 pub use outcome::{Behaviour, Outcome, Simulation};
 pub use peak_law::{DEEP, DeepCycle, PeakLaw, drop_over_impedance, least_loading};
-#[doc(hidden)]
 pub use profile::{Estimate, Profile};
-#[doc(hidden)]
 pub use quick_exp::exponentials;
-#[doc(hidden)]
 pub use radau::Radau;
-#[doc(hidden)]
 pub use scalar::Scalar;
-#[doc(hidden)]
 pub use section_return::{Return, ReturnEnd, next_return};
 pub use simulation::{simulate, simulate_model};
 pub use start::Start;
-#[doc(hidden)]
 pub use stepper::{Stepper, Trial, Weight, increment, velocity_slopes};
-#[doc(hidden)]
 pub use taylor::Taylor;
-#[doc(hidden)]
 pub use threshold::start_threshold;
-#[doc(hidden)]
 pub use trajectory::{Sample, Trajectory, trajectory, trajectory_at};
