@@ -172,7 +172,7 @@ pub fn certify(
 pub fn certify_over(region: &ParameterBox, law: EvolutionLaw, start: Start) -> Result<Certificate, Reason> {
     let (constants, units) = (Constants::over(region, law), Units::over(region));
     let model = Model::new(region.middle().groups().map(nearest_f64), law);
-    let options = Options::at(1e-8).with_start(start);
+    let options = Options { start, ..Options::at(1e-8) };
     let found =
         simulate_model(&model, &options).map_err(|failure| Reason::Simulation(failure.to_string()))?;
     match found.long_term() {

@@ -25,7 +25,7 @@ pub struct Settings {
 impl Settings {
     /// The options of the simulation.
     pub fn options(self) -> dynamics::Options {
-        dynamics::Options::at(self.tolerance).with_start(self.start)
+        dynamics::Options { start: self.start, ..dynamics::Options::at(self.tolerance) }
     }
 }
 

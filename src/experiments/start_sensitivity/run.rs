@@ -87,7 +87,7 @@ fn group(
     let run = |start: Start| StartRun {
         start,
         early: early(&model, start),
-        long_term: simulate(&point, law, &Options::at(tolerance).with_start(start)),
+        long_term: simulate(&point, law, &Options { start, ..Options::at(tolerance) }),
     };
     let ratio = || nearest_f64(&(point.slider.stiffness_pa_per_m.clone() / point.critical_stiffness()));
     StartGroup {

@@ -159,7 +159,7 @@ fn verdicts(case: &HardCycle) -> Vec<MethodVerdict> {
         })
     });
     let whole = ASKED.map(|tolerance| {
-        let options = Options::at(tolerance).with_most_returns(MOST_RETURNS);
+        let options = Options { most_returns: MOST_RETURNS, ..Options::at(tolerance) };
         MethodVerdict {
             method: "simulation",
             tolerance,

@@ -16,7 +16,6 @@ pub struct Oscillation<R> {
 
 /// A return to steady sliding.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct Decay<R> {
     /// All that happened before it was called linear, as one return.
     pub transient: Return<R>,
@@ -95,7 +94,7 @@ mod tests {
             for (law, start) in
                 EvolutionLaw::ALL.into_iter().flat_map(|law| Start::ALL.map(|start| (law, start)))
             {
-                let options = Options::at(1e-8).with_start(start);
+                let options = Options { start, ..Options::at(1e-8) };
                 let found = simulate_model(&Model::new(groups.clone(), law), &options).unwrap();
                 let found = found.in_si(&Parameters::from([1.0; 7]));
                 assert!(found.stress_drop_relative_error.is_finite(), "{found:?}");

@@ -293,7 +293,8 @@ mod tests {
             let is_cycle = |size: f64| {
                 let options = Options {
                     velocity_ratio: libm::exp(size),
-                    ..Options::at(1e-6).with_start(Start::VelocityKick)
+                    start: Start::VelocityKick,
+                    ..Options::at(1e-6)
                 };
                 matches!(simulate_model(&model, &options).unwrap().long_term(), LongTerm::Cycle(_))
             };

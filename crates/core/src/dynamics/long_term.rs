@@ -67,7 +67,6 @@ impl Standstill {
 
 /// A limit cycle.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct Cycle<R> {
     /// The whole cycle.
     pub orbit: Return<R>,

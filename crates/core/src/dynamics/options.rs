@@ -7,11 +7,10 @@ use super::Start;
 /// ```
 /// use slipmode_core::dynamics::{Options, Start};
 ///
-/// let options = Options::at(1e-6).with_start(Start::VelocityKick);
+/// let options = Options { start: Start::VelocityKick, ..Options::at(1e-6) };
 /// assert_eq!((options.tolerance, options.velocity_ratio), (1e-6, 0.1));
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
 pub struct Options {
     /// How the start is completed.
     pub start: Start,
@@ -45,17 +44,5 @@ impl Options {
     #[must_use]
     pub fn at(tolerance: f64) -> Self {
         Self { tolerance, ..Self::default() }
-    }
-
-    /// The same from another start.
-    #[must_use]
-    pub const fn with_start(self, start: Start) -> Self {
-        Self { start, ..self }
-    }
-
-    /// The same with another limit of oscillations.
-    #[must_use]
-    pub const fn with_most_returns(self, most_returns: u64) -> Self {
-        Self { most_returns, ..self }
     }
 }

@@ -34,7 +34,6 @@ const NATURAL_ERROR: f64 = 3.0 * Dd::UNIT;
 /// assert!(found.frequency_over_natural.to_f64().unwrap() < 1.0);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
 pub struct Frequencies {
     /// ω/2π, Hz; exactly 0 when no root is complex.
     pub frequency_hz: Wide,

@@ -66,7 +66,6 @@ pub struct PairLine {
 
 /// A point of the line, every number enclosed.
 #[derive(Debug, Clone)]
-#[non_exhaustive]
 pub struct PairLinePoint {
     /// The sign of K − K_c: −1 where the oscillation grows, 1 where it decays.
     pub transition_sign: i8,

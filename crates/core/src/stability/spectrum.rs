@@ -29,7 +29,6 @@ const TOLERANCE: f64 = 5e-15;
 /// assert!(found.max_real_per_s.to_f64().unwrap() < 0.0); // disturbances die
 /// ```
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct Classification {
     /// Sign of K − K_c: +1 linearly stable, 0 on the transition.
     pub transition_sign: i8,

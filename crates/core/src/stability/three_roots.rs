@@ -45,7 +45,6 @@ const MODULI: std::ops::RangeInclusive<f64> = 1e-300..=1e300;
 /// assert!(found.max_real_per_s > 0.0 && found.max_real_error_per_s <= ROOT_ERROR * found.max_real_per_s);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
 pub struct ThreeRoots {
     /// Real roots first, ascending; then the conjugate pair, negative imaginary part first. Each lies within [`ROOT_ERROR`] of
     /// its modulus of the true root. A double root stands twice.
@@ -69,7 +68,6 @@ pub struct ThreeRoots {
 /// assert_eq!(three_roots(&at_rest).unwrap_err(), RootsError::NotPositive);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
-#[non_exhaustive]
 pub enum RootsError {
     /// An input is not positive, or not finite.
     #[error("an input is not a positive finite number")]

@@ -90,7 +90,7 @@ fn stiff_decays_have_their_errors() {
         let exact = first_returns(&model, start).and_steady_sliding();
         for tolerance in [1e-2, 1e-6, 1e-8, 1e-10, 1e-12] {
             let at = format!("{groups:?} {law:?} {start:?} {tolerance:e}");
-            let outcome = simulate_model(&model, &Options::at(tolerance).with_start(start))
+            let outcome = simulate_model(&model, &Options { start, ..Options::at(tolerance) })
                 .unwrap_or_else(|failure| panic!("{at}: {failure}"));
             let found = outcome.in_si(&Parameters::from([1.0; 7]));
             let peak = libm::expm1(outcome.log_peak() - exact.peak.max(0.0)).abs();
@@ -240,7 +240,7 @@ fn the_family_of_cycles_and_the_search_agree_where_both_find_the_cycle() {
 fn a_run_outside_a_small_unstable_cycle_is_no_decay() {
     let slider = slider("0.01", "1.5", &next_to_one(true, -12));
     for ratio in [0.1, 0.99, 0.9999] {
-        let options = Options { velocity_ratio: ratio, ..Options::at(1e-6).with_most_returns(100) };
+        let options = Options { velocity_ratio: ratio, most_returns: 100, ..Options::at(1e-6) };
         match simulate(&slider, EvolutionLaw::Aging, &options) {
             Ok(found) => assert_eq!(found.behaviour, Behaviour::Periodic, "{ratio}"),
             Err(failure) => assert!(matches!(failure, Failure::Undecided { .. }), "{ratio} {failure}"),

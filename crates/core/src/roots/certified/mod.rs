@@ -30,7 +30,6 @@ const GUARD_BITS: u32 = 16;
 /// assert!(cube.contains(&Rational::from(2)) && roots[0].radius < 1e-40);
 /// ```
 #[derive(Debug, Clone)]
-#[non_exhaustive]
 pub struct CertifiedRoot {
     /// Real part; exactly zero when the true one is.
     pub re: Float,
@@ -53,7 +52,6 @@ pub struct CertifiedRoot {
 /// assert!(found.roots[0].radius.is_zero());
 /// ```
 #[derive(Debug, Clone)]
-#[non_exhaustive]
 pub struct CertifiedRoots {
     /// Real roots first, ascending; then the conjugate pair, negative imaginary part first. Enclosures are disjoint.
     pub roots: Vec<CertifiedRoot>,

@@ -89,7 +89,6 @@ fn classified(values: &PointValues<f64>, limit: f64) -> Option<Classification> {
 /// assert_eq!(refused.unwrap_err(), PointError::Point { index: 1, error: RootsError::NotPositive });
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
-#[non_exhaustive]
 pub enum PointError {
     /// The columns differ in length.
     #[error("the seven columns differ in length")]

@@ -32,7 +32,6 @@ slipmode_algebra::named! {
 /// assert!(cusp.relative_error.to_f64().abs() > 0.1);
 /// ```
 #[derive(Debug, Clone)]
-#[non_exhaustive]
 pub struct BoundaryPoint {
     /// The arc it lies on.
     pub arc: Arc,

@@ -62,7 +62,6 @@ pub struct Possible<T> {
 
 /// All that the points of a box have in common, or not.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct OverBox {
     /// The least and the greatest sign of K − K_c.
     pub transition_signs: [i8; 2],
