@@ -27,6 +27,43 @@ pub trait Experiment: ReadSection {
     fn run(&self, setting: &Setting<'_>) -> Option<Self::Outcome>;
 }
 
+/// Declares an experiment: the keys of its section, as [`crate::scene::section::keys`] takes them, and how it implements [`Experiment`].
+macro_rules! experiment {
+    (
+        $(#[$about:meta])* pub struct $name:ident { $($keys:tt)* }
+        $(points: $points:expr,)?
+        $(requires: $requirement:ident,)?
+        outcome: $outcome:ty,
+        $(tables: [$($tables:path),+],)?
+        $(figures: [$($figures:path),+],)?
+        work: $work:expr,
+        run: $run:expr,
+    ) => {
+        $crate::scene::section::keys! {
+            $(#[$about])* pub struct $name { $($keys)* }
+            $(points: $points,)?
+        }
+
+        impl $crate::experiments::Experiment for $name {
+            type Outcome = $outcome;
+            $(const REQUIREMENT: $crate::experiments::Requirement = $crate::experiments::Requirement::$requirement;)?
+            $(const TABLES: &'static [&'static [$crate::experiments::TableMaker]] = &[$($tables),+];)?
+            $(const FIGURES: &'static [&'static [$crate::experiments::Drawer]] = &[$($figures),+];)?
+
+            fn work(&self) -> $crate::experiments::Work {
+                let work: fn(&Self) -> $crate::experiments::Work = $work;
+                work(self)
+            }
+
+            fn run(&self, setting: &$crate::experiments::Setting<'_>) -> Option<Self::Outcome> {
+                let run: fn(&Self, &$crate::experiments::Setting<'_>) -> Option<Self::Outcome> = $run;
+                run(self, setting)
+            }
+        }
+    };
+}
+pub(crate) use experiment;
+
 /// What a scene has to state for a section to have a meaning.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Requirement {

@@ -34,6 +34,7 @@ pub mod work;
 pub mod zones;
 
 pub use context::Context;
+pub(crate) use experiment::experiment;
 pub use experiment::{Experiment, Requirement, Setting};
 pub use figures::{Drawer, Figure, FigureMaker, Words};
 pub use outcome::{Outcome, References};
@@ -47,7 +48,7 @@ use std::sync::LazyLock;
 use crate::scene::ParametersSection;
 use crate::scene::section::Section;
 use crate::sweep::SweepSection;
-use scene::{Head, read_experiment};
+use scene::read_experiment;
 use slipmode_core::number::Rational;
 
 /// Makes everything that lists experiments from one line for each: what it is about, the word for the computation, the
@@ -73,8 +74,7 @@ macro_rules! experiments {
             }
 
             /// Whether a scene states it.
-            #[must_use]
-            pub fn is_stated_by(self, scene: &Scene) -> bool {
+            pub(crate) fn is_stated_by(self, scene: &Scene) -> bool {
                 match self {
                     $($(#[cfg($condition)])? Self::$word => scene.$key.is_some(),)*
                 }
@@ -92,7 +92,7 @@ macro_rules! experiments {
         }
 
         /// What a user requests: valid and exact.
-        #[derive(Debug, Clone, PartialEq, Eq)]
+        #[derive(Debug, Clone, Default, PartialEq, Eq)]
         pub struct Scene {
             /// The name, safe as a file name.
             pub name: String,
@@ -117,18 +117,13 @@ macro_rules! experiments {
                     .collect()
             }
 
-            /// Reads the experiments' sections after the head of a scene.
-            fn read(head: Head, top: &mut Section<'_>) -> Option<Self> {
-                $($(#[cfg($condition)])?
-                let $key = read_experiment::<$section>(&head, stringify!($key), top);)*
-                Some(Self {
-                    name: head.name,
-                    title: head.title,
-                    parameters: head.parameters,
-                    inertial_threshold: head.inertial_threshold,
-                    sweep: head.sweep,
-                    $($(#[cfg($condition)])? $key,)*
-                })
+            /// With the experiments' sections, which stand after the head of a scene.
+            fn with_experiments(self, top: &mut Section<'_>) -> Self {
+                let known = self.known_parameters(top);
+                Self {
+                    $($(#[cfg($condition)])? $key: read_experiment::<$section>(known, stringify!($key), top),)*
+                    ..self
+                }
             }
         }
 

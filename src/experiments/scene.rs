@@ -8,18 +8,7 @@ use crate::scene::section::Section;
 use crate::scene::sections::NAME_RULE;
 use crate::scene::{AllowedRange, Fault, Faults, Limits, ParametersSection, Problem, same_name};
 use crate::sweep::SweepSection;
-use slipmode_core::number::Rational;
 use slipmode_core::stability::InertialThreshold;
-
-/// What a scene states besides its experiments.
-pub(super) struct Head {
-    pub name: String,
-    pub title: String,
-    pub parameters: Option<ParametersSection>,
-    has_faulty_parameters: bool,
-    pub inertial_threshold: Option<Rational>,
-    pub sweep: Option<SweepSection>,
-}
 
 impl Scene {
     /// Reads a scene from the bytes of its file; `file` is the name that messages use.
@@ -27,7 +16,7 @@ impl Scene {
     /// # Errors
     /// All the faults of the file at once.
     pub fn parse(file: &str, bytes: &[u8], limits: &Limits) -> Result<Self, Faults> {
-        read_document(file, bytes, *limits, |top| Self::read(Head::read(top), top))
+        read_document(file, bytes, *limits, |top| Some(Self::head(top).with_experiments(top)))
     }
 
     /// The threshold between inertial and non-inertial that the scene chose, or the default.
@@ -35,36 +24,41 @@ impl Scene {
     pub fn threshold(&self) -> InertialThreshold {
         self.inertial_threshold.as_ref().and_then(InertialThreshold::from_ratio).unwrap_or_default()
     }
-}
 
-impl Head {
-    fn read(top: &mut Section<'_>) -> Self {
+    /// What stands before the experiments' sections.
+    fn head(top: &mut Section<'_>) -> Self {
         let name = top.name("name", NAME_RULE);
         let title = top.text("title", "a text");
         let parameters = top.optionally("parameters", |entry| entry.table(read_parameters)?);
-        let has_faulty_parameters = top.optional("parameters").is_some() && parameters.is_none();
         let ratio = |section: &mut Section<'_>| section.decimal("frequency_ratio", AllowedRange::OPEN_UNIT);
         let inertial_threshold = top.optionally("inertial_threshold", |entry| entry.table(ratio));
-        let known = (!has_faulty_parameters).then_some(parameters.as_ref());
+        let head = Self { name, title, parameters, inertial_threshold, ..Self::default() };
+        let known = head.known_parameters(top);
         let sweep = top.optionally("sweep", |entry| SweepSection::read(entry, known));
-        Self { name, title, parameters, has_faulty_parameters, inertial_threshold, sweep }
+        Self { sweep, ..head }
+    }
+
+    /// What `[parameters]` states; `None` where it is faulty.
+    pub(super) fn known_parameters(&self, top: &mut Section<'_>) -> Option<Option<&ParametersSection>> {
+        let is_faulty = top.optional("parameters").is_some() && self.parameters.is_none();
+        (!is_faulty).then_some(self.parameters.as_ref())
     }
 }
 
 /// Reads the section of an experiment, and checks that the scene states what the section needs.
 pub(super) fn read_experiment<E: Experiment>(
-    head: &Head,
+    parameters: Option<Option<&ParametersSection>>,
     key: &'static str,
     top: &mut Section<'_>,
 ) -> Option<E> {
     top.optionally(key, |entry| {
-        let problem = match (E::REQUIREMENT, &head.parameters) {
+        let problem = match (E::REQUIREMENT, parameters) {
             (Requirement::Nothing, _) => None,
-            (_, None) if !head.has_faulty_parameters => Some(Problem::Needs("a [parameters] section".into())),
-            (Requirement::CriticalNormalStress, Some(parameters)) => {
+            (_, Some(None)) => Some(Problem::Needs("a [parameters] section".into())),
+            (Requirement::CriticalNormalStress, Some(Some(parameters))) => {
                 (!parameters.slider.has_transition()).then_some(Problem::NoCriticalNormalStress)
             }
-            (Requirement::OperatingPoint, Some(parameters)) => {
+            (Requirement::OperatingPoint, Some(Some(parameters))) => {
                 let needs =
                     || Problem::Needs("normal_stress_pa and loading_velocity_m_per_s in [parameters]".into());
                 parameters.point().is_none().then(needs)

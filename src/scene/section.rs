@@ -104,6 +104,11 @@ impl<'t> Section<'t> {
         self.optional(key).and_then(|entry| read(&entry))
     }
 
+    /// What a reader makes of the section under a key.
+    pub(crate) fn key<T>(&mut self, key: &'static str, read: impl FnOnce(&mut Self, &'static str) -> T) -> T {
+        read(self, key)
+    }
+
     /// What `read` makes of a key that must be there.
     ///
     /// A value that is absent or faulty is read as the default of its type: its fault is noted, and [`Entry::table`] then gives
@@ -145,6 +150,11 @@ impl<'t> Section<'t> {
     /// A list of decimals that must be there.
     pub fn decimals(&mut self, key: &'static str, allowed: &str, range: AllowedRange) -> Vec<Rational> {
         self.list(key, allowed, |member| member.decimal(range))
+    }
+
+    /// A list of numbers within a range, which may be absent.
+    pub fn any_decimals(&mut self, key: &'static str, range: AllowedRange) -> Vec<Rational> {
+        self.optionally(key, |entry| entry.list(|member| member.decimal(range))).unwrap_or_default()
     }
 
     /// A whole number that must be there.
@@ -422,6 +432,30 @@ pub trait ReadSection: Sized {
     /// Reads its keys; its faults are added to the others.
     fn read(section: &mut Section<'_>) -> Self;
 }
+
+/// Declares a section by its keys: each with its meaning, its type and how it is read from the section under its name. They are read
+/// in this order. The limit of the file is for the number of `points`.
+macro_rules! keys {
+    (
+        $(#[$about:meta])* pub struct $name:ident { $($(#[$meaning:meta])* pub $key:ident: $type:ty = $read:expr,)* }
+        $(points: $points:expr,)?
+    ) => {
+        $(#[$about])*
+        #[derive(Debug, Clone, PartialEq, Eq)]
+        pub struct $name { $($(#[$meaning])* pub $key: $type,)* }
+
+        impl $crate::scene::section::ReadSection for $name {
+            #[allow(unused_variables)]
+            fn read(section: &mut $crate::scene::section::Section<'_>) -> Self {
+                let read = Self { $($key: section.key(stringify!($key), $read),)* };
+                $(let points: fn(&Self) -> u64 = $points;
+                section.check_points(points(&read));)?
+                read
+            }
+        }
+    };
+}
+pub(crate) use keys;
 
 /// The one of `all` that has a word.
 ///

@@ -44,13 +44,6 @@ impl Section<'_> {
         Rectangle { loading_velocity_m_per_s, normal_stress_pa }
     }
 
-    /// A rectangle with no more points than the limit.
-    pub(crate) fn checked_rectangle(&mut self) -> Rectangle {
-        let rectangle = self.rectangle();
-        self.check_points(rectangle.points());
-        rectangle
-    }
-
     /// `{ from, to, points }` with positive ends in ascending order.
     pub(crate) fn axis(&mut self, key: &'static str) -> LogAxis {
         self.read(key, "{ from = …, to = …, points = … }", |entry| {

@@ -3,26 +3,29 @@
 mod columns;
 pub(crate) mod figures;
 pub(crate) mod run;
-pub(crate) mod section;
 pub(crate) mod tables;
 
 pub use columns::{LinePoint, PointColumn, Stated, vanishes};
-pub use run::{BoundaryOutcome, END_ERROR, boundary_outcome};
-pub use section::BoundarySection;
+pub use run::{BoundaryOutcome, END_ERROR};
 
-use crate::experiments::{Drawer, Experiment, Setting, TableMaker, Work};
+use crate::experiments::{Work, experiment};
 
-impl Experiment for BoundarySection {
-    type Outcome = BoundaryOutcome;
-    const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
-    const FIGURES: &'static [&'static [Drawer]] = &[figures::FIGURES];
+/// The largest number of digits that may be requested.
+const MOST_DIGITS: u64 = 1_000_000;
 
-    fn work(&self) -> Work {
-        // On each of two arcs.
-        Work::certified_points(f64::from(self.points) * 2.0, self.digits)
+experiment! {
+    /// `[boundary]`: the exact boundary along its arcs, how many points of it, to how many digits.
+    #[derive(Copy)]
+    pub struct BoundarySection {
+        /// Points on each arc.
+        pub points: u32 = |section, _| section.points(),
+        /// Certified decimal digits of each coordinate.
+        pub digits: u32 = |section, key| section.whole(key, 1..=MOST_DIGITS),
     }
-
-    fn run(&self, setting: &Setting<'_>) -> Option<Self::Outcome> {
-        Some(boundary_outcome(setting.slider()?, *self))
-    }
+    outcome: BoundaryOutcome,
+    tables: [tables::TABLES],
+    figures: [figures::FIGURES],
+    // On each of two arcs.
+    work: |section| Work::certified_points(f64::from(section.points) * 2.0, section.digits),
+    run: |section, setting| Some(run::boundary_outcome(setting.slider()?, *section)),
 }

@@ -23,8 +23,7 @@ pub const END_ERROR: f64 = 1e-9;
 const COMPARED_SECTIONS: usize = 24;
 
 /// Computes the boundary.
-#[must_use]
-pub fn boundary_outcome(parameters: &Slider<Rational>, section: BoundarySection) -> BoundaryOutcome {
+pub(super) fn boundary_outcome(parameters: &Slider<Rational>, section: BoundarySection) -> BoundaryOutcome {
     let curve = BoundaryCurve::new(parameters, section.digits);
     BoundaryOutcome {
         points: curve.sample(section.points as usize, END_ERROR),

@@ -101,8 +101,7 @@ impl Stored {
 }
 
 /// Proves these rows again, those that state a certificate.
-#[must_use]
-pub fn prove_again(rows: &[Stored], chosen: &[usize]) -> Vec<ProvedAgain> {
+pub(crate) fn prove_again(rows: &[Stored], chosen: &[usize]) -> Vec<ProvedAgain> {
     let chosen: Vec<usize> = chosen.iter().copied().filter(|row| rows[*row].certificate.is_ok()).collect();
     parallel::map(&chosen, |&row| ProvedAgain { row, refusal: rows[row].refusal() })
 }
@@ -139,8 +138,7 @@ fn greatest(values: impl Iterator<Item = (usize, f64)>) -> Option<usize> {
 }
 
 /// Certifies every point of a section's grid with one law, row by row of constant normal stress.
-#[must_use]
-pub fn certify_grid(
+pub(crate) fn certify_grid(
     slider: &Slider<Rational>,
     section: &SimulationsSection,
     law: EvolutionLaw,

@@ -2,27 +2,31 @@
 
 pub(crate) mod figures;
 pub(crate) mod run;
-pub(crate) mod section;
 pub(crate) mod tables;
 
-pub use run::{SweepOutcome, SweepRow, sweep_effect_ratio};
-pub use section::EffectRatioSweepSection;
+pub use run::{SweepOutcome, SweepRow};
 
 use crate::experiments::work::certified_point_s;
-use crate::experiments::{Drawer, Experiment, Requirement, Setting, TableMaker, Work};
+use crate::experiments::{Work, experiment};
+use crate::scene::section::Section;
+use crate::scene::{AllowedRange, LogAxis};
+use slipmode_core::number::Rational;
 
-impl Experiment for EffectRatioSweepSection {
-    type Outcome = SweepOutcome;
-    const REQUIREMENT: Requirement = Requirement::Nothing;
-    const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
-    const FIGURES: &'static [&'static [Drawer]] = &[figures::FIGURES];
-
-    fn work(&self) -> Work {
-        let ratios = f64::from(self.effect_ratio.points) + 2.0 * self.near_equal.len() as f64;
+experiment! {
+    /// `[effect_ratio_sweep]`: the asymptotes' worst errors against β = b/a.
+    pub struct EffectRatioSweepSection {
+        /// β.
+        pub effect_ratio: LogAxis = Section::axis,
+        /// Distances |β − 1| at which a → b is looked at from both sides; each strictly between 0 and 1.
+        pub near_equal: Vec<Rational> = |section, key| section.any_decimals(key, AllowedRange::OPEN_UNIT),
+    }
+    requires: Nothing,
+    outcome: SweepOutcome,
+    tables: [tables::TABLES],
+    figures: [figures::FIGURES],
+    work: |section| {
+        let ratios = f64::from(section.effect_ratio.points) + 2.0 * section.near_equal.len() as f64;
         Work::points(ratios, 10.0 * certified_point_s(0.0))
-    }
-
-    fn run(&self, _: &Setting<'_>) -> Option<Self::Outcome> {
-        Some(sweep_effect_ratio(self))
-    }
+    },
+    run: |section, _| Some(run::sweep_effect_ratio(section)),
 }

@@ -27,8 +27,7 @@ pub struct SweepOutcome {
 const DIGITS: u32 = 20;
 
 /// Computes the worst errors along the axis, and at β = 1 ± each near-equal distance.
-#[must_use]
-pub fn sweep_effect_ratio(section: &EffectRatioSweepSection) -> SweepOutcome {
+pub(super) fn sweep_effect_ratio(section: &EffectRatioSweepSection) -> SweepOutcome {
     let near = section
         .near_equal
         .iter()

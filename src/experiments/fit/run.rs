@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::section::FitSection;
+use super::FitSection;
 use crate::experiments::Setting;
 use crate::fitting::{FitFailure, Fits, StepRecord, sampled_modes};
 use slipmode_core::stability::SlipMode;

@@ -29,8 +29,7 @@ pub struct FrequencyOutcome {
 }
 
 /// Computes the lines; the scene reader has made sure that b > a, so that σ_c exists.
-#[must_use]
-pub fn frequency_lines(parameters: &Slider<Rational>, section: &FrequencySection) -> FrequencyOutcome {
+pub(super) fn frequency_lines(parameters: &Slider<Rational>, section: &FrequencySection) -> FrequencyOutcome {
     let velocities = section.loading_velocity_m_per_s.coordinates();
     let critical = parameters.critical_normal_stress_pa();
     let lines = section

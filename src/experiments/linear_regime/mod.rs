@@ -3,30 +3,54 @@
 pub(crate) mod figures;
 pub(crate) mod modes;
 pub(crate) mod run;
-pub(crate) mod section;
 pub(crate) mod snapshots;
 pub(crate) mod steady_sliding;
 pub(crate) mod tables;
 
 pub use modes::Direction;
 pub use run::{LinearRegimeOutcome, Mismatch, ModeRuns, linear_regime};
-pub use section::LinearRegimeSection;
 pub use steady_sliding::{SteadyRun, steady_sliding};
 
-use crate::experiments::{Drawer, Experiment, Setting, TableMaker, Work};
+use crate::experiments::{Work, experiment};
+use crate::scene::section::Section;
+use crate::scene::{AllowedRange, PlanePoint};
+use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::number::Rational;
 
-impl Experiment for LinearRegimeSection {
-    type Outcome = LinearRegimeOutcome;
-    const FIGURES: &'static [&'static [Drawer]] = &[figures::FIGURES];
-    const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
+/// Starts of a linear regime at one point: one for each real root, two for a pair.
+const STARTS_PER_POINT: u64 = 3;
 
-    fn work(&self) -> Work {
-        // Three starts for each; to 1e-8, whatever the amplitude.
-        let starts = self.points.len() as f64 * self.laws.len() as f64 * self.amplitudes.len() as f64 * 3.0;
+experiment! {
+    /// `[linear_regime]`: small disturbances along the eigenvectors, against the roots, at a few points (V, σ).
+    pub struct LinearRegimeSection {
+        /// The points.
+        pub points: Vec<PlanePoint> = Section::places,
+        /// The evolution laws, each once.
+        pub laws: Vec<EvolutionLaw> = |section, _| section.laws(),
+        /// Sizes of the start, each once.
+        pub amplitudes: Vec<Rational> = |section, key| {
+            let range = AllowedRange::AMPLITUDE;
+            section.read(key, &format!("a list of sizes, each {}", range.text()), |entry| {
+                entry.distinct(|_| "an earlier member".into(), |size| size.decimal(range))
+            })
+        },
+    }
+    points: |section| {
+        let lists = [section.points.len(), section.laws.len(), section.amplitudes.len()];
+        product(&lists).saturating_mul(STARTS_PER_POINT)
+    },
+    outcome: LinearRegimeOutcome,
+    tables: [tables::TABLES],
+    figures: [figures::FIGURES],
+    // Three starts for each; to 1e-8, whatever the amplitude.
+    work: |section| {
+        let starts = section.points.len() as f64 * section.laws.len() as f64 * section.amplitudes.len() as f64 * 3.0;
         Work::simulations(starts, 1e-8)
-    }
+    },
+    run: |section, setting| Some(linear_regime(setting.slider()?, section, &setting.threshold())),
+}
 
-    fn run(&self, setting: &Setting<'_>) -> Option<Self::Outcome> {
-        Some(linear_regime(setting.slider()?, self, &setting.threshold()))
-    }
+/// The number of combinations of members of several lists.
+pub(crate) fn product(lengths: &[usize]) -> u64 {
+    lengths.iter().fold(1, |product, &length| product.saturating_mul(length as u64))
 }

@@ -2,25 +2,24 @@
 
 pub(crate) mod figures;
 pub(crate) mod run;
-pub(crate) mod section;
 pub(crate) mod tables;
 
 pub use run::{MapPoint, classify_rectangle};
-pub use section::MapSection;
 
 use crate::experiments::shared::Grid;
-use crate::experiments::{Drawer, Experiment, Setting, TableMaker, Work};
+use crate::experiments::{Work, experiment};
+use crate::scene::Rectangle;
 
-impl Experiment for MapSection {
-    type Outcome = Grid<MapPoint>;
-    const FIGURES: &'static [&'static [Drawer]] = &[figures::FIGURES];
-    const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
-
-    fn work(&self) -> Work {
-        Work::map(&self.rectangle)
+experiment! {
+    /// `[map]`: the points that are classified.
+    pub struct MapSection {
+        /// The grid.
+        pub rectangle: Rectangle = |section, _| section.rectangle(),
     }
-
-    fn run(&self, setting: &Setting<'_>) -> Option<Self::Outcome> {
-        Some(classify_rectangle(setting.slider()?, &self.rectangle, &setting.threshold()))
-    }
+    points: |section| section.rectangle.points(),
+    outcome: Grid<MapPoint>,
+    tables: [tables::TABLES],
+    figures: [figures::FIGURES],
+    work: |section| Work::map(&section.rectangle),
+    run: |section, setting| Some(classify_rectangle(setting.slider()?, &section.rectangle, &setting.threshold())),
 }

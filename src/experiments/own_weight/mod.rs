@@ -2,24 +2,36 @@
 
 pub(crate) mod figures;
 pub(crate) mod run;
-pub(crate) mod section;
 
 pub use run::{OwnWeightOutcome, own_weight};
-pub use section::OwnWeightSection;
 
 use crate::experiments::work::DECISION_S;
-use crate::experiments::{Drawer, Experiment, Setting, TableMaker, Work};
+use crate::experiments::{Work, experiment};
+use crate::scene::section::Section;
+use crate::scene::{AllowedRange, LogAxis};
+use slipmode_core::number::Rational;
 
-impl Experiment for OwnWeightSection {
-    type Outcome = OwnWeightOutcome;
-    const TABLES: &'static [&'static [TableMaker]] = &[];
-    const FIGURES: &'static [&'static [Drawer]] = &[figures::FIGURES];
-
-    fn work(&self) -> Work {
-        Work::points(self.points() as f64, DECISION_S)
+experiment! {
+    /// `[own_weight]`: the gravity that makes the normal stress M·g, and the plane.
+    pub struct OwnWeightSection {
+        /// g, m/s².
+        pub gravity_m_per_s2: Rational = |section, key| section.decimal(key, AllowedRange::PHYSICAL),
+        /// Loading velocities, m/s.
+        pub loading_velocity_m_per_s: LogAxis = Section::axis,
+        /// K/M, 1/s².
+        pub stiffness_over_mass_per_s2: LogAxis = Section::axis,
     }
+    points: Self::points,
+    outcome: OwnWeightOutcome,
+    figures: [figures::FIGURES],
+    work: |section| Work::points(section.points() as f64, DECISION_S),
+    run: |section, setting| Some(own_weight(setting.slider()?, section, &setting.threshold())),
+}
 
-    fn run(&self, setting: &Setting<'_>) -> Option<Self::Outcome> {
-        Some(own_weight(setting.slider()?, self, &setting.threshold()))
+impl OwnWeightSection {
+    /// The points of the plane.
+    fn points(&self) -> u64 {
+        u64::from(self.loading_velocity_m_per_s.points)
+            .saturating_mul(u64::from(self.stiffness_over_mass_per_s2.points))
     }
 }

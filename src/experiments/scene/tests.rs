@@ -4,6 +4,7 @@ use super::*;
 use crate::experiments::boundary::BoundarySection;
 use crate::scene::PlanePoint;
 use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::number::Rational;
 use slipmode_core::number::parse_decimal;
 
 const SLIDER: &str = "name = \"s\"\ntitle = \"S\"\n[parameters]\ndirect_effect = 0.004\nevolution_effect = 0.006\n\

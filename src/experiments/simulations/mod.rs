@@ -6,36 +6,41 @@ pub(crate) mod least_peak_figures;
 pub(crate) mod map_figures;
 pub(crate) mod run;
 mod run_tables;
-pub(crate) mod section;
 pub(crate) mod tables;
 pub(crate) mod vibration_limit;
 mod words;
 
 pub use least_peak::{FLATNESS_LEVELS, LeastPeak, PERIOD_LEVELS, SIDE_WIDTH, least_peaks};
 pub use run::{RunCourse, SimulatedPoint, SimulationsOutcome, simulations};
-pub use section::SimulationsSection;
 pub use vibration_limit::{STEP as VIBRATION_STEP, StrongVibration, strong_vibrations};
-pub use words::range_of_velocities;
+pub(crate) use words::range_of_velocities;
 
 use crate::experiments::work::rectangle_points;
-use crate::experiments::{Drawer, Experiment, Setting, TableMaker, Work};
-use slipmode_core::number::nearest_f64;
+use crate::experiments::{Work, experiment};
+use crate::scene::{AllowedRange, Rectangle};
+use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::number::{Rational, nearest_f64};
 
 /// Local tolerance of the pass along a cycle.
 const CYCLE_TOLERANCE: f64 = 1e-9;
 
-impl Experiment for SimulationsSection {
-    type Outcome = SimulationsOutcome;
-    const TABLES: &'static [&'static [TableMaker]] =
-        &[tables::TABLES, deep_stick_slip::TABLES, run_tables::TABLES];
-    const FIGURES: &'static [&'static [Drawer]] = &[least_peak_figures::FIGURES, map_figures::FIGURES];
-
-    fn work(&self) -> Work {
-        let runs = rectangle_points(&self.rectangle) * self.laws.len() as f64;
-        Work::simulations(runs, nearest_f64(&self.tolerance))
+experiment! {
+    /// `[simulations]`: the nonlinear slider on a (V, σ) grid.
+    pub struct SimulationsSection {
+        /// The points to simulate.
+        pub rectangle: Rectangle = |section, _| section.rectangle(),
+        /// The evolution laws, each once.
+        pub laws: Vec<EvolutionLaw> = |section, _| section.laws(),
+        /// Permitted relative error of peak velocity and period.
+        pub tolerance: Rational = |section, key| section.decimal(key, AllowedRange::SIMULATION_TOLERANCE),
     }
-
-    fn run(&self, setting: &Setting<'_>) -> Option<Self::Outcome> {
-        Some(simulations(setting.slider()?, self, &setting.threshold()))
-    }
+    points: |section| section.rectangle.points().saturating_mul(section.laws.len() as u64),
+    outcome: SimulationsOutcome,
+    tables: [tables::TABLES, deep_stick_slip::TABLES, run_tables::TABLES],
+    figures: [least_peak_figures::FIGURES, map_figures::FIGURES],
+    work: |section| {
+        let runs = rectangle_points(&section.rectangle) * section.laws.len() as f64;
+        Work::simulations(runs, nearest_f64(&section.tolerance))
+    },
+    run: |section, setting| Some(simulations(setting.slider()?, section, &setting.threshold())),
 }

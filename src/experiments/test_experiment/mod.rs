@@ -1,27 +1,26 @@
 //! An experiment of the tests: this folder and one line of the registry take it from a scene to a table.
 
 mod run;
-mod section;
 mod tables;
 
-pub use section::TestExperimentSection;
-
-use crate::experiments::{Experiment, Requirement, Setting, TableMaker, Work};
+use crate::experiments::{Work, experiment};
+use crate::scene::AllowedRange;
 use run::quasi_static_critical_stiffness;
 use slipmode_core::number::Rational;
 
-impl Experiment for TestExperimentSection {
-    type Outcome = Vec<Rational>;
-    const REQUIREMENT: Requirement = Requirement::CriticalNormalStress;
-    const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
-
-    fn work(&self) -> Work {
-        Work::on_a_file()
+experiment! {
+    /// `[test_experiment]`.
+    pub struct TestExperimentSection {
+        /// Normal stresses, Pa.
+        pub normal_stress_pa: Vec<Rational> = |section, key| {
+            section.decimals(key, "a list of normal stresses in Pa", AllowedRange::PHYSICAL)
+        },
     }
-
-    fn run(&self, setting: &Setting<'_>) -> Option<Self::Outcome> {
-        Some(quasi_static_critical_stiffness(setting.slider()?, self))
-    }
+    requires: CriticalNormalStress,
+    outcome: Vec<Rational>,
+    tables: [tables::TABLES],
+    work: |_| Work::on_a_file(),
+    run: |section, setting| Some(quasi_static_critical_stiffness(setting.slider()?, section)),
 }
 
 mod tests {

@@ -2,28 +2,29 @@
 
 pub(crate) mod figures;
 pub(crate) mod run;
-pub(crate) mod section;
 pub(crate) mod tables;
 pub(crate) mod words;
 
 pub use run::{ToleranceOutcome, ToleranceRow, tolerance_limits};
-pub use section::ToleranceSection;
-pub use tables::place_of_limit;
-pub use words::{accuracy_of_asymptotes, at_most_per_cent};
+pub(crate) use tables::place_of_limit;
+pub(crate) use words::accuracy_of_asymptotes;
 
 use crate::experiments::work::certified_point_s;
-use crate::experiments::{Drawer, Experiment, Setting, TableMaker, Work};
+use crate::experiments::{Work, experiment};
+use crate::scene::AllowedRange;
+use slipmode_core::number::Rational;
 
-impl Experiment for ToleranceSection {
-    type Outcome = ToleranceOutcome;
-    const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
-    const FIGURES: &'static [&'static [Drawer]] = &[figures::FIGURES];
-
-    fn work(&self) -> Work {
-        Work::points(self.relative.len() as f64, 100.0 * certified_point_s(0.0))
+experiment! {
+    /// `[tolerance]`: where each asymptote is good to a relative error.
+    pub struct ToleranceSection {
+        /// Relative errors, each strictly between 0 and 1.
+        pub relative: Vec<Rational> = |section, key| {
+            section.decimals(key, "a list of relative errors, each 0 < value < 1", AllowedRange::OPEN_UNIT)
+        },
     }
-
-    fn run(&self, setting: &Setting<'_>) -> Option<Self::Outcome> {
-        Some(tolerance_limits(setting.slider()?, self))
-    }
+    outcome: ToleranceOutcome,
+    tables: [tables::TABLES],
+    figures: [figures::FIGURES],
+    work: |section| Work::points(section.relative.len() as f64, 100.0 * certified_point_s(0.0)),
+    run: |section, setting| Some(tolerance_limits(setting.slider()?, section)),
 }

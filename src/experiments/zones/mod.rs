@@ -2,31 +2,32 @@
 
 pub(crate) mod figures;
 pub(crate) mod run;
-pub(crate) mod section;
 pub(crate) mod tables;
 
 pub use run::{InertialLine, LineCount, ThresholdShare, ZonesOutcome, compare_zones};
-pub use section::ZonesSection;
 
 use crate::experiments::map::classify_rectangle;
-use crate::experiments::{Drawer, Experiment, Setting, TableMaker, Work};
+use crate::experiments::{Work, experiment};
+use crate::scene::Rectangle;
 
-impl Experiment for ZonesSection {
-    type Outcome = ZonesOutcome;
-    const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
-    const FIGURES: &'static [&'static [Drawer]] = &[figures::FIGURES];
-
-    fn work(&self) -> Work {
-        Work::map(&self.rectangle)
+experiment! {
+    /// `[zones]`: the points whose slip modes are compared.
+    pub struct ZonesSection {
+        /// The grid.
+        pub rectangle: Rectangle = |section, _| section.rectangle(),
     }
-
-    fn run(&self, setting: &Setting<'_>) -> Option<Self::Outcome> {
+    points: |section| section.rectangle.points(),
+    outcome: ZonesOutcome,
+    tables: [tables::TABLES],
+    figures: [figures::FIGURES],
+    work: |section| Work::map(&section.rectangle),
+    run: |section, setting| {
         let slider = setting.slider()?;
         // A map of the same rectangle has the exact half already.
-        let same = setting.scene().map.as_ref().is_some_and(|map| map.rectangle == self.rectangle);
+        let same = setting.scene().map.as_ref().is_some_and(|map| map.rectangle == section.rectangle);
         Some(match setting.earlier.map.as_ref().filter(|_| same) {
             Some(map) => compare_zones(slider, map),
-            None => compare_zones(slider, &classify_rectangle(slider, &self.rectangle, &setting.threshold())),
+            None => compare_zones(slider, &classify_rectangle(slider, &section.rectangle, &setting.threshold())),
         })
-    }
+    },
 }
