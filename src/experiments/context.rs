@@ -12,7 +12,7 @@ use slipmode_theory::Equations;
 use slipmode_theory::hopf::{self, HopfCoefficient, coefficient};
 
 /// What a table or a check may look at.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Context<'c> {
     /// The paper's equations as the report states them: the thing under test.
     pub equations: &'c Equations,
@@ -38,39 +38,26 @@ impl<'c> Context<'c> {
     }
 
     /// With the claims of the report, for the tables about them.
-    #[must_use]
-    pub fn with_claims(self, claims: &'c [ClaimEntry]) -> Self {
+    pub(crate) fn with_claims(self, claims: &'c [ClaimEntry]) -> Self {
         Self { claims, ..self }
     }
 
     /// For a sentence of this kind.
-    #[must_use]
-    pub fn with_kind(&self, kind: Kind) -> Context<'_> {
-        Context { kind, known: self.known.clone(), hopf: self.hopf.clone(), ..*self }
+    pub(crate) fn with_kind(&self, kind: Kind) -> Context<'_> {
+        Context { kind, ..self.clone() }
     }
 
     /// Without the last gate.
-    #[must_use]
-    pub fn ungated(self) -> Self {
+    pub(crate) fn ungated(self) -> Self {
         Self { is_gated: false, ..self }
     }
 
     /// The same with some of its equations only.
-    #[must_use]
-    pub fn with_equations<'e>(&'e self, equations: &'e Equations) -> Context<'e> {
+    pub(crate) fn with_equations<'e>(&'e self, equations: &'e Equations) -> Context<'e> {
         // What was derived once stands for all who may derive it.
         let may_derive = equations.missing(&hopf::EQUATIONS).is_empty();
         let hopf = if may_derive { self.hopf.clone() } else { Arc::default() };
-        let known = self.known.clone();
-        Context {
-            equations,
-            outcome: self.outcome,
-            claims: self.claims,
-            kind: self.kind,
-            is_gated: self.is_gated,
-            known,
-            hopf,
-        }
+        Context { equations, hopf, ..self.clone() }
     }
 
     /// What the work gives, done once for a key. The key names everything that the result depends on.

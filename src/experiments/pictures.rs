@@ -8,14 +8,13 @@ use crate::experiments::shared::axes::{
 };
 use crate::experiments::shared::bands::{FINE, band_lines};
 use crate::experiments::trajectories::curves::stress_unit;
-use crate::experiments::trajectories::thinning::kept;
 use crate::experiments::trajectories::{DRAWING_TOLERANCE, Moment};
 use crate::experiments::zones::figures::present_zones;
 use slipmode_core::friction::Slider;
 use slipmode_core::number::Rational;
 use slipmode_core::stability::boundary::BoundaryPoint;
 use slipmode_core::stability::{InertialThreshold, PairRatio, ParameterBox, SlipMode};
-use slipmode_plot::figure::{Axis, Line, Panels, Scale, Series, ZoneMap};
+use slipmode_plot::figure::{Axis, Line, Panels, Scale, Series, ZoneMap, kept};
 
 /// Below this velocity, relative to the largest, a logarithmic axis of velocity ends.
 const SLOWEST: f64 = 1e-30;
@@ -23,8 +22,7 @@ const SLOWEST: f64 = 1e-30;
 /// The exact boundary with its asymptotes and the transition, over a rectangle of loading velocities and normal stresses.
 ///
 /// With error bars, the bands are below the lines of the middle values. With a ratio, its line is drawn too.
-#[must_use]
-pub fn boundary_picture(
+pub(crate) fn boundary_picture(
     slider: &Slider<Rational>,
     points: &[BoundaryPoint],
     (error_bars, ratio): (Option<&ParameterBox>, Option<&PairRatio>),
@@ -43,8 +41,7 @@ pub fn boundary_picture(
 }
 
 /// The slip modes of a grid with the exact boundary, its asymptotes and the transition; none for an empty grid.
-#[must_use]
-pub fn mode_picture(
+pub(crate) fn mode_picture(
     slider: &Slider<Rational>,
     modes: &Grid<SlipMode>,
     points: &[BoundaryPoint],
@@ -66,8 +63,7 @@ fn theory_lines(slider: &Slider<Rational>, points: &[BoundaryPoint], x: &Axis, y
 }
 
 /// Velocity, shear stress and slip of a run against time; none for a run without duration. The slip in m goes with each moment.
-#[must_use]
-pub fn trajectory_picture(moments: &[(Moment, f64)], loading_velocity_m_per_s: f64) -> Option<String> {
+pub(crate) fn trajectory_picture(moments: &[(Moment, f64)], loading_velocity_m_per_s: f64) -> Option<String> {
     let end = moments.last()?.0.time_s;
     let velocity = |moment: &Moment| loading_velocity_m_per_s * libm::exp(moment.log_velocity_ratio);
     let (unit, size) = stress_unit(moments.iter().map(|(moment, _)| moment.stress_change_pa));
@@ -98,7 +94,7 @@ fn thinned(values: &[[f64; 4]], index: usize, axis: &Axis) -> Vec<(f64, f64)> {
     let end = values.last().map_or(1.0, |value| value[0]);
     let places: Vec<[f64; 2]> =
         values.iter().map(|value| [value[0] / end, (height(value[index]) - low) / (high - low)]).collect();
-    let keep = kept(&places, DRAWING_TOLERANCE);
+    let keep = kept(&places, |_, _, far| far <= DRAWING_TOLERANCE);
     let chosen = values.iter().zip(keep).filter(|(_, keep)| *keep);
     chosen.map(|(value, _)| (value[0], value[index])).collect()
 }

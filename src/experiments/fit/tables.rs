@@ -4,8 +4,8 @@ use super::words::digits;
 use crate::experiments::shared::cells::Digits;
 use crate::experiments::tables::table_of;
 use crate::experiments::{Context, Need, TableMaker};
-use crate::fitting::{Estimate, Fit};
-use slipmode_plot::table::{Cell, Table};
+use crate::fitting::Fit;
+use slipmode_plot::table::Table;
 
 const NEEDS: &[Need] = &[Need::Fit];
 
@@ -19,18 +19,15 @@ fn best<'c>(context: &'c Context) -> impl Iterator<Item = &'c Fit> {
 }
 
 fn values(context: &Context) -> Option<Table> {
-    let end = |estimate: &Estimate, end: Option<f64>| {
-        end.map_or_else(Cell::empty, |end| end.cell(digits(estimate)))
-    };
     table_of("fit", best(context).flat_map(|fit| &fit.estimates))
         .text("parameter", |estimate| estimate.parameter.symbol())
         .text("unit", |estimate| estimate.parameter.unit())
         .number("best", |estimate| estimate.value.cell(digits(estimate)))
         .digits("standard_error", 2, |estimate| estimate.standard_error)
-        .number("low", |estimate| end(estimate, estimate.ends[0]))
-        .number("high", |estimate| end(estimate, estimate.ends[1]))
-        .number("quadratic_low", |estimate| end(estimate, Some(estimate.quadratic_ends[0])))
-        .number("quadratic_high", |estimate| end(estimate, Some(estimate.quadratic_ends[1])))
+        .number("low", |estimate| estimate.ends[0].cell(digits(estimate)))
+        .number("high", |estimate| estimate.ends[1].cell(digits(estimate)))
+        .number("quadratic_low", |estimate| estimate.quadratic_ends[0].cell(digits(estimate)))
+        .number("quadratic_high", |estimate| estimate.quadratic_ends[1].cell(digits(estimate)))
         .table()
 }
 

@@ -86,15 +86,13 @@ impl ModeRuns {
     }
 
     /// Measured over predicted mismatch at the smallest amplitude, minus 1.
-    #[must_use]
-    pub fn off_prediction(&self) -> Option<f64> {
+    pub(crate) fn off_prediction(&self) -> Option<f64> {
         let last = self.mismatches.last()?;
         Some((last.size() / (self.coefficient * last.amplitude) - 1.0).abs())
     }
 
     /// |p_measured − p|/|p| at the smallest amplitude, by the worse of the two routes.
-    #[must_use]
-    pub fn least_mismatch(&self) -> Option<f64> {
+    pub(crate) fn least_mismatch(&self) -> Option<f64> {
         self.mismatches.last().map(|last| last.size().max(last.snapshots))
     }
 }
@@ -151,19 +149,10 @@ fn cases<'p>(
     let mut cases = Vec::new();
     for &law in &section.laws {
         for mode in &modes {
-            for direction in [Direction::RealPart, Direction::ImaginaryPart] {
-                if mode.is_real() && direction == Direction::ImaginaryPart {
-                    continue;
-                }
-                cases.push(Case {
-                    point,
-                    groups: groups.clone(),
-                    slip_mode,
-                    law,
-                    mode: mode.clone(),
-                    direction,
-                    time: time_of(mode, &modes),
-                });
+            let directions = if mode.is_real() { &[Direction::RealPart][..] } else { &Direction::ALL };
+            for &direction in directions {
+                let (groups, time) = (groups.clone(), time_of(mode, &modes));
+                cases.push(Case { point, groups, slip_mode, law, mode: mode.clone(), direction, time });
             }
         }
     }

@@ -7,7 +7,7 @@ use crate::experiments::shared::Grid;
 use crate::scene::Rectangle;
 use slipmode_core::number::{Rational, Wide};
 use slipmode_core::roots::PrecisionLevel;
-use slipmode_core::stability::{InertialThreshold, SlipMode, SpectralClass, classify};
+use slipmode_core::stability::{Classification, InertialThreshold, SlipMode, SpectralClass, classify};
 
 /// What a map keeps of a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,27 +31,14 @@ pub fn classify_rectangle(
 ) -> Grid<MapPoint> {
     let velocities = rectangle.loading_velocity_m_per_s.coordinates();
     let stresses = rectangle.normal_stress_pa.coordinates();
-    let row = |stress: &f64| {
-        let at = |velocity: &f64| map_point(parameters, *velocity, *stress, threshold);
-        velocities.iter().map(at).collect::<Vec<_>>()
+    let at = |velocity: f64, stress: f64| {
+        let Classification { spectral_class, slip_mode, max_imaginary_per_s, precision_level, .. } =
+            classify(&parameters.at(exactly(stress), exactly(velocity)), threshold);
+        MapPoint { spectral_class, slip_mode, max_imaginary_per_s, precision_level }
     };
+    let row = |&stress: &f64| velocities.iter().map(|&velocity| at(velocity, stress)).collect::<Vec<_>>();
     let values = parallel::flat_map(&stresses, row);
     Grid { loading_velocity_m_per_s: velocities, normal_stress_pa: stresses, values }
-}
-
-fn map_point(
-    parameters: &Slider<Rational>,
-    velocity: f64,
-    stress: f64,
-    threshold: &InertialThreshold,
-) -> MapPoint {
-    let point = classify(&parameters.at(exactly(stress), exactly(velocity)), threshold);
-    MapPoint {
-        spectral_class: point.spectral_class,
-        slip_mode: point.slip_mode,
-        max_imaginary_per_s: point.max_imaginary_per_s,
-        precision_level: point.precision_level,
-    }
 }
 
 /// A grid coordinate as the binary rational that it is; the scene reader lets finite coordinates through only.

@@ -49,7 +49,8 @@ pub struct CycleFamilyOutcome {
     pub edge: Result<Option<Edge>, Failure>,
     family: CycleFamily,
     members: Vec<Member>,
-    effect_ratio: Rational,
+    /// β.
+    pub(super) effect_ratio: Rational,
     critical: f64,
     square_amplitude: Option<f64>,
 }
@@ -80,16 +81,9 @@ impl CycleFamilyOutcome {
     }
 
     /// The amplitude of ln(V/V_l) by the coefficient at this K/K_c − 1; none on the side without small cycles.
-    #[must_use]
-    pub fn predicted_amplitude(&self, excess: f64) -> Option<f64> {
+    pub(crate) fn predicted_amplitude(&self, excess: f64) -> Option<f64> {
         let square = self.square_amplitude? * excess;
         (square > 0.0).then(|| square.sqrt())
-    }
-
-    /// β.
-    #[must_use]
-    pub const fn effect_ratio(&self) -> &Rational {
-        &self.effect_ratio
     }
 
     /// How far the cycles are from what the coefficient says, and how fast they approach it.
@@ -109,16 +103,14 @@ impl CycleFamilyOutcome {
     }
 
     /// ln(V_peak/V_l) of the outermost cycle at this κ, by Newton's method on the return map.
-    #[must_use]
-    pub fn log_peak_at(&self, stiffness_group: f64) -> Option<f64> {
+    pub(crate) fn log_peak_at(&self, stiffness_group: f64) -> Option<f64> {
         let found = self.family.at(&self.members, stiffness_group).next_back();
         found.or_else(|| self.smaller(stiffness_group))?.ok().map(|member| member.orbit.peak)
     }
 
     /// Lower bound, value by Newton's method and upper bound of ln(V_peak/V_l) of the unstable cycle at this κ, where it is proved beside
     /// a larger, stable cycle and stable sliding.
-    #[must_use]
-    pub fn unstable_log_peak_at(&self, groups: &Groups<Rational>) -> Option<[f64; 3]> {
+    pub(crate) fn unstable_log_peak_at(&self, groups: &Groups<Rational>) -> Option<[f64; 3]> {
         let mut cycles = self.family.at(&self.members, nearest_f64(&groups.stiffness_group));
         let (unstable, stable) = (cycles.next()?.ok()?, cycles.next_back()?.ok()?);
         let proved = certify_coexistence(groups, self.law, &stable, &unstable).ok()?;

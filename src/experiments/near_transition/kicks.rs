@@ -2,9 +2,9 @@
 
 use std::cell::Cell;
 
+use crate::experiments::near_transition::KicksSection;
 use crate::experiments::near_transition::bistability::ends_on_cycle;
 use crate::experiments::near_transition::cycle_families::CycleFamilyOutcome;
-use crate::experiments::near_transition::section::KicksSection;
 use crate::parallel;
 use slipmode_core::dynamics::{Failure, Kick, Model};
 use slipmode_core::friction::{EvolutionLaw, Groups, critical_stiffness_group};
@@ -53,7 +53,7 @@ pub(crate) fn smallest_kicks(section: &KicksSection, families: &[CycleFamilyOutc
 
 fn of_slider(family: &CycleFamilyOutcome, ratio: &Rational) -> [SmallestKick; 4] {
     let inertial_parameter = family.inertial_parameter.clone();
-    let effect_ratio = family.effect_ratio().clone();
+    let effect_ratio = family.effect_ratio.clone();
     let stiffness_group = critical_stiffness_group(&effect_ratio, &inertial_parameter) * ratio;
     let groups = Groups { inertial_parameter, stiffness_group, effect_ratio };
     let model = Model::new(groups.map(nearest_f64), family.law);

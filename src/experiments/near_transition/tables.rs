@@ -115,10 +115,7 @@ fn edges(context: &Context) -> Option<Table> {
         .digits("threshold_start_velocity_ratio", 5, |(_, edge)| {
             Some(edge.threshold.as_ref()?.start_velocity_ratio)
         })
-        .text("threshold_confirmed", |(_, edge)| {
-            let confirmed = edge.threshold.as_ref().and_then(|at| at.confirmed);
-            confirmed.map(|confirmed| if confirmed { "yes" } else { "no" })
-        })
+        .text("threshold_confirmed", |(_, edge)| edge.threshold.as_ref().and_then(|at| at.confirmed))
         .table()
 }
 
@@ -131,7 +128,7 @@ fn coexisting(context: &Context) -> Option<Table> {
     table_of("bistability-certified", proved)
         .digits("inertial_parameter", 12, |(family, _, _)| &family.inertial_parameter)
         .digits("stiffness_group", DIGITS, |(_, at, _)| &at.stiffness_group)
-        .digits("effect_ratio", 12, |(family, _, _)| family.effect_ratio())
+        .digits("effect_ratio", 12, |(family, _, _)| &family.effect_ratio)
         .text("stable_log_peak_low", |(_, _, found)| low(found.attracting_log_peak[0]))
         .text("stable_log_peak_high", |(_, _, found)| high(found.attracting_log_peak[1]))
         .text("unstable_log_peak_low", |(_, _, found)| low(found.repelling_log_peak[0]))
@@ -154,9 +151,7 @@ fn kicks(context: &Context) -> Option<Table> {
         .named()
         .digits("fold_over_critical", 7, |row| row.fold_over_critical.map(|[fold, _]| fold))
         .digits("fold_error", 1, |row| row.fold_over_critical.map(|[_, error]| error))
-        .text("ends_sliding", |row| {
-            row.border.as_ref().ok().map(|border| if border.is_some() { "yes" } else { "no" })
-        })
+        .text("ends_sliding", |row| row.border.as_ref().ok().map(Option::is_some))
         .digits("kick_change", 6, move |row| border(row).map(|at| middle(at.changes)))
         .digits("kick_error", 1, move |row| border(row).map(|at| half_width(at.changes)))
         .digits("largest_tried", 6, |row| row.kick.change(row.kick.largest()))
@@ -165,9 +160,7 @@ fn kicks(context: &Context) -> Option<Table> {
         .digits("unstable_log_peak", 8, |row| row.unstable_log_peak.map(|[_, peak, _]| peak))
         .text("unstable_log_peak_low", |row| row.unstable_log_peak.map(|[low, ..]| outward(low, -1.0)))
         .text("unstable_log_peak_high", |row| row.unstable_log_peak.map(|[.., high]| outward(high, 1.0)))
-        .text("confirmed", move |row| {
-            border(row).and_then(|at| at.confirmed).map(|confirmed| if confirmed { "yes" } else { "no" })
-        })
+        .text("confirmed", move |row| border(row).and_then(|at| at.confirmed))
         .text("failure", |row| row.border.as_ref().err().map(ToString::to_string))
         .table()
 }

@@ -1,6 +1,6 @@
 //! Tables of the onset of oscillation: velocities of theory and simulations, and the runs of fig 4.
 
-use crate::experiments::onset::{Located, Onset, OtherUnit, SeenOnset, StressOnset};
+use crate::experiments::onset::{Located, Onset, OnsetOutcome, OtherUnit, SeenOnset};
 use crate::experiments::shared::cells::Rounded;
 use crate::experiments::tables::{Rows, table_of};
 use crate::experiments::{Context, Need, SceneOutcome, TableMaker};
@@ -21,18 +21,13 @@ pub(crate) const TABLES: &[TableMaker] = &[
 /// A line of constant normal stress with its scene.
 type OfScene<'c, T> = (&'c SceneOutcome, &'c T);
 
-fn lines<'c>(context: &'c Context) -> impl Iterator<Item = OfScene<'c, Onset>> {
-    let scenes = context.outcome.scenes.iter();
-    scenes.flat_map(|scene| {
-        scene.onset.iter().flat_map(move |found| found.lines.iter().map(move |line| (scene, line)))
-    })
-}
-
-fn stress_lines<'c>(context: &'c Context) -> impl Iterator<Item = OfScene<'c, StressOnset>> {
-    let scenes = context.outcome.scenes.iter();
-    scenes.flat_map(|scene| {
-        scene.onset.iter().flat_map(move |found| found.stress_lines.iter().map(move |line| (scene, line)))
-    })
+/// The lines of one kind, each with its scene.
+fn lines<'c, T>(
+    context: &'c Context,
+    of: fn(&'c OnsetOutcome) -> &'c Vec<T>,
+) -> impl Iterator<Item = OfScene<'c, T>> {
+    let found = context.outcome.scenes.iter().filter_map(|scene| Some((scene, scene.onset.as_ref()?)));
+    found.flat_map(move |(scene, found)| of(found).iter().map(move |line| (scene, line)))
 }
 
 fn name(scene: &SceneOutcome) -> &str {
@@ -88,7 +83,8 @@ fn seen_columns<'c, R: Copy>(table: Rows<R>, seen: impl Fn(R) -> Seen<'c>) -> Ro
 }
 
 fn onset(context: &Context) -> Option<Table> {
-    let rows = lines(context).flat_map(|(scene, line)| line.seen.iter().map(move |seen| (scene, line, seen)));
+    let rows = lines(context, |found| &found.lines)
+        .flat_map(|(scene, line)| line.seen.iter().map(move |seen| (scene, line, seen)));
     let reference = |line: &Onset| line.asymptote_velocity_m_per_s.to_f64();
     let dex = |line: &Onset, velocity: f64| Rounded(libm::log10(velocity / reference(line)));
     let table = table_of("onset", rows)
@@ -114,8 +110,8 @@ fn onset_in_stress(context: &Context) -> Option<Table> {
             .slider()
             .map_or(f64::NAN, |slider| quasi_static_lower_normal_stress_pa(&slider.map(nearest_f64)))
     };
-    let rows =
-        stress_lines(context).flat_map(|(scene, line)| line.seen.iter().map(move |seen| (scene, line, seen)));
+    let rows = lines(context, |found| &found.stress_lines)
+        .flat_map(|(scene, line)| line.seen.iter().map(move |seen| (scene, line, seen)));
     let table = table_of("onset-in-stress", rows)
         .text("scene", |(scene, ..)| name(scene))
         .text("slider", |(scene, ..)| scene.slider_words())
@@ -139,7 +135,8 @@ fn onset_in_stress(context: &Context) -> Option<Table> {
 }
 
 fn swings(context: &Context) -> Option<Table> {
-    let runs = lines(context).flat_map(|(scene, line)| line.shown.iter().map(move |run| (scene, line, run)));
+    let runs = lines(context, |found| &found.lines)
+        .flat_map(|(scene, line)| line.shown.iter().map(move |run| (scene, line, run)));
     table_of("onset-swings", runs)
         .text("scene", |(scene, ..)| name(scene))
         .text("slider", |(scene, ..)| scene.slider_words())
@@ -147,7 +144,7 @@ fn swings(context: &Context) -> Option<Table> {
         .text("asymptote", |(_, line, _)| line.asymptote.as_str())
         .digits("velocity_over_asymptote", 6, |(.., run)| Rounded(run.velocity_over_asymptote))
         .named()
-        .text("oscillates", |(.., run)| if run.oscillates { "yes" } else { "no" })
+        .text("oscillates", |(.., run)| run.oscillates)
         .text("slip_mode_theory", |(.., run)| run.slip_mode.as_str())
         .digits("swing_overshoot", 6, |(.., run)| Some(run.swing?.0.overshoot))
         .digits("swing_second_rise", 6, |(.., run)| Some(run.swing?.0.second_rise))
@@ -159,18 +156,18 @@ fn swings(context: &Context) -> Option<Table> {
 fn other_unit(context: &Context) -> Option<Table> {
     let found = context.outcome.each(|scene| &scene.onset);
     let others = found.flat_map(|(_, found)| &found.other_unit);
-    let word = |is: bool| if is { "yes" } else { "no" };
     table_of("onset-in-other-unit", others)
         .digits("normal_stress_pa", 4, |other: &OtherUnit| nearest_f64(&other.normal_stress_pa))
         .named()
-        .text("has_boundary", |other| word(other.has_boundary))
-        .text("always_unstable", |other| word(other.always_unstable))
+        .text("has_boundary", |other| other.has_boundary)
+        .text("always_unstable", |other| other.always_unstable)
         .text("behaviour", |other| other.behaviour.map(|found| found.as_str()))
         .table()
 }
 
 fn runs(context: &Context) -> Option<Table> {
-    let runs = lines(context).flat_map(|(scene, line)| line.shown.iter().map(move |run| (scene, line, run)));
+    let runs = lines(context, |found| &found.lines)
+        .flat_map(|(scene, line)| line.shown.iter().map(move |run| (scene, line, run)));
     let rows = runs.flat_map(|(scene, line, run)| run.history.iter().map(move |at| (scene, line, run, at)));
     table_of("onset-runs", rows)
         .text("scene", |(scene, ..)| name(scene))

@@ -4,7 +4,7 @@ use crate::experiments::operating_point::reach::{in_words, is_within_reach};
 use crate::experiments::tables::table_of;
 use crate::experiments::trajectories::TrajectoryRun;
 use crate::experiments::trajectories::curves::runs_of;
-use crate::experiments::trajectories::tables::certain;
+use crate::experiments::trajectories::tables::{certain_of, period, stress_drop};
 use crate::experiments::{Context, Need, Outcome, SceneOutcome, TableMaker};
 use crate::scene::Quantity;
 use slipmode_core::dynamics::{Behaviour, Simulation};
@@ -40,24 +40,18 @@ fn runs(context: &Context) -> Option<Table> {
     for law in LAWS {
         let word = law.as_str();
         let of = move |runs: &[TrajectoryRun]| runs.iter().position(|run| run.law == law);
-        let cell = move |runs: &[TrajectoryRun], value: fn(&Simulation) -> Option<(f64, f64)>| {
-            let (value, error) = of(runs).and_then(|at| value(cycle(&runs[at])?))?;
-            Some(certain(value, error, DIGITS))
+        let cell = move |runs: &[TrajectoryRun], value| {
+            certain_of(of(runs).and_then(|at| cycle(&runs[at])), value, DIGITS)
         };
         table = table
-            .number(&format!("period_{word}_s"), move |runs| {
-                cell(runs, |found| found.period_s.zip(found.period_relative_error))
-            })
-            .number(&format!("stress_drop_{word}_pa"), move |runs| {
-                cell(runs, |found| Some((found.stress_drop_pa, found.stress_drop_relative_error)))
-            });
+            .number(&format!("period_{word}_s"), move |runs| cell(runs, period))
+            .number(&format!("stress_drop_{word}_pa"), move |runs| cell(runs, stress_drop));
     }
     table.table()
 }
 
 /// What the runs at the first scene's own operating point do; `None` when none is there.
-#[must_use]
-pub fn own_run_words(outcome: &Outcome) -> Option<String> {
+pub(crate) fn own_run_words(outcome: &Outcome) -> Option<String> {
     let (scene, point) =
         outcome.scenes.iter().find_map(|scene| Some((scene, scene.scene.parameters.as_ref()?.point()?)))?;
     let is_there = |run: &&TrajectoryRun| {

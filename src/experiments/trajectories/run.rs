@@ -3,7 +3,6 @@
 use crate::parallel;
 
 use crate::experiments::simulations::run::options;
-use crate::experiments::trajectories::thinning::kept;
 use crate::experiments::trajectories::{TrajectoriesSection, TrajectoryPoint};
 use slipmode_core::dynamics::{
     Control, Failure, Model, Options, Radau, Sample, Simulation, State, simulate, trajectory,
@@ -11,6 +10,7 @@ use slipmode_core::dynamics::{
 use slipmode_core::friction::{EvolutionLaw, Parameters, Slider};
 use slipmode_core::number::{Rational, nearest_f64};
 use slipmode_core::stability::{Classification, InertialThreshold, classify};
+use slipmode_plot::figure::kept;
 
 /// One run at a named point.
 #[derive(Debug, Clone)]
@@ -79,11 +79,9 @@ fn follow(
 ) -> TrajectoryRun {
     let parameters = slider.at(point.normal_stress_pa.clone(), point.loading_velocity_m_per_s.clone());
     let simulation = simulate(&parameters, law, options);
-    let course = match &simulation {
-        // As accurate as the finest run behind the observables.
-        Ok(found) => course(&parameters, law, options, found.local_tolerance, nearest_f64(&point.duration_s)),
-        Err(failure) => Err(failure.clone()),
-    };
+    let course = simulation.as_ref().map_err(Clone::clone).and_then(|found| {
+        course(&parameters, law, options, found.local_tolerance, nearest_f64(&point.duration_s))
+    });
     TrajectoryRun { point: point.clone(), law, theory: classify(&parameters, threshold), simulation, course }
 }
 
@@ -101,7 +99,7 @@ fn course(
     let start = options.start.state(&model, &libm::log(options.velocity_ratio));
     let until = duration_s * rate_per_s;
     let run = trajectory(&model, Radau::<f64, 5>::new(), start, control, until, SAMPLES_PER_STEP)?;
-    let keep = kept(&places(&run.samples), DRAWING_TOLERANCE);
+    let keep = kept(&places(&run.samples), |_, _, far| far <= DRAWING_TOLERANCE);
     let moment = |sample: &Sample| Moment {
         time_s: sample.time / rate_per_s,
         log_velocity_ratio: sample.state[0],

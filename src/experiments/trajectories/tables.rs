@@ -25,10 +25,20 @@ fn runs<'c>(context: &'c Context) -> impl Iterator<Item = &'c TrajectoryRun> {
 }
 
 /// A value with the digits that its relative error leaves certain, no more than so many.
-pub(super) fn certain(value: f64, relative_error: f64, most: usize) -> Cell {
+fn certain(value: f64, relative_error: f64, most: usize) -> Cell {
     let digits = -libm::log10(relative_error);
     let digits = if digits >= 1.0 { libm::floor(digits) as usize } else { 1 };
     value.cell(digits.min(most))
+}
+
+/// A value of a run and its relative error, with the digits that are certain.
+pub(super) fn certain_of(
+    found: Option<&Simulation>,
+    value: fn(&Simulation) -> Option<(f64, f64)>,
+    most: usize,
+) -> Option<Cell> {
+    let (value, relative_error) = value(found?)?;
+    Some(certain(value, relative_error, most))
 }
 
 fn finite(relative: Option<f64>) -> Option<f64> {
@@ -44,10 +54,7 @@ fn modes(context: &Context) -> Option<Table> {
         .text("slip_mode_theory", |run| run.theory.slip_mode.as_str())
         .text("slip_mode_simulation", |run| found(run).map(|found| found.slip_mode.as_str()))
         .digits("period_theory_s", MOST_DIGITS, period_by_theory)
-        .number("period_s", |run| {
-            found(run)
-                .and_then(|found| Some(certain(found.period_s?, found.period_relative_error?, MOST_DIGITS)))
-        })
+        .number("period_s", |run| certain_of(found(run), period, MOST_DIGITS))
         .digits("period_relative_error", 2, |run| finite(found(run)?.period_relative_error))
         .number("peak_over_loading_velocity", |run| {
             let velocity = nearest_f64(&run.point.loading_velocity_m_per_s);
@@ -56,10 +63,7 @@ fn modes(context: &Context) -> Option<Table> {
             })
         })
         .digits("peak_relative_error", 2, |run| finite(Some(found(run)?.peak_relative_error)))
-        .number("stress_drop_pa", |run| {
-            found(run)
-                .map(|found| certain(found.stress_drop_pa, found.stress_drop_relative_error, MOST_DIGITS))
-        })
+        .number("stress_drop_pa", |run| certain_of(found(run), stress_drop, MOST_DIGITS))
         .digits("stress_drop_relative_error", 2, |run| finite(Some(found(run)?.stress_drop_relative_error)))
         .number("visible_turns", |run| visible_turns(run).map(|found| found[0]))
         .number("visible_error", |run| {
@@ -68,6 +72,14 @@ fn modes(context: &Context) -> Option<Table> {
         .digits("free_residual_pa", 1, |run| run.course.as_ref().ok().map(|course| course.free_residual_pa))
         .text("failure", failure)
         .table()
+}
+
+pub(super) fn period(found: &Simulation) -> Option<(f64, f64)> {
+    found.period_s.zip(found.period_relative_error)
+}
+
+pub(super) fn stress_drop(found: &Simulation) -> Option<(f64, f64)> {
+    Some((found.stress_drop_pa, found.stress_drop_relative_error))
 }
 
 fn found(run: &TrajectoryRun) -> Option<&Simulation> {

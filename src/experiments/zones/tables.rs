@@ -68,8 +68,8 @@ fn lines_on_the_map(context: &Context) -> Option<Table> {
     table_of("lines-on-the-map", found)
         .text("scene", |(scene, ..)| scene.scene.name.as_str())
         .text("slider", |(scene, ..)| scene.slider_words())
-        .number("upper_worst_dex", |(_, _, corners)| {
-            corners.upper.as_ref().map_or_else(Cell::empty, |errors| dex(&errors.quasi_static))
+        .number("upper_worst_dex", |(.., corners)| {
+            corners.upper.as_ref().map(|upper| dex(&upper.quasi_static))
         })
         .digits("lower_worst_dex", 6, |(_, _, corners)| &corners.lower_worst_log10)
         .number("points", |(_, zones, _)| Cell::from(zones.exact.values.len()).certain())

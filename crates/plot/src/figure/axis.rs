@@ -49,13 +49,11 @@ impl Axis {
     }
 
     /// Ticks inside the range, in ascending order.
-    #[must_use]
     pub(crate) fn ticks(&self) -> Vec<Tick> {
         ticks(self.scale, self.min, self.max)
     }
 
     /// Title with unit: `Loading velocity *V*_0 (m/s)`.
-    #[must_use]
     pub(crate) fn heading(&self) -> String {
         if self.unit.is_empty() { self.title.clone() } else { format!("{} ({})", self.title, self.unit) }
     }

@@ -64,7 +64,8 @@ fn is_within(area: &[Point], point: Point) -> bool {
         (from.1 > point.1) != (to.1 > point.1)
             && point.0 < from.0 + (point.1 - from.1) / (to.1 - from.1) * (to.0 - from.0)
     });
-    crossed.count() % 2 == 1 || edges().any(|(&from, &to)| distance(point, from, to) <= MARGIN)
+    crossed.count() % 2 == 1
+        || edges().any(|(&from, &to)| distance::<2>(&point.into(), &from.into(), &to.into()) <= MARGIN)
 }
 
 #[cfg(test)]

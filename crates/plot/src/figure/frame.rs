@@ -192,10 +192,7 @@ impl<'a> Frame<'a> {
 
     fn draw_title_y(&self, svg: &mut Svg) {
         let b = self.bounds;
-        let turn =
-            format!("translate({} {}) rotate(-90)", number(b.left - 58.0), number((b.top + b.bottom) / 2.0));
-        let attributes = [TITLE[0], TITLE[1], TITLE[2], ("transform", &turn)];
-        svg.text(&attributes, &rich_text::to_svg(&self.y.heading(), NORMAL));
+        draw_upright_title(svg, self.y, (b.left - 58.0, (b.top + b.bottom) / 2.0));
     }
 }
 
@@ -231,6 +228,13 @@ fn with_room(ticks: Vec<(f64, Tick)>, fits: impl Fn(&(f64, Tick), &(f64, Tick)) 
             thinned.collect()
         }
     }
+}
+
+/// The title of an axis, from below to above, about a place.
+pub(crate) fn draw_upright_title(svg: &mut Svg, axis: &Axis, (x, y): Point) {
+    let turn = format!("translate({} {}) rotate(-90)", number(x), number(y));
+    let attributes = [TITLE[0], TITLE[1], TITLE[2], ("transform", &turn)];
+    svg.text(&attributes, &rich_text::to_svg(&axis.heading(), NORMAL));
 }
 
 /// Attributes of axis titles.

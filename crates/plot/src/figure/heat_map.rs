@@ -2,13 +2,13 @@
 
 use super::contour::outlines;
 use super::covered::Covers;
-use super::frame::{CANVAS_WIDTH, Frame, NORMAL, SMALL};
+use super::frame::{CANVAS_WIDTH, Frame, SMALL, draw_upright_title};
 use super::legend::{Entry, KEY_WIDTH, Legend};
 use super::overlay::{draw_lines, draw_marks, legend_entries};
 use super::path::{Point, simplify};
 use super::path_data::{line_data, outline_data, outline_data_in_tenths};
 use super::svg::{Svg, number};
-use super::{Axis, Caption, Line, PointMark, Readout, palette, rich_text};
+use super::{Axis, Caption, Line, PointMark, Readout, palette};
 
 /// The colour bar of a heat map: logarithmic, in even steps.
 #[derive(Debug, Clone, PartialEq, Default, serde::Deserialize)]
@@ -193,14 +193,7 @@ impl HeatMap {
             svg.words((right + 6.0, y + 4.5), &tick.label, SMALL);
         }
         svg.close();
-        let turn = format!("translate({} {}) rotate(-90)", number(right + 52.0), number(top + height / 2.0));
-        let attributes = [
-            ("class", "ink"),
-            ("fill", palette::INK),
-            ("text-anchor", "middle"),
-            ("transform", turn.as_str()),
-        ];
-        svg.text(&attributes, &rich_text::to_svg(&axis.heading(), NORMAL));
+        draw_upright_title(svg, axis, (right + 52.0, top + height / 2.0));
     }
 
     fn legend_entries(&self) -> Vec<Entry<'_>> {

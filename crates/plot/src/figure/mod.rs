@@ -59,6 +59,7 @@ pub use layers::{BoxLook, BoxNode, LayeredGraph};
 pub use line_chart::{Inset, LineChart, Reference, Series};
 pub use overlay::{Line, LineRole, PointMark, RegionLabel, Side};
 pub use panels::{Panel, Panels};
+pub use path::kept;
 pub use range_chart::{RangeChart, RangeRow, Span};
 pub use readout::{Readout, Words, packed};
 pub use scale::Scale;

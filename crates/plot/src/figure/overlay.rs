@@ -93,35 +93,20 @@ pub struct RegionLabel {
     pub y: f64,
 }
 
-/// How a role is drawn.
-struct LineStyle {
-    class: &'static str,
-    colour: &'static str,
-    width: &'static str,
-    casing: &'static str,
-    casing_width: &'static str,
-    dash: &'static str,
-}
+/// How a role is drawn: its class; the colours and the widths of the line and of its casing; its dashes.
+type LineStyle = (&'static str, [&'static str; 2], [&'static str; 2], &'static str);
 
 impl LineRole {
     fn style(self) -> LineStyle {
-        let style = |class, [colour, casing]: [_; 2], [width, casing_width]: [_; 2], dash| LineStyle {
-            class,
-            colour,
-            width,
-            casing,
-            casing_width,
-            dash,
-        };
         match self {
-            Self::Boundary => style("boundary", ["#111", "#fff"], ["2.2", "4.4"], ""),
-            Self::Asymptote => style("asymptote", ["#b3261e", "#fff"], ["1.7", "3.7"], "8 5"),
-            Self::Transition => style("transition", ["#fff", "#111"], ["2.2", "4.2"], ""),
-            Self::Section => style("section", ["#6b2f8f", "#fff"], ["1.6", "3.0"], ""),
-            Self::FrequencyRatio => style("frequency-ratio", ["#00513f", "#fff"], ["1.9", "3.9"], "9 3 2 3"),
-            Self::Guide => style("guide", ["#444", "#fff"], ["1.2", "2.6"], "2 3"),
-            Self::BoundaryBand => style("boundary-band", ["#111", "#fff"], ["0.8", "0"], ""),
-            Self::TransitionBand => style("transition-band", ["#c2388f", "#fff"], ["0.8", "0"], ""),
+            Self::Boundary => ("boundary", ["#111", "#fff"], ["2.2", "4.4"], ""),
+            Self::Asymptote => ("asymptote", ["#b3261e", "#fff"], ["1.7", "3.7"], "8 5"),
+            Self::Transition => ("transition", ["#fff", "#111"], ["2.2", "4.2"], ""),
+            Self::Section => ("section", ["#6b2f8f", "#fff"], ["1.6", "3.0"], ""),
+            Self::FrequencyRatio => ("frequency-ratio", ["#00513f", "#fff"], ["1.9", "3.9"], "9 3 2 3"),
+            Self::Guide => ("guide", ["#444", "#fff"], ["1.2", "2.6"], "2 3"),
+            Self::BoundaryBand => ("boundary-band", ["#111", "#fff"], ["0.8", "0"], ""),
+            Self::TransitionBand => ("transition-band", ["#c2388f", "#fff"], ["0.8", "0"], ""),
         }
     }
 }
@@ -165,7 +150,7 @@ fn draw_bands(svg: &mut Svg, frame: &Frame, lines: &[Line]) {
 
 /// Draws an element as a translucent area with one attribute of its own.
 fn fill_band(svg: &mut Svg, role: LineRole, (tag, name, value): (&str, &str, &str)) {
-    let LineStyle { class, colour, width, .. } = role.style();
+    let (class, [colour, _], [width, _], _) = role.style();
     let attributes = [("class", class), (name, value), ("fill", colour), ("fill-opacity", BAND_OPACITY)];
     svg.leaf(tag, &[&attributes[..], &[("stroke", colour), ("stroke-width", width)]].concat());
 }
@@ -178,7 +163,7 @@ const LINE_TOLERANCE: f64 = 0.15;
 
 /// A line of the map: its path is written once and drawn twice, as casing and as line.
 fn draw_line(svg: &mut Svg, role: LineRole, data: &str, set: &str) {
-    let id = svg.id(&format!("{set}{}", role.style().class));
+    let id = svg.id(&format!("{set}{}", role.style().0));
     svg.open("defs", &[]);
     svg.leaf("path", &[("id", &id), ("d", data), ("fill", "none")]);
     svg.close();
@@ -187,10 +172,9 @@ fn draw_line(svg: &mut Svg, role: LineRole, data: &str, set: &str) {
 
 /// Draws an element without area, with one attribute of its own, in a role's two strokes.
 fn draw_stroke(svg: &mut Svg, role: LineRole, (tag, name, value): (&str, &str, &str)) {
-    let style = role.style();
-    let casing_class = format!("{}-casing", style.class);
-    let passes =
-        [(casing_class.as_str(), style.casing, style.casing_width), (style.class, style.colour, style.width)];
+    let (class, [colour, casing], [width, casing_width], dash) = role.style();
+    let casing_class = format!("{class}-casing");
+    let passes = [(casing_class.as_str(), casing, casing_width), (class, colour, width)];
     for (class, colour, width) in passes {
         svg.leaf(
             tag,
@@ -199,7 +183,7 @@ fn draw_stroke(svg: &mut Svg, role: LineRole, (tag, name, value): (&str, &str, &
                 (name, value),
                 ("stroke", colour),
                 ("stroke-width", width),
-                ("stroke-dasharray", style.dash),
+                ("stroke-dasharray", dash),
             ],
         );
     }

@@ -84,39 +84,44 @@ pub(crate) fn simplify(points: &[Point], tolerance: f64) -> Vec<Point> {
 /// The line with the vertices between two others left out where `straight` accepts these two and the distance of the
 /// farthest vertex between them.
 pub(crate) fn simplify_where(points: &[Point], straight: impl Fn(Point, Point, f64) -> bool) -> Vec<Point> {
-    if points.len() < 3 {
-        return points.to_vec();
-    }
+    let places: Vec<[f64; 2]> = points.iter().map(|&point| point.into()).collect();
+    let keep = kept(&places, |first, last, farthest| straight(points[first], points[last], farthest));
+    points.iter().zip(keep).filter(|(_, kept)| *kept).map(|(&point, _)| point).collect()
+}
+
+/// Which points of a curve to keep: those between two others are left out where `straight` accepts the indices of these two and the
+/// distance of the farthest point between them (Douglas and Peucker). The first and the last point are always kept.
+///
+/// Distances are Euclidean in N coordinates and no projection lengthens them, so one choice serves every pair of coordinates
+/// that a figure may draw.
+pub fn kept<const N: usize>(points: &[[f64; N]], straight: impl Fn(usize, usize, f64) -> bool) -> Vec<bool> {
     let mut keep = vec![false; points.len()];
-    keep[0] = true;
-    keep[points.len() - 1] = true;
-    let mut open = vec![(0, points.len() - 1)];
+    let Some(last) = points.len().checked_sub(1) else { return keep };
+    (keep[0], keep[last]) = (true, true);
+    let mut open = vec![(0, last)];
     while let Some((first, last)) = open.pop() {
-        let (from, to) = (points[first], points[last]);
-        let far = (first + 1..last).map(|index| (distance(points[index], from, to), index)).fold(
-            None,
-            |best: Option<(f64, usize)>, far| {
-                if best.is_none_or(|best| far.0 > best.0) { Some(far) } else { best }
-            },
-        );
+        let far = (first + 1..last)
+            .map(|index| (distance(&points[index], &points[first], &points[last]), index))
+            .reduce(|best, far| if far.0 > best.0 { far } else { best });
         if let Some((farthest, index)) = far
-            && !straight(from, to, farthest)
+            && !straight(first, last, farthest)
         {
             keep[index] = true;
             open.extend([(first, index), (index, last)]);
         }
     }
-    points.iter().zip(&keep).filter(|(_, kept)| **kept).map(|(&point, _)| point).collect()
+    keep
 }
 
 /// Distance of a point from the segment between two others.
-pub(crate) fn distance(point: Point, from: Point, to: Point) -> f64 {
-    let (dx, dy) = (to.0 - from.0, to.1 - from.1);
-    let length = dx * dx + dy * dy;
-    let along = if length > 0.0 { ((point.0 - from.0) * dx + (point.1 - from.1) * dy) / length } else { 0.0 };
-    let along = along.clamp(0.0, 1.0);
-    let (ex, ey) = (point.0 - from.0 - along * dx, point.1 - from.1 - along * dy);
-    (ex * ex + ey * ey).sqrt()
+pub(crate) fn distance<const N: usize>(point: &[f64; N], from: &[f64; N], to: &[f64; N]) -> f64 {
+    let dot = |one: [f64; N], other: [f64; N]| (0..N).map(|i| one[i] * other[i]).sum::<f64>();
+    let difference = |to: &[f64; N]| std::array::from_fn(|i| to[i] - from[i]);
+    let (segment, way): ([f64; N], [f64; N]) = (difference(to), difference(point));
+    let square = dot(segment, segment);
+    let share = if square > 0.0 { (dot(way, segment) / square).clamp(0.0, 1.0) } else { 0.0 };
+    let rest = std::array::from_fn(|i| way[i] - share * segment[i]);
+    dot(rest, rest).sqrt()
 }
 
 #[cfg(test)]
@@ -155,8 +160,38 @@ mod tests {
         let few = simplify(&circle, 0.1);
         assert!(few.len() < 130, "{}", few.len());
         for &point in &circle {
-            let nearest = few.windows(2).map(|p| distance(point, p[0], p[1])).fold(f64::INFINITY, f64::min);
+            let nearest = few
+                .windows(2)
+                .map(|p| distance::<2>(&point.into(), &p[0].into(), &p[1].into()))
+                .fold(f64::INFINITY, f64::min);
             assert!(nearest <= 0.1);
         }
+    }
+
+    #[test]
+    fn every_point_left_out_lies_within_the_tolerance_of_the_line_kept() {
+        let wave = |i: u32| {
+            let t = f64::from(i) / 1000.0;
+            [t, libm::sin(20.0 * t), libm::exp(-3.0 * t)]
+        };
+        let points: Vec<[f64; 3]> = (0..=1000).map(wave).collect();
+        let keep = kept(&points, |_, _, far| far <= 1e-2);
+        let chosen: Vec<[f64; 3]> =
+            points.iter().zip(&keep).filter(|(_, keep)| **keep).map(|(point, _)| *point).collect();
+        assert!(chosen.len() < 100, "{}", chosen.len());
+        for point in &points {
+            let nearest = chosen
+                .windows(2)
+                .map(|pair| distance(point, &pair[0], &pair[1]))
+                .fold(f64::INFINITY, f64::min);
+            assert!(nearest <= 1e-2, "{nearest}");
+        }
+    }
+
+    #[test]
+    fn a_straight_line_keeps_its_ends_and_nothing_has_nothing_to_keep() {
+        let line: Vec<[f64; 2]> = (0..9).map(|i| [f64::from(i), 2.0 * f64::from(i)]).collect();
+        assert_eq!(kept(&line, |_, _, far| far <= 1e-9).iter().filter(|keep| **keep).count(), 2);
+        assert!(kept::<2>(&[], |_, _, far| far <= 1.0).is_empty());
     }
 }

@@ -12,12 +12,9 @@ pub(crate) struct Tick {
 }
 
 impl Tick {
-    fn major(value: f64, label: String) -> Self {
-        Self { value, label }
-    }
-
-    fn minor(value: f64) -> Self {
-        Self { value, label: String::new() }
+    /// One without a label is a minor one.
+    fn of(value: f64, label: Option<String>) -> Self {
+        Self { value, label: label.unwrap_or_default() }
     }
 
     /// Whether the tick carries a label.
@@ -71,19 +68,14 @@ fn decades(min: f64, max: f64, sign: i32, most_fine: i32) -> Vec<Tick> {
     for exponent in first..=last {
         let decade = f64::from(sign) * power_of_ten(exponent);
         let labelled = exponent.rem_euclid(stride) == 0;
-        all.push(if labelled {
-            Tick::major(decade, power_label(sign, exponent))
-        } else {
-            Tick::minor(decade)
-        });
+        all.push(Tick::of(decade, labelled.then(|| decimal_label(sign, 1, exponent))));
         if stride > 1 {
             continue;
         }
         for &digit in digits {
-            let value = f64::from(digit) * decade;
-            let label = multiple_label(sign, digit, exponent);
             let shown = narrow && matches!(digit, 2 | 5);
-            all.push(if shown { Tick::major(value, label) } else { Tick::minor(value) });
+            let label = shown.then(|| decimal_label(sign, digit, exponent));
+            all.push(Tick::of(f64::from(digit) * decade, label));
         }
     }
     all
@@ -93,7 +85,7 @@ fn signed_decades(smallest: f64, min: f64, max: f64) -> Vec<Tick> {
     let mut below =
         if min < -smallest { decades(smallest, -min, -1, MOST_FINE_DECADES / 2) } else { Vec::new() };
     below.reverse();
-    below.push(Tick::major(0.0, "0".into()));
+    below.push(Tick::of(0.0, Some("0".into())));
     if max > smallest {
         below.extend(decades(smallest, max, 1, MOST_FINE_DECADES / 2));
     }
@@ -101,20 +93,13 @@ fn signed_decades(smallest: f64, min: f64, max: f64) -> Vec<Tick> {
     below
 }
 
-fn power_label(sign: i32, exponent: i32) -> String {
-    let minus_sign = minus_if(sign < 0);
-    match exponent {
-        0 => format!("{minus_sign}1"),
-        1 => format!("{minus_sign}10"),
-        _ => format!("{minus_sign}10^{{{}}}", minus(exponent)),
-    }
-}
-
-fn multiple_label(sign: i32, digit: i32, exponent: i32) -> String {
-    let minus_sign = minus_if(sign < 0);
+/// `30`, `10^{−2}` or `−3·10^{5}`: a digit times a power of ten.
+fn decimal_label(sign: i32, digit: i32, exponent: i32) -> String {
+    let minus_sign = if sign < 0 { "−" } else { "" };
     match exponent {
         0 => format!("{minus_sign}{digit}"),
         1 => format!("{minus_sign}{digit}0"),
+        _ if digit == 1 => format!("{minus_sign}10^{{{}}}", minus(exponent)),
         _ => format!("{minus_sign}{digit}·10^{{{}}}", minus(exponent)),
     }
 }
@@ -128,10 +113,7 @@ fn linear(min: f64, max: f64) -> Vec<Tick> {
     let (first, last) = (libm::floor(min / fine) as i64, libm::ceil(max / fine) as i64);
     let at = |index: i64| {
         let value = index as f64 * fine;
-        match index.rem_euclid(5) {
-            0 => Tick::major(value, fixed(value, exponent)),
-            _ => Tick::minor(value),
-        }
+        Tick::of(value, (index.rem_euclid(5) == 0).then(|| fixed(value, exponent)))
     };
     (first..=last).map(at).collect()
 }
@@ -156,10 +138,6 @@ fn fixed(value: f64, exponent: i32) -> String {
 
 fn minus(exponent: i32) -> String {
     if exponent < 0 { format!("−{}", exponent.unsigned_abs()) } else { exponent.to_string() }
-}
-
-fn minus_if(negative: bool) -> &'static str {
-    if negative { "−" } else { "" }
 }
 
 #[cfg(test)]

@@ -107,6 +107,12 @@ impl From<String> for Cell {
     }
 }
 
+impl From<bool> for Cell {
+    fn from(is: bool) -> Self {
+        Self::text(if is { "yes" } else { "no" })
+    }
+}
+
 impl From<u64> for Cell {
     fn from(count: u64) -> Self {
         Self::number(count.to_string())
