@@ -3,65 +3,51 @@
 use serde::{Serialize, Serializer};
 
 use crate::comparison::recording::Measured;
+use crate::scene::{stem_of_key, unit_of_key};
 
-/// What is compared.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Observable {
-    /// Limit cycle or decay, or the slip mode.
-    Mode,
-    /// m/s.
-    PeakVelocity,
-    /// s.
-    Period,
-    /// Pa.
-    StressDrop,
-    /// Hz.
-    Frequency,
-    /// 1/s, of the long-term deviation of ln V.
-    GrowthRate,
+slipmode_algebra::named! {
+    /// What is compared: its column, with its unit.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Observable {
+        /// Limit cycle or decay, or the slip mode.
+        Mode = "mode",
+        /// m/s.
+        PeakVelocity = "peak_velocity_m_per_s",
+        /// s.
+        Period = "period_s",
+        /// Pa.
+        StressDrop = "stress_drop_pa",
+        /// Hz.
+        Frequency = "frequency_hz",
+        /// 1/s, of the long-term deviation of ln V.
+        GrowthRate = "growth_rate_per_s",
+    }
 }
 
 impl Observable {
-    /// Everything, in the order of tables.
-    pub const ALL: [Self; 6] =
-        [Self::Mode, Self::PeakVelocity, Self::Period, Self::StressDrop, Self::Frequency, Self::GrowthRate];
     /// What a column of a runs file may give as a number.
     pub const STATED: [Self; 4] = [Self::PeakVelocity, Self::Period, Self::StressDrop, Self::Frequency];
 
-    /// Its key, its words and its unit.
-    const fn names(self) -> [&'static str; 3] {
-        match self {
-            Self::Mode => ["mode", "mode", ""],
-            Self::PeakVelocity => ["peak_velocity_m_per_s", "peak velocity", "m/s"],
-            Self::Period => ["period_s", "period", "s"],
-            Self::StressDrop => ["stress_drop_pa", "stress drop", "Pa"],
-            Self::Frequency => ["frequency_hz", "frequency", "Hz"],
-            Self::GrowthRate => ["growth_rate_per_s", "growth rate", "1/s"],
-        }
-    }
-
-    /// The column, with its unit.
-    #[must_use]
-    pub const fn key(self) -> &'static str {
-        self.names()[0]
-    }
-
     /// The name for people.
     #[must_use]
-    pub const fn words(self) -> &'static str {
-        self.names()[1]
+    pub fn words(self) -> String {
+        stem_of_key(self.as_str()).replace('_', " ")
     }
 
     /// The unit for people; empty for words.
     #[must_use]
-    pub const fn unit(self) -> &'static str {
-        self.names()[2]
+    pub fn unit(self) -> &'static str {
+        match self {
+            Self::Mode => "",
+            Self::Frequency => "Hz",
+            _ => unit_of_key(self.as_str()),
+        }
     }
 }
 
 impl Serialize for Observable {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.serialize_str(self.key())
+        serializer.collect_str(self)
     }
 }
 
@@ -107,8 +93,7 @@ slipmode_algebra::named! {
 
 impl Agreement {
     /// The verdict of several: one that differs decides, then one that agrees; none without any.
-    #[must_use]
-    pub fn of_all(verdicts: impl Iterator<Item = Self> + Clone) -> Option<Self> {
+    pub(crate) fn of_all(verdicts: impl Iterator<Item = Self> + Clone) -> Option<Self> {
         let deciding = [Self::Differs, Self::AgreesWithinErrorBars, Self::Agrees, Self::NotCompared];
         deciding.into_iter().find(|verdict| verdicts.clone().any(|other| other == *verdict))
     }
@@ -158,8 +143,12 @@ pub type Subject = (Observable, Origin, Reference);
 
 impl Finding {
     /// A finding about words, decided by their equality.
-    #[must_use]
-    pub fn of_words(origin: Origin, reference: Reference, run: &'static str, ours: &'static str) -> Self {
+    pub(crate) fn of_words(
+        origin: Origin,
+        reference: Reference,
+        run: &'static str,
+        ours: &'static str,
+    ) -> Self {
         let verdict = if run == ours { Agreement::Agrees } else { Agreement::Differs };
         let subject = (Observable::Mode, origin, reference);
         Self { ours: Value::Word(ours), ..Self::because(subject, Value::Word(run), verdict, "") }
@@ -167,8 +156,7 @@ impl Finding {
 
     /// A finding about numbers: they differ beyond tolerance and errors; they agree within them, provided that no error exceeds the
     /// tolerance, for else the agreement would only say how little is known.
-    #[must_use]
-    pub fn of_numbers(subject: Subject, [run, ours]: [Measured; 2], tolerance: f64) -> Self {
+    pub(crate) fn of_numbers(subject: Subject, [run, ours]: [Measured; 2], tolerance: f64) -> Self {
         let difference = run.value / ours.value - 1.0;
         let allowed = tolerance + run.relative_error + ours.relative_error;
         // Not so for an error that is no number.

@@ -16,14 +16,17 @@ pub use agreement::{Agreement, Finding, Observable, Origin, Reference, Value};
 pub use findings::{Comparison, simulated};
 pub use reference::{Simulate, Theory};
 pub use stated::{StatedMode, StatedRun};
-pub use within_errors::sampled_range;
+pub(crate) use within_errors::sampled_range;
 
 use findings::compare_as_stated;
 use slipmode_core::{friction::Parameters, number::Rational};
 
 /// Compares a run, at its parameters and, where these do not agree, at the others within their error bars.
-#[must_use]
-pub fn compare_run(run: &StatedRun, others: &[Parameters<Rational>], simulate: Simulate<'_>) -> Comparison {
+pub(crate) fn compare_run(
+    run: &StatedRun,
+    others: &[Parameters<Rational>],
+    simulate: Simulate<'_>,
+) -> Comparison {
     let mut found = compare_as_stated(run, simulate);
     if found.verdict == Agreement::Differs && !others.is_empty() {
         within_errors::look_within_error_bars(run, others, simulate, &mut found);

@@ -12,8 +12,7 @@ use crate::comparison::recording::Measured;
 const DIGITS: usize = 6;
 
 /// The range of values with their absolute errors; none without values. A value without an error that is a number has no bounds.
-#[must_use]
-pub fn sampled_range(values: impl Iterator<Item = (f64, f64)>) -> Option<[f64; 2]> {
+pub(crate) fn sampled_range(values: impl Iterator<Item = (f64, f64)>) -> Option<[f64; 2]> {
     let bounded = |error: f64| if error.is_nan() { f64::INFINITY } else { error };
     let ends = values.map(|(value, error)| [value - bounded(error), value + bounded(error)]);
     ends.reduce(|[low, high], [next_low, next_high]| [low.min(next_low), high.max(next_high)])

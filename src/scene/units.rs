@@ -3,106 +3,46 @@
 //! No two units of the table differ in case only. `MPa` is megapascal, and millipascal is no unit here, so that m and M cannot be
 //! confused; a name of a column may write a unit in lower case.
 
+use std::sync::LazyLock;
+
 use slipmode_core::friction::Quantity;
 use slipmode_core::number::{Rational, parse_decimal};
 use slipmode_theory::Dimension;
 
-/// A unit: its symbol, the unit of SI, and its size in that unit as numerator and denominator.
-type Unit = (&'static str, &'static str, u32, u32);
+/// The units, their names and their endings, as `units.toml` lists them.
+#[derive(Debug, Default, serde::Deserialize)]
+struct Listed {
+    units: Vec<(String, String, u32, u32)>,
+    names: Vec<(String, String)>,
+    endings: Vec<(String, String)>,
+}
 
-/// The units; a year has 365.25 days.
-const UNITS: [Unit; 31] = [
-    ("m", "m", 1, 1),
-    ("km", "m", 1000, 1),
-    ("cm", "m", 1, 100),
-    ("mm", "m", 1, 1000),
-    ("um", "m", 1, 1_000_000),
-    ("µm", "m", 1, 1_000_000),
-    ("μm", "m", 1, 1_000_000),
-    ("nm", "m", 1, 1_000_000_000),
-    ("kg", "kg", 1, 1),
-    ("g", "kg", 1, 1000),
-    ("mg", "kg", 1, 1_000_000),
-    ("t", "kg", 1000, 1),
-    ("s", "s", 1, 1),
-    ("ms", "s", 1, 1000),
-    ("us", "s", 1, 1_000_000),
-    ("min", "s", 60, 1),
-    ("h", "s", 3600, 1),
-    ("d", "s", 86_400, 1),
-    ("yr", "s", 31_557_600, 1),
-    ("N", "N", 1, 1),
-    ("kN", "N", 1000, 1),
-    ("MN", "N", 1_000_000, 1),
-    ("Pa", "Pa", 1, 1),
-    ("hPa", "Pa", 100, 1),
-    ("kPa", "Pa", 1000, 1),
-    ("MPa", "Pa", 1_000_000, 1),
-    ("GPa", "Pa", 1_000_000_000, 1),
-    ("bar", "Pa", 100_000, 1),
-    ("kbar", "Pa", 100_000_000, 1),
-    ("Hz", "Hz", 1, 1),
-    ("kHz", "Hz", 1000, 1),
-];
-
-/// Units of SI, and what has them.
-const NAMES: [(&str, &str); 14] = [
-    ("1", "a number without unit"),
-    ("kg", "a mass"),
-    ("m", "a length"),
-    ("s", "a time"),
-    ("m^2", "an area"),
-    ("1/m", "a number per length"),
-    ("N", "a force"),
-    ("Pa", "a stress"),
-    ("1/s", "a frequency"),
-    ("m/s", "a velocity"),
-    ("kg/m^2", "a mass per area"),
-    ("Pa/m", "a stiffness per area"),
-    ("N/m", "a stiffness"),
-    ("kg/m^3", "a density"),
-];
-
-/// Units of SI as they end the names of keys and columns, the longest first.
-const ENDINGS: [(&str, &str); 9] = [
-    ("_kg_per_m2", "kg/m^2"),
-    ("_pa_per_m", "Pa/m"),
-    ("_m_per_s2", "m/s^2"),
-    ("_m_per_s", "m/s"),
-    ("_per_s", "1/s"),
-    ("_pa", "Pa"),
-    ("_hz", "1/s"),
-    ("_m", "m"),
-    ("_s", "s"),
-];
+static LISTED: LazyLock<Listed> =
+    LazyLock::new(|| toml::from_str(include_str!("units.toml")).unwrap_or_default());
 
 /// The unit of SI that a key states: `m/s` for `loading_velocity_m_per_s`, for the ends of its range `loading_velocity_m_per_s.from`
 /// and for the members of its list `loading_velocity_m_per_s[1]`; `1` for a key without unit.
-#[must_use]
-pub fn unit_of_key(key: &str) -> &'static str {
+pub(crate) fn unit_of_key(key: &str) -> &'static str {
     let key = [".from", ".to"].into_iter().find_map(|end| key.strip_suffix(end)).unwrap_or(key);
     let key = key.strip_suffix(']').and_then(|list| list.rsplit_once('[')).map_or(key, |(list, _)| list);
-    ENDINGS.iter().find(|(ending, _)| key.ends_with(ending)).map_or("1", |(_, unit)| unit)
+    LISTED.endings.iter().find(|(ending, _)| key.ends_with(ending)).map_or("1", |(_, unit)| unit)
 }
 
 /// The unit of SI of a quantity.
-#[must_use]
-pub fn unit_of(quantity: Quantity) -> &'static str {
+pub(crate) fn unit_of(quantity: Quantity) -> &'static str {
     unit_of_key(quantity.as_str())
 }
 
 /// A key without its unit, behind which another one may stand: `loading_velocity` of `loading_velocity_m_per_s`.
-#[must_use]
-pub fn stem_of_key(key: &str) -> &str {
-    ENDINGS.iter().find_map(|(ending, _)| key.strip_suffix(ending)).unwrap_or(key)
+pub(crate) fn stem_of_key(key: &str) -> &str {
+    LISTED.endings.iter().find_map(|(ending, _)| key.strip_suffix(ending.as_str())).unwrap_or(key)
 }
 
 /// The largest power of a unit.
 const MOST_POWER: i32 = 9;
 
 /// The number and the unit of a text: `8um` is `8` and `um`. A number without unit has an empty one.
-#[must_use]
-pub fn split_unit(text: &str) -> (&str, &str) {
+pub(crate) fn split_unit(text: &str) -> (&str, &str) {
     let digits =
         |from: usize| text[from..].bytes().take_while(|byte| byte.is_ascii_digit() || *byte == b'.').count();
     let signed = |from: usize| from + usize::from(text[from..].starts_with(['+', '-']));
@@ -154,7 +94,7 @@ fn read_factor(text: &str) -> Result<(Rational, Dimension), String> {
     if symbol.is_empty() && rest.is_empty() {
         return Ok((factor, Dimension::default()));
     }
-    let unit = UNITS.iter().find(|(known, ..)| *known == symbol).ok_or_else(|| unknown(symbol))?;
+    let unit = LISTED.units.iter().find(|(known, ..)| known == symbol).ok_or_else(|| unknown(symbol))?;
     let power = power.filter(|power| *power != 0 && power.abs() <= MOST_POWER);
     let power = power.ok_or_else(|| format!("{rest:?} has a power that is none of 1 to {MOST_POWER}"))?;
     let (_, in_si, above, below) = unit;
@@ -184,11 +124,11 @@ fn split_power(text: &str) -> (&str, Option<i32>) {
 }
 
 fn unknown(symbol: &str) -> String {
-    let same = UNITS.iter().find(|(known, ..)| known.eq_ignore_ascii_case(symbol));
+    let same = LISTED.units.iter().find(|(known, ..)| known.eq_ignore_ascii_case(symbol));
     match same {
         Some((known, ..)) => format!("{symbol:?} is no unit here; did you mean `{known}`?"),
         None => {
-            let known: Vec<&str> = UNITS.iter().map(|(known, ..)| *known).collect();
+            let known: Vec<&str> = LISTED.units.iter().map(|(known, ..)| known.as_str()).collect();
             format!("{symbol:?} is no unit (allowed: {})", known.join(", "))
         }
     }
@@ -204,8 +144,9 @@ pub fn unit_for(text: &str, in_si: &str) -> Result<Rational, String> {
     if found == wanted {
         return Ok(size);
     }
-    let named = |unit: &&(&str, &str), of: &Dimension| Dimension::read(unit.0).as_ref() == Ok(of);
-    let name_of = |of: &Dimension| NAMES.iter().find(|unit| named(unit, of)).map(|(_, name)| *name);
+    let named = |unit: &&(String, String), of: &Dimension| Dimension::read(&unit.0).as_ref() == Ok(of);
+    let name_of =
+        |of: &Dimension| LISTED.names.iter().find(|unit| named(unit, of)).map(|(_, name)| name.as_str());
     let found_name = name_of(&found).unwrap_or("of another dimension");
     let wanted_words = match name_of(&wanted).and_then(|name| name.split_once(' ')) {
         Some((_, name)) if in_si != "1" => format!("{name} is {in_si}"),
@@ -234,13 +175,12 @@ pub fn with_unit(text: &str) -> Option<(&str, &str)> {
 }
 
 /// A unit of a column's name, such as `mpa/mm`: a symbol wholly in lower or in upper case is found whatever its case in the table.
-#[must_use]
-pub fn unit_in_any_case(text: &str) -> String {
+pub(crate) fn unit_in_any_case(text: &str) -> String {
     let known = |symbol: &str| {
         let is_of_one_case = symbol.chars().all(char::is_lowercase)
             || (symbol.len() > 1 && symbol.chars().all(char::is_uppercase));
         let same = |known: &&str| *known == symbol || (is_of_one_case && known.eq_ignore_ascii_case(symbol));
-        UNITS.iter().map(|(known, ..)| *known).find(same).unwrap_or(symbol).to_string()
+        LISTED.units.iter().map(|(known, ..)| known.as_str()).find(same).unwrap_or(symbol).to_string()
     };
     let (mut unit, mut rest) = (String::new(), text);
     while !rest.is_empty() {
@@ -319,13 +259,16 @@ mod tests {
                 tried += 1;
             }
         }
-        assert_eq!(tried, UNITS.len());
+        assert_eq!(tried, LISTED.units.len());
     }
 
     #[test]
     fn no_two_units_differ_in_case_only() {
-        for (index, (one, ..)) in UNITS.iter().enumerate() {
-            assert!(UNITS[index + 1..].iter().all(|(other, ..)| !one.eq_ignore_ascii_case(other)), "{one}");
+        for (index, (one, ..)) in LISTED.units.iter().enumerate() {
+            assert!(
+                LISTED.units[index + 1..].iter().all(|(other, ..)| !one.eq_ignore_ascii_case(other)),
+                "{one}"
+            );
         }
     }
 

@@ -22,13 +22,8 @@ slipmode_algebra::named! {
 impl Verdict {
     /// The verdict in plain words.
     #[must_use]
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Holds => "holds",
-            Self::HoldsWithin => "holds within",
-            Self::Fails => "fails",
-            Self::NotChecked => "not checked",
-        }
+    pub fn word(self) -> String {
+        self.as_str().replace('-', " ")
     }
 
     /// The verdict as a sign that needs no colour.

@@ -89,13 +89,13 @@ impl RowWork for CompareRows {
             let problem = Problem::Needs("no --law together with it: the column chooses the law".into());
             faults.push((LAW_COLUMN.to_string(), problem));
         }
-        for of in Observable::STATED.into_iter().filter(|of| !has(of.key())) {
-            if let Some((name, problem)) = misnamed(of.key(), names) {
+        for key in Observable::STATED.map(Observable::as_str).into_iter().filter(|key| !has(key)) {
+            if let Some((name, problem)) = misnamed(key, names) {
                 faults.push((name, problem.into()));
-            } else if let Some(near) = nearest(of.key(), unknown.iter().copied()) {
+            } else if let Some(near) = nearest(key, unknown.iter().copied()) {
                 let problem =
-                    CsvProblem::MissingColumn { nearest: Some(near.to_string()), allowed: of.key().into() };
-                faults.push((of.key().to_string(), problem.into()));
+                    CsvProblem::MissingColumn { nearest: Some(near.to_string()), allowed: key.into() };
+                faults.push((key.to_string(), problem.into()));
             }
         }
         let known: Vec<&str> = observable_columns().collect();
@@ -118,10 +118,10 @@ impl RowWork for CompareRows {
         let law = reader.optional(LAW_COLUMN, law_of_word).or(self.law).unwrap_or(EvolutionLaw::Slip);
         let start = reader.optional(START_COLUMN, start_of_word);
         let tolerance = reader.optional(TOLERANCE_COLUMN, |text| AllowedRange::RUN_TOLERANCE.parse(text));
-        let mode = reader.optional(Observable::Mode.key(), mode_of_word);
+        let mode = reader.optional(Observable::Mode.as_str(), mode_of_word);
         let values = Observable::STATED.map(|of| {
             reader
-                .optional(of.key(), |text| AllowedRange::PHYSICAL.parse_measured(text, of.unit()))
+                .optional(of.as_str(), |text| AllowedRange::PHYSICAL.parse_measured(text, of.unit()))
                 .map(|value| nearest_f64(&value))
         });
         let recording = self.recording(&mut reader, parameters.as_ref());
@@ -210,8 +210,8 @@ pub fn within_error_bars(rows: &[ComparedRow]) -> Option<usize> {
 
 /// Columns of which one at least has to be there.
 fn observable_columns() -> impl Iterator<Item = &'static str> {
-    let stated = Observable::STATED.into_iter().map(Observable::key);
-    stated.chain([Observable::Mode.key(), TRAJECTORY_COLUMN])
+    let stated = Observable::STATED.into_iter().map(Observable::as_str);
+    stated.chain([Observable::Mode.as_str(), TRAJECTORY_COLUMN])
 }
 
 fn mode_of_word(text: &str) -> Result<StatedMode, Problem> {

@@ -191,7 +191,7 @@ impl BoxRuns {
             let notes: Vec<&str> =
                 [runs.as_str(), mixed].into_iter().filter(|note| !note.is_empty()).collect();
             let note = if notes.is_empty() { String::new() } else { format!("({})", notes.join("; ")) };
-            answer.named(of.words(), &text).note(&note)
+            answer.named(&of.words(), &text).note(&note)
         })
     }
 }

@@ -26,8 +26,7 @@ pub struct Measured {
 
 impl Measured {
     /// The value and its absolute error.
-    #[must_use]
-    pub fn with_absolute_error(self) -> (f64, f64) {
+    pub(crate) fn with_absolute_error(self) -> (f64, f64) {
         (self.value, self.relative_error * self.value.abs())
     }
 }
@@ -58,22 +57,19 @@ impl Recording {
     }
 
     /// The recording with its velocities multiplied by a factor, for a guess at another unit.
-    #[must_use]
-    pub fn with_velocities_times(&self, factor: f64) -> Self {
+    pub(crate) fn with_velocities_times(&self, factor: f64) -> Self {
         let shift = libm::log(factor);
         let log_velocities = self.log_velocities.iter().map(|log| log + shift).collect();
         Self { log_velocities, ..self.clone() }
     }
 
     /// The recording with its stresses multiplied by a factor, for a guess at another unit.
-    #[must_use]
-    pub fn with_stresses_times(&self, factor: f64) -> Self {
+    pub(crate) fn with_stresses_times(&self, factor: f64) -> Self {
         Self { stresses_pa: self.stresses_pa.iter().map(|stress| stress * factor).collect(), ..self.clone() }
     }
 
     /// Times (s) at which the velocity passes the level upwards, by interpolation between samples.
-    #[must_use]
-    pub fn upward_crossings_s(&self, log_level: f64) -> Vec<f64> {
+    pub(crate) fn upward_crossings_s(&self, log_level: f64) -> Vec<f64> {
         returns::crossings(self, log_level).into_iter().map(|crossing| crossing.time_s).collect()
     }
 }
