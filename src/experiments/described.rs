@@ -15,8 +15,7 @@ pub fn picture<T: DeserializeOwned + Default>(id: &str) -> T {
 }
 
 /// The chart with the points of its series, in their order; an axis without ends takes those of the points.
-#[must_use]
-pub fn with_points(
+pub(crate) fn with_points(
     mut chart: LineChart,
     lines: impl IntoIterator<Item = Vec<(f64, f64)>>,
 ) -> Option<LineChart> {

@@ -38,14 +38,12 @@ impl Figure {
     }
 
     /// The same with the ids of the tables that hold its numbers.
-    #[must_use]
-    pub fn with_data(self, data: &[impl ToString]) -> Self {
+    pub(crate) fn with_data(self, data: &[impl ToString]) -> Self {
         Self { data: data.iter().map(ToString::to_string).collect(), ..self }
     }
 
     /// Whether the paper has such a figure.
-    #[must_use]
-    pub fn has_number_of_the_paper(&self) -> bool {
+    pub(crate) fn has_number_of_the_paper(&self) -> bool {
         let number = self.label.split_once(' ').map_or("", |(_, number)| number);
         number.starts_with(|first: char| first.is_ascii_digit())
     }

@@ -20,8 +20,7 @@ impl SceneOutcome {
     }
 
     /// Whether friction of its slider falls or rises with velocity, in the words of tables.
-    #[must_use]
-    pub fn slider_words(&self) -> Option<&'static str> {
+    pub(crate) fn slider_words(&self) -> Option<&'static str> {
         let slider = self.slider()?;
         Some(match slider.direct_effect.cmp(&slider.evolution_effect) {
             Ordering::Less => "a < b",
@@ -48,20 +47,17 @@ impl Outcome {
     }
 
     /// The first scene with a < b: the potentially unstable slider of the paper.
-    #[must_use]
-    pub fn potentially_unstable(&self) -> Option<&SceneOutcome> {
+    pub(crate) fn potentially_unstable(&self) -> Option<&SceneOutcome> {
         self.first_with(|p| p.evolution_effect > p.direct_effect)
     }
 
     /// The first scene with a > b: the intrinsically stable slider of the paper.
-    #[must_use]
-    pub fn intrinsically_stable(&self) -> Option<&SceneOutcome> {
+    pub(crate) fn intrinsically_stable(&self) -> Option<&SceneOutcome> {
         self.first_with(|p| p.evolution_effect < p.direct_effect)
     }
 
     /// The first scene whose a is not below its b: the slider that no velocity makes unstable.
-    #[must_use]
-    pub fn never_unstable(&self) -> Option<&SceneOutcome> {
+    pub(crate) fn never_unstable(&self) -> Option<&SceneOutcome> {
         self.first_with(|p| p.evolution_effect <= p.direct_effect)
     }
 

@@ -30,8 +30,7 @@ pub const SEARCH_RUNS: f64 = 200.0;
 
 impl Work {
     /// Work on the content of a file, whose size is limited where it is read.
-    #[must_use]
-    pub fn on_a_file() -> Self {
+    pub(crate) fn on_a_file() -> Self {
         Self { what: "a file".into(), core_seconds: 0.0, memory_mib: 0.0, digits: 0.0 }
     }
 
@@ -56,8 +55,7 @@ impl Work {
     }
 
     /// Points with certified digits, all kept as text.
-    #[must_use]
-    pub fn certified_points(points: f64, digits: u32) -> Self {
+    pub(crate) fn certified_points(points: f64, digits: u32) -> Self {
         let digits = f64::from(digits);
         Self {
             what: format!("{points} points of {digits} digits"),
@@ -77,14 +75,12 @@ impl Work {
 }
 
 /// Core-seconds of a certified point.
-#[must_use]
-pub fn certified_point_s(digits: f64) -> f64 {
+pub(crate) fn certified_point_s(digits: f64) -> f64 {
     let [least, factor] = CERTIFIED_POINT_S;
     least + factor * digits * libm::sqrt(digits)
 }
 
 /// The points of a grid.
-#[must_use]
-pub fn rectangle_points(rectangle: &Rectangle) -> f64 {
+pub(crate) fn rectangle_points(rectangle: &Rectangle) -> f64 {
     f64::from(rectangle.loading_velocity_m_per_s.points) * f64::from(rectangle.normal_stress_pa.points)
 }

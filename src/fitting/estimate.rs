@@ -328,8 +328,7 @@ fn samples_per_slip_distance(record: &StepRecord, distance_m: f64) -> f64 {
 
 impl Fit {
     /// The estimate of a parameter, where it was fitted.
-    #[must_use]
-    pub fn estimate(&self, parameter: Parameter) -> Option<&Estimate> {
+    pub(crate) fn estimate(&self, parameter: Parameter) -> Option<&Estimate> {
         self.estimates.iter().find(|estimate| estimate.parameter == parameter)
     }
 

@@ -30,8 +30,7 @@ pub type Point = [f64; PARAMETERS];
 
 impl Parameter {
     /// Whether the search has the logarithm: the value is positive.
-    #[must_use]
-    pub const fn is_logarithmic(self) -> bool {
+    pub(crate) const fn is_logarithmic(self) -> bool {
         (self as usize) < 4
     }
 

@@ -106,8 +106,7 @@ impl StepRecord {
     }
 
     /// The same record with other frictions.
-    #[must_use]
-    pub fn with_frictions(&self, frictions: Vec<f64>) -> Self {
+    pub(crate) fn with_frictions(&self, frictions: Vec<f64>) -> Self {
         Self { frictions, ..self.clone() }
     }
 
@@ -118,8 +117,7 @@ impl StepRecord {
     }
 
     /// The velocity of the load point before the first step, m/s, without the rounding errors of displacements.
-    #[must_use]
-    pub fn reference_velocity_m_per_s(&self) -> f64 {
+    pub(crate) fn reference_velocity_m_per_s(&self) -> f64 {
         let velocity = self.pieces[0].load_point_velocity_m_per_s;
         round_digits(velocity, VELOCITY_DIGITS).parse().unwrap_or(velocity)
     }
@@ -141,8 +139,7 @@ impl StepRecord {
     }
 
     /// The shortest way from one sample to the next after a step, on average between two steps, and the longest way after a step, m.
-    #[must_use]
-    pub fn ways_m(&self) -> [f64; 2] {
+    pub(crate) fn ways_m(&self) -> [f64; 2] {
         let strides = self.strides().skip(1).filter(|(_, velocity)| *velocity > 0.0);
         strides.fold([f64::INFINITY, 0.0f64], |[shortest, longest], (samples, _)| {
             let way = (self.displacements_m[samples.end] - self.displacements_m[samples.start]).abs();

@@ -94,8 +94,7 @@ impl<'t> ComputedEntries<'t> {
 
 impl Computed {
     /// Whether its proofs are those of the first paper's report: that their steps imply what they say was reviewed with the program.
-    #[must_use]
-    pub fn has_reviewed_proofs(&self) -> bool {
+    pub(crate) fn has_reviewed_proofs(&self) -> bool {
         Arc::ptr_eq(&self.stated, library_proofs())
     }
 

@@ -40,16 +40,14 @@ impl Names {
     }
 
     /// The expression with the definitions in place of their names, but for one name, which stands for the roots of a polynomial.
-    #[must_use]
-    pub fn resolved_but(&self, expression: &Expression, name: &Symbol) -> Expression {
+    pub(crate) fn resolved_but(&self, expression: &Expression, name: &Symbol) -> Expression {
         let own = Symbol::fresh(&expression.variables());
         self.resolved(&expression.with(name, &Expression::variable(&own)))
             .with(own, &Expression::variable(name))
     }
 
     /// What must hold for an expression to have a value, in variables only; one name stands for the roots of a polynomial.
-    #[must_use]
-    pub fn demands_but(&self, expression: &Expression, own: Option<&Symbol>) -> Vec<Condition> {
+    pub(crate) fn demands_but(&self, expression: &Expression, own: Option<&Symbol>) -> Vec<Condition> {
         let Some(own) = own else { return self.demands_of(expression) };
         // Nothing is simplified: what has no value stays.
         let root = Symbol::fresh(&expression.variables());

@@ -34,8 +34,7 @@ pub fn file_text<'b>(file: &str, bytes: &'b [u8]) -> Result<&'b str, Fault> {
 }
 
 /// Whether bytes are the beginning of a text in UTF-16: its byte order mark, or a letter in two bytes.
-#[must_use]
-pub fn is_utf16(bytes: &[u8]) -> bool {
+pub(crate) fn is_utf16(bytes: &[u8]) -> bool {
     match bytes {
         [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => true,
         [letter, 0, second, 0, ..] | [0, letter, 0, second, ..] => *letter > 0 && *second > 0,

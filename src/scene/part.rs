@@ -26,8 +26,7 @@ slipmode_algebra::named! {
 
 impl Part {
     /// Whether the ledger stands before the part: it follows the comparison with the paper and the new results.
-    #[must_use]
-    pub const fn follows_ledger(self) -> bool {
+    pub(crate) const fn follows_ledger(self) -> bool {
         !matches!(self, Self::Validation | Self::NewResults)
     }
 

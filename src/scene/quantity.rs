@@ -7,7 +7,6 @@ use slipmode_core::number::Rational;
 use slipmode_core::stability::ParameterBox;
 
 /// Its symbols in formulas, as columns spell them in any case; a longer one before one with which it begins.
-#[must_use]
 pub(crate) fn symbols(quantity: Quantity) -> &'static [&'static str] {
     match quantity {
         Quantity::DirectEffect => &["a"],

@@ -8,8 +8,7 @@ const LONGEST_QUOTATION: usize = 120;
 
 /// A text of at most this many characters (40 or more): its beginning and its end, and how many characters are left out between
 /// them. What is short enough stays as it is, also what was shortened before.
-#[must_use]
-pub fn shortened(text: &str, most: usize) -> String {
+pub(crate) fn shortened(text: &str, most: usize) -> String {
     let count = text.chars().count();
     if count <= most {
         return text.to_string();
@@ -24,8 +23,7 @@ pub fn shortened(text: &str, most: usize) -> String {
 }
 
 /// A message whose quotations, between `` ` `` or `'`, are each [`shortened`], and then the whole.
-#[must_use]
-pub fn with_short_quotations(message: &str, most: usize) -> String {
+pub(crate) fn with_short_quotations(message: &str, most: usize) -> String {
     let mut short = String::new();
     let mut rest = message;
     let mut is_after_word = false;

@@ -31,8 +31,7 @@ fn fitted(outcome: &Outcome) -> Option<(&Fit, &FitOutcome)> {
 }
 
 /// The record with its fit, and the residuals, as SVG.
-#[must_use]
-pub fn fit_picture(record: &StepRecord, fits: &Fits) -> String {
+pub(crate) fn fit_picture(record: &StepRecord, fits: &Fits) -> String {
     let maker = figure_makers().find(|maker| maker.id == "fit-record");
     maker.and_then(|maker| record_panels(record, fits, &mut maker.words())).unwrap_or_default()
 }

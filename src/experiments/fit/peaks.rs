@@ -5,8 +5,7 @@ use crate::fitting::{PeakFits, PeakRow};
 use slipmode_plot::figure::{Axis, Panels, Series};
 
 /// The peaks over the load velocity with the fitted laws and, for the better law, the ends of its interval from the noise.
-#[must_use]
-pub fn peak_picture(rows: &[PeakRow], fits: &PeakFits) -> String {
+pub(crate) fn peak_picture(rows: &[PeakRow], fits: &PeakFits) -> String {
     let loads = || rows.iter().map(|row| row.load_m_per_s);
     let (first, last) = extent(loads()).unwrap_or((1e-6, 1.0));
     let is_one_stress = rows.iter().all(|row| row.stress == 1.0);

@@ -38,16 +38,14 @@ pub fn estimate_words(value: f64, standard_error: f64, ends: [Option<f64>; 2], u
 }
 
 /// The slip modes of sampled sliders with their shares.
-#[must_use]
-pub fn shares_of_modes(modes: &[(SlipMode, u32)]) -> String {
+pub(crate) fn shares_of_modes(modes: &[(SlipMode, u32)]) -> String {
     let share = |count: u32| round_digits(100.0 * f64::from(count) / f64::from(SAMPLES), 3);
     let words = modes.iter().map(|(mode, count)| format!("{} {} %", mode.words(), share(*count)));
     words.collect::<Vec<_>>().join(", ")
 }
 
 /// What the record of the first scene with a fit gives; `None` when no scene has one.
-#[must_use]
-pub fn fit_words(outcome: &Outcome) -> Option<String> {
+pub(crate) fn fit_words(outcome: &Outcome) -> Option<String> {
     let (_, found) = outcome.each(|scene| &scene.fit).next()?;
     let fits = match &found.fits {
         Ok(fits) => fits,

@@ -65,8 +65,7 @@ impl NearRun {
     }
 
     /// Returns in which the distance from the long-term behaviour shrinks by e.
-    #[must_use]
-    pub fn returns_per_fold(&self) -> Option<f64> {
+    pub(crate) fn returns_per_fold(&self) -> Option<f64> {
         let contraction = self.outcome.as_ref().ok()?.contraction();
         let on_cycle = contraction.filter(|factor| (0.0..1.0).contains(factor)).map(|f| -1.0 / libm::log(f));
         on_cycle.or_else(|| {

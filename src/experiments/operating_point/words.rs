@@ -54,8 +54,7 @@ pub(super) fn mode_list(modes: &[SlipMode]) -> String {
 }
 
 /// What the first scene with an operating point is there: Markdown; `None` when no scene states one.
-#[must_use]
-pub fn operating_point_words(outcome: &Outcome) -> Option<String> {
+pub(crate) fn operating_point_words(outcome: &Outcome) -> Option<String> {
     let (scene, parameters) = first_point(outcome)?;
     let threshold = scene.scene.threshold();
     let at_point = classify(&parameters, &threshold);
@@ -113,8 +112,7 @@ fn words(parameters: &Parameters<Rational>, found: &Classification) -> String {
 }
 
 /// Where sliding is unstable and where small disturbances oscillate, along the normal stress.
-#[must_use]
-pub fn range_words(outcome: &Outcome) -> Option<String> {
+pub(crate) fn range_words(outcome: &Outcome) -> Option<String> {
     let (scene, found) = found(outcome)?;
     let (_, parameters) = first_point(outcome)?;
     let point = &parameters.point;
@@ -152,8 +150,7 @@ pub fn range_words(outcome: &Outcome) -> Option<String> {
 }
 
 /// The smallest single change that leaves the slip mode.
-#[must_use]
-pub fn what_leaves_words(outcome: &Outcome) -> Option<String> {
+pub(crate) fn what_leaves_words(outcome: &Outcome) -> Option<String> {
     let (_, found) = found(outcome)?;
     let factor = |change: &Change| change.to.map(|(to, _)| to / change.now);
     let size = |change: &&Change| factor(change).map_or(f64::INFINITY, |factor| libm::log(factor).abs());
@@ -187,8 +184,7 @@ pub(super) fn settling(bar: &Bar) -> Option<String> {
 }
 
 /// Which error bar decides the slip mode, and what a better measurement would settle.
-#[must_use]
-pub fn what_decides_words(outcome: &Outcome) -> Option<String> {
+pub(crate) fn what_decides_words(outcome: &Outcome) -> Option<String> {
     let (_, found) = found(outcome)?;
     let widest = found.bars.iter().max_by(|one, other| one.width_decades.total_cmp(&other.width_decades))?;
     let effect = match widest.width_decades.is_finite() {

@@ -45,8 +45,7 @@ impl BandOf {
 }
 
 /// All solutions for one coordinate at this value of the other one, which the box's own values do not affect.
-#[must_use]
-pub fn ranges_at(
+pub(crate) fn ranges_at(
     region: &ParameterBox,
     target: &Target,
     unknown: Unknown,
@@ -71,7 +70,6 @@ fn over(region: &ParameterBox, [from, to]: [[Rational; 2]; 2]) -> Option<Paramet
 ///
 /// A cell belongs to a band unless it is certain that no values within the error bars have the line there. Inside a band, blocks are
 /// filled by their corners and their centre.
-#[must_use]
 pub(crate) fn band_lines(region: &ParameterBox, x: &Axis, y: &Axis, cells: [usize; 2]) -> Vec<Line> {
     let lines = |of: BandOf| {
         let (label, role) = of.look();

@@ -36,8 +36,7 @@ impl<T: PartialEq> Grid<T> {
     ///
     /// A count on a grid is a sample: two areas nearer to each other than its lines count as one, and one that is narrower somewhere,
     /// as at a cusp, as two.
-    #[must_use]
-    pub fn areas_of(&self, wanted: &T) -> usize {
+    pub(crate) fn areas_of(&self, wanted: &T) -> usize {
         let mut seen = vec![false; self.values.len()];
         let mut areas = 0;
         for start in 0..self.values.len() {
@@ -50,8 +49,7 @@ impl<T: PartialEq> Grid<T> {
     }
 
     /// How far, in decades along one of the axes, the nearest point of this value is from the point at an index; infinite without one.
-    #[must_use]
-    pub fn distance_dex(&self, index: usize, wanted: &T) -> f64 {
+    pub(crate) fn distance_dex(&self, index: usize, wanted: &T) -> f64 {
         let columns = self.loading_velocity_m_per_s.len();
         let (row, column) = (index / columns, index % columns);
         let along = |axis: &[f64], from: usize, index: &dyn Fn(usize) -> usize| {

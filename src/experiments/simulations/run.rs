@@ -58,16 +58,14 @@ impl RunCourse {
     }
 
     /// Least (μ − μ0)/a by eq 1 from the start on and on the cycle.
-    #[must_use]
-    pub fn least_friction(&self) -> Estimate {
+    pub(crate) fn least_friction(&self) -> Estimate {
         let passes = [Some(self.from_start), self.on_cycle].into_iter().flatten();
         let least = passes.map(|pass| pass.least_friction).min_by(|a, b| a.value.total_cmp(&b.value));
         least.unwrap_or(self.from_start.least_friction)
     }
 
     /// Largest x − 2φ from the start on and on the cycle.
-    #[must_use]
-    pub fn regularisation(&self) -> Estimate {
+    pub(crate) fn regularisation(&self) -> Estimate {
         let start = self.from_start.regularisation;
         let cycle = self.on_cycle.map(|pass| pass.regularisation);
         cycle.filter(|cycle| cycle.value > start.value).unwrap_or(start)

@@ -13,8 +13,7 @@ const MEASURED_M_PER_S: [f64; 2] = [1e-10, 1e-2];
 const DIGITS: usize = 2;
 
 /// A warning where limit cycles leave the velocities at which the law is measured: Markdown; `None` where none does.
-#[must_use]
-pub fn range_of_velocities(outcome: &Outcome) -> Option<String> {
+pub(crate) fn range_of_velocities(outcome: &Outcome) -> Option<String> {
     let grids = outcome.each(|scene| &scene.simulations).flat_map(|(_, found)| &found.grids);
     let extremes: Vec<[f64; 2]> = grids
         .flat_map(|(_, grid)| grid.points())

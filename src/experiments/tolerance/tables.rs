@@ -48,8 +48,7 @@ fn worst_errors(context: &Context) -> Option<Table> {
 }
 
 /// On which side of its limit an asymptote is good: of V0 for eqs 15 and 16, of σ for eqs 18 and 20.
-#[must_use]
-pub fn place_of_limit(asymptote: Asymptote, whole_branch: bool) -> &'static str {
+pub(crate) fn place_of_limit(asymptote: Asymptote, whole_branch: bool) -> &'static str {
     let above = asymptote == Asymptote::InertialUpper;
     match (asymptote.is_quasi_static(), whole_branch, above) {
         (true, true, _) => "V0 up to the cusp",

@@ -15,8 +15,7 @@ const PER_CENT_DIGITS: usize = 3;
 
 /// Where each asymptote of the first slider is accurate to one per cent, or to the best that the scene asks for above it, and how far
 /// off each is at worst: Markdown; `None` when no scene asks for it.
-#[must_use]
-pub fn accuracy_of_asymptotes(outcome: &Outcome) -> Option<String> {
+pub(crate) fn accuracy_of_asymptotes(outcome: &Outcome) -> Option<String> {
     let (_, found) = outcome.each(|scene| &scene.tolerance).next()?;
     let one_per_cent = Rational::from((1, 100));
     let tolerances = || found.rows.iter().map(|row| &row.tolerance);
@@ -60,8 +59,7 @@ fn worst_words(found: &ToleranceOutcome) -> String {
 }
 
 /// A relative error as every sentence states it: in per cent, away from zero.
-#[must_use]
-pub fn at_most_per_cent(error: &Ball) -> String {
+pub(crate) fn at_most_per_cent(error: &Ball) -> String {
     let error = 100.0 * error.to_f64();
     let side = if error < 0.0 { Side::Below } else { Side::Above };
     format!("{} %", rounded(error, PER_CENT_DIGITS, side).replace('-', "−"))

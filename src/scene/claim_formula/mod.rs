@@ -238,8 +238,7 @@ impl ClaimFormula {
     }
 
     /// What proofs, other claims or a procedure decide.
-    #[must_use]
-    pub fn of_computed(computed: Computed) -> Self {
+    pub(crate) fn of_computed(computed: Computed) -> Self {
         let text = computed.text();
         Self { text, statement: Statement::Computed(Box::new(computed)), ..Self::default() }
     }
@@ -264,8 +263,7 @@ impl ClaimFormula {
     }
 
     /// Whether a procedure or the rows of a table decide it.
-    #[must_use]
-    pub fn is_over_results(&self) -> bool {
+    pub(crate) fn is_over_results(&self) -> bool {
         self.rows.is_some() || self.computed().is_some_and(|computed| computed.check.is_some())
     }
 
@@ -425,8 +423,7 @@ impl Formula {
     }
 
     /// The comparisons and predicates in it.
-    #[must_use]
-    pub fn atoms(&self) -> Vec<&Self> {
+    pub(crate) fn atoms(&self) -> Vec<&Self> {
         match self {
             Self::Compare(..) | Self::Roots(..) | Self::Crossing(_) => vec![self],
             Self::Not(inner) => inner.atoms(),

@@ -177,8 +177,7 @@ impl Premises {
     }
 
     /// An expression with the values and the solutions in place.
-    #[must_use]
-    pub fn put_in(&self, expression: &Expression) -> Expression {
+    pub(crate) fn put_in(&self, expression: &Expression) -> Expression {
         let start = expression.substitute(&self.values);
         self.solved.iter().fold(start, |expression, solved| expression.with(&solved.variable, &solved.value))
     }
@@ -218,8 +217,7 @@ impl Premises {
     }
 
     /// The assumptions with what the variables of which there is a value have to meet.
-    #[must_use]
-    pub fn with_wanted(&self) -> Self {
+    pub(crate) fn with_wanted(&self) -> Self {
         let conditions = self.conditions.iter().chain(&self.wanted).cloned().collect();
         Self { conditions, ..self.clone() }
     }
