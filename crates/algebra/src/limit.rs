@@ -16,21 +16,17 @@ use super::{Domain, Expression, Function, Polynomial, RationalFunction, Symbol};
 const MOST_SLOPES: usize = 6;
 const MOST_PARTS: usize = 400;
 
-/// Which way a variable goes in a limit; the others are held fixed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
-pub enum Toward {
-    /// Down to zero.
-    #[default]
-    Zero,
-    /// Up to infinity.
-    Infinity,
-}
-
-impl fmt::Display for Toward {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.write_str(if *self == Self::Zero { "0" } else { "infinity" })
+crate::named! {
+    /// Which way a variable goes in a limit; the others are held fixed.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+    #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+    pub enum Toward {
+        /// Down to zero.
+        #[default]
+        Zero = "0",
+        /// Up to infinity.
+        Infinity = "infinity",
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{Certificate, Domain, Expression, Refutation, Symbol, Toward};
+use super::{Certificate, Domain, Expression, Refutation};
 
 /// One step of a proof.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -156,82 +156,6 @@ impl Proof {
         self.certify(says, equations, certificate)
     }
 
-    /// Adds the step that an expression is negative everywhere in the domain.
-    ///
-    /// # Errors
-    /// When coefficients of one sign do not show it.
-    pub fn negative(
-        self,
-        says: &str,
-        equations: &[&str],
-        expression: &Expression,
-        domain: &Domain,
-    ) -> Result<Self, Refutation> {
-        let certificate =
-            Certificate::Sign { expression: expression.clone(), sign: -1, domain: domain.clone() };
-        self.certify(says, equations, certificate)
-    }
-
-    /// Adds the step that a polynomial in `variable` has a root between two ends; none for the infinite ones.
-    ///
-    /// # Errors
-    /// When the signs at the ends are not opposite.
-    pub fn root(
-        self,
-        says: &str,
-        equations: &[&str],
-        (polynomial, variable): (&Expression, impl Into<Symbol>),
-        between: [Option<&Expression>; 2],
-        domain: &Domain,
-    ) -> Result<Self, Refutation> {
-        let certificate = Certificate::Root {
-            polynomial: polynomial.clone(),
-            variable: variable.into(),
-            between: between.map(|end| end.cloned()),
-            domain: domain.clone(),
-        };
-        self.certify(says, equations, certificate)
-    }
-
-    /// Adds the step that an expression is positive because it vanishes to this order at 0 and then grows.
-    ///
-    /// # Errors
-    /// When a lower derivative does not vanish at 0, or the last one has no certified sign.
-    pub fn growth(
-        self,
-        says: &str,
-        equations: &[&str],
-        (expression, variable, order): (&Expression, impl Into<Symbol>, u32),
-        domain: &Domain,
-    ) -> Result<Self, Refutation> {
-        let (expression, variable) = (expression.clone(), variable.into());
-        let certificate = Certificate::Growth { expression, variable, order, domain: domain.clone() };
-        self.certify(says, equations, certificate)
-    }
-
-    /// Adds the step that an expression tends to a value as `variable` goes `toward` an end.
-    ///
-    /// # Errors
-    /// When the limit is another one, or none.
-    pub fn limit(
-        self,
-        says: &str,
-        equations: &[&str],
-        expression: &Expression,
-        (variable, toward): (impl Into<Symbol>, Toward),
-        value: &Expression,
-        domain: &Domain,
-    ) -> Result<Self, Refutation> {
-        let certificate = Certificate::Limit {
-            expression: expression.clone(),
-            variable: variable.into(),
-            toward,
-            value: value.clone(),
-            domain: domain.clone(),
-        };
-        self.certify(says, equations, certificate)
-    }
-
     /// The refutation of a step that cannot even be written down, for this reason.
     #[must_use]
     pub fn refute(&self, says: &str, equations: &[&str], remainder: impl Into<String>) -> Refutation {
@@ -329,6 +253,7 @@ impl fmt::Display for Proof {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Toward;
 
     fn parse(text: &str) -> Expression {
         text.parse().expect("in the grammar")
@@ -423,7 +348,9 @@ mod tests {
         let proof = Proof::new("sign", "A sign.");
         assert!(proof.clone().positive("difference", &[], &parse("x - y"), &domain).is_err());
         let pole = parse("1/x");
-        assert!(proof.limit("pole", &[], &pole, ("x", Toward::Zero), &parse("0"), &domain).is_err());
+        let (variable, toward, value) = ("x".into(), Toward::Zero, parse("0"));
+        let limit = Certificate::Limit { expression: pole, variable, toward, value, domain };
+        assert!(proof.certify("pole", &[], limit).is_err());
     }
 
     #[test]
@@ -437,9 +364,9 @@ mod tests {
     #[test]
     fn proofs_of_other_names_statements_or_steps_are_not_the_same() {
         let (domain, two) = (Domain::positive("x"), Proof::new("two", "Two signs."));
-        let whole = two
-            .positive("p", &[], &parse("x"), &domain)
-            .and_then(|one| one.negative("n", &[], &parse("-x"), &domain));
+        let whole = two.positive("p", &[], &parse("x"), &domain).and_then(|one| {
+            one.certify("n", &[], Certificate::Sign { expression: parse("-x"), sign: -1, domain })
+        });
         let whole = whole.expect("true");
         assert!(whole.is_certified() && !whole.clone().reason("argued").is_certified());
         let others = [

@@ -4,7 +4,8 @@
 //! series makes its discriminant vanish to the same order (the proof's certificate).
 
 use crate::boundary::{Curve, cubic_discriminant, curve};
-use crate::notation::{formula, given_nonzero, in_groups, rational};
+use crate::notation::{formula, in_groups, rational};
+use crate::stated_proofs::stated_domain;
 use crate::{Equation, Equations, Role};
 use slipmode_algebra::{
     Certificate, Domain, Expression, Polynomial, Proof, RationalFunction, Refutation, Relation, Series,
@@ -61,8 +62,7 @@ fn quasi_static(
 ) -> Result<AsymptoteSeries, Refutation> {
     let [number] = equations.numbers([role]);
     let proof = series_proof(number, "σ_exact/σ_asymptote − 1 in x = η at the same V0, β = w²");
-    let domain = given_nonzero(Domain::positive("w kappa"), &["w - 1"], &[("w", "2")]);
-    let domain = domain.with("beta", formula("w^2"));
+    let domain = stated_domain("beta by its root");
     // With σ = 1 the right side is σ_asymptote/σ, which is κ/κ_asymptote.
     let ratio = rational(&proof, &[number], &in_groups(&equations.right(role)), &domain)?;
     let slope = ratio.derivative(&Symbol::from("kappa"));
@@ -103,7 +103,7 @@ fn inertial(
     let place = if small { formula("r") } else { formula("1/r") };
     let [eta, kappa] = [&curve.inertial_parameter, &curve.stiffness_group]
         .map(|function| Expression::from(function).with("r", &place));
-    let on_curve = given_nonzero(unequal_effects(), &["r", "r + 1"], &[])
+    let on_curve = stated_domain("points of the boundary")
         .given(eta.clone(), Relation::NonZero)
         .given(kappa.clone(), Relation::NonZero)
         .with("eta", eta)
@@ -146,7 +146,7 @@ fn ratio_squared(proof: &Proof, equations: &Equations, role: Role) -> Result<Exp
 
 /// β ≠ 1.
 fn unequal_effects() -> Domain {
-    given_nonzero(Domain::default(), &["beta - 1"], &[("beta", "2")])
+    stated_domain("beta other than 1")
 }
 
 fn series_proof(number: &str, what: &str) -> Proof {
@@ -197,7 +197,7 @@ fn finish(
     domain: Domain,
 ) -> Result<AsymptoteSeries, Refutation> {
     // The small variable is positive, and so is the ratio 1 + y of exact value and asymptote.
-    let positive = given_nonzero(Domain::positive("x w"), &["1 + y", "beta - 1"], &[]);
+    let positive = stated_domain("error of an asymptote");
     let [cubic, number] = equations.numbers([Role::Characteristic, role]);
     let relation = without_powers(&rational(&proof, &[cubic], relation, &positive)?);
     let coefficients: Vec<Expression> = error.coefficients().iter().map(with_short_denominator).collect();

@@ -1,6 +1,7 @@
 //! The exact boundary max Im(s) = 0: a rational curve with one cusp.
 
-use crate::notation::{coefficients, discriminant_of_cubic, formula, given_nonzero, rational};
+use crate::notation::{coefficients, discriminant_of_cubic, formula, rational};
+use crate::stated_proofs::stated_domain;
 use crate::{Equations, Role};
 use slipmode_algebra::{Domain, Expression, Polynomial, Proof, RationalFunction, Refutation, Symbol};
 
@@ -29,9 +30,7 @@ pub fn curve(equations: &Equations) -> Result<Curve, Refutation> {
     let sum = (Expression::integer(-1) * c2 / c3 - formula("2*r"))
         .with("eta", &Expression::from(&inertial_parameter))
         .with("kappa", &Expression::from(&stiffness_group));
-    // A double root r is neither 0 nor −1, because F(0) = κ and F(−1) = β are not zero; with η > 0 it is not −1 ± √β either.
-    let at_double_root =
-        given_nonzero(Domain::default(), &["r", "r + 1", "(r + 1)^2 - beta"], &[("r", "1"), ("beta", "1")]);
+    let at_double_root = stated_domain("double root");
     let third_root = rational(&proof, &cited, &sum, &at_double_root)?;
     Ok(Curve { inertial_parameter, stiffness_group, third_root })
 }

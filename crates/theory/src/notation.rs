@@ -1,7 +1,7 @@
 //! Formulas and assumptions that the proofs share.
 
 use slipmode_algebra::{
-    Domain, Expression, Polynomial, Proof, RationalFunction, Refutation, Relation, Symbol, discriminant,
+    Domain, Expression, Polynomial, Proof, RationalFunction, Refutation, Symbol, discriminant,
 };
 
 /// The physical quantities, all positive.
@@ -18,33 +18,6 @@ pub(super) fn formula(text: &str) -> Expression {
 /// All physical quantities are positive, nothing is assumed about a − b.
 pub(super) fn any() -> Domain {
     Domain::positive(QUANTITIES)
-}
-
-/// A variable, its value in parameters, one parameter, and its value in the variables.
-pub(super) type Substitution = (&'static str, &'static str, &'static str, &'static str);
-
-/// The domain with variables expressed by positive parameters.
-pub(super) fn in_parameters(domain: Domain, substitutions: &[Substitution]) -> Domain {
-    substitutions.iter().fold(domain, |domain, (name, value, parameter, inverse)| {
-        domain.with(*name, formula(value)).parameter(*parameter, formula(inverse))
-    })
-}
-
-/// The domain with the condition that an expression is positive, and values at which it is.
-pub(super) fn given_positive(domain: Domain, expression: &str, example: &[(&'static str, &str)]) -> Domain {
-    let domain = domain.given(formula(expression), Relation::Positive);
-    example.iter().fold(domain, |domain, (name, value)| domain.example(*name, formula(value)))
-}
-
-/// The domain with the condition that expressions are not zero, and values at which they are not.
-pub(super) fn given_nonzero(
-    domain: Domain,
-    expressions: &[&str],
-    example: &[(&'static str, &str)],
-) -> Domain {
-    let domain =
-        expressions.iter().fold(domain, |domain, text| domain.given(formula(text), Relation::NonZero));
-    example.iter().fold(domain, |domain, (name, value)| domain.example(*name, formula(value)))
 }
 
 /// An equation in dimensionless groups: the unit of time is D_c/V_0, of length D_c, of stress a·σ.

@@ -36,7 +36,7 @@ fn coefficients(context: &Context) -> Option<Table> {
     let hopf = EvolutionLaw::ALL.into_iter().map(of).collect::<Option<Vec<_>>>()?;
     table_of("hopf-coefficient", &hopf)
         .text("law", |(law, _)| format!("{} law", law.as_str()))
-        .text("real_part", |(_, hopf)| hopf.normal_form[0].to_string())
+        .text("real_part", |(_, hopf)| hopf.real_part.to_string())
         .text("square_amplitude", |(_, hopf)| hopf.square_amplitude.to_string())
         .text("sign", |(_, hopf)| hopf.sign_statement)
         .table()

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::work::{Work, expression};
-use slipmode_algebra::{Condition, End, Expression, Relation, Symbol, Toward};
+use slipmode_algebra::{Certificate, Condition, End, Expression, Relation, Symbol, Toward};
 
 /// A derivative, the other variables fixed.
 pub(super) fn derivative(f: &Expression, x: &Symbol, work: &mut Work) -> Result<Expression, String> {
@@ -19,9 +19,7 @@ pub(super) fn limit(
     work: &mut Work,
 ) -> Result<Expression, String> {
     let found = finite(f, x, toward, work)?;
-    let end = if toward == Toward::Zero { "0" } else { "infinity" };
-    let says = format!("its limit as {x} -> {end}");
-    work.step(|proof, equations, domain| proof.limit(&says, equations, f, (x, toward), &found, domain))?;
+    tends(&format!("its limit as {x} -> {toward}"), f, (x, toward), &found, work)?;
     Ok(found)
 }
 
@@ -54,10 +52,21 @@ pub(super) fn series(
     }
     let rest = (f.clone() - sum.clone()) / power(order);
     let says = format!("what it leaves out is small against {x}^{order}");
-    work.step(|proof, equations, domain| {
-        proof.limit(&says, equations, &rest, (x, Toward::Zero), &Expression::integer(0), domain)
-    })?;
+    tends(&says, &rest, (x, Toward::Zero), &Expression::integer(0), work)?;
     Ok(sum)
+}
+
+/// Adds the step that an expression tends to a value.
+fn tends(
+    says: &str,
+    f: &Expression,
+    (x, toward): (&Symbol, Toward),
+    value: &Expression,
+    work: &mut Work,
+) -> Result<(), String> {
+    let (expression, variable, value) = (f.clone(), x.clone(), value.clone());
+    let certificate = Certificate::Limit { expression, variable, toward, value, domain: work.domain.clone() };
+    work.step(|proof, equations, _| proof.certify(says, equations, certificate))
 }
 
 /// Two symbols exchanged, both at once.

@@ -144,18 +144,16 @@ impl Form {
                 Ok(whole) if whole <= LARGEST_WHOLE => self.whole = whole,
                 _ => return wrong(&format!("a whole number from 0 to {LARGEST_WHOLE}")),
             },
-            Kind::End => match text {
-                "0" => self.toward = Toward::Zero,
-                "infinity" => self.toward = Toward::Infinity,
-                _ => return wrong("0 or infinity"),
+            Kind::End => match Toward::from_word(text) {
+                Some(toward) => self.toward = toward,
+                None => return wrong("0 or infinity"),
             },
             Kind::Values => {
-                let [(name, Comparison::Equal, value)] = Source::comparisons(text)[..] else {
-                    return wrong("of the form `x = value`");
+                let equal = match Source::comparisons(text)[..] {
+                    [(name, Comparison::Equal, value)] => read_variable(name.trim()).zip(Some(value)),
+                    _ => None,
                 };
-                let Some(symbol) = read_variable(name.trim()) else {
-                    return wrong("of the form `x = value`");
-                };
+                let Some((symbol, value)) = equal else { return wrong("of the form `x = value`") };
                 self.expression(source, value)?;
                 self.values.extend(self.expressions.pop().map(|value| (symbol, value)));
             }

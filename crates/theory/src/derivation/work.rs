@@ -119,11 +119,10 @@ impl Work<'_> {
     /// When the assumptions do not exclude that it is zero.
     pub fn not_zero(&mut self, says: &str, found: &Expression) -> Result<(), String> {
         match self.domain.sign(found) {
-            Ok(Some(1)) => {
-                self.step(|proof, equations, domain| proof.positive(says, equations, found, domain))
-            }
-            Ok(Some(_)) => {
-                self.step(|proof, equations, domain| proof.negative(says, equations, found, domain))
+            Ok(Some(sign)) => {
+                let (expression, domain) = (found.clone(), self.domain.clone());
+                let certificate = Certificate::Sign { expression, sign, domain };
+                self.step(|proof, equations, _| proof.certify(says, equations, certificate))
             }
             _ => {
                 let condition = Condition { expression: found.clone(), relation: Relation::NonZero };

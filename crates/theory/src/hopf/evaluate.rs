@@ -51,7 +51,7 @@ mod tests {
                 let [eta, omega] = [eta, omega].map(Rational::from);
                 let proved = [("eta", &eta), ("omega", &omega)]
                     .into_iter()
-                    .fold(closed_form::square_amplitude(law), |expression, (name, value)| {
+                    .fold(closed_form::stated("square_amplitude", law), |expression, (name, value)| {
                         expression.with(name, &Expression::Number(value.clone()))
                     });
                 let proved = Domain::default().rational_function(&proved).unwrap();

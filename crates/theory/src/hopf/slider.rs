@@ -2,7 +2,8 @@
 
 use super::expansion::in_basis;
 use super::projection::Critical;
-use crate::notation::{any, formula, in_parameters, simplified};
+use crate::notation::{formula, simplified};
+use crate::stated_proofs::stated_domain;
 use crate::{Equations, Role};
 use slipmode_algebra::{Domain, Expression, Proof, Refutation, Symbol};
 use slipmode_core::friction::EvolutionLaw;
@@ -13,21 +14,14 @@ pub(super) const STATE: [&str; 3] = ["x", "y", "zeta"];
 /// The rates of x, y and ζ per time D_c/V_0 as functions of the three and of η, κ, β, in the order of [`STATE`].
 type Rates = [Expression; 3];
 
-/// η, ω > 0 with β = 1 + ω² and κ = (β − 1)(1 + η): the line K = K_c.
+/// The line K = K_c.
 pub(super) fn on_transition() -> Domain {
-    Domain::positive("eta omega")
-        .with("beta", formula("1 + omega^2"))
-        .with("kappa", formula("omega^2*(1 + eta)"))
+    stated_domain("on the transition")
 }
 
-/// The physical quantities by the three groups: everything but them is a unit.
+/// The physical quantities by the three groups.
 pub(super) fn by_groups() -> Domain {
-    let groups = [
-        ("M", "eta*sigma*a*D_c/V_0^2", "eta", "M*V_0^2/(sigma*a*D_c)"),
-        ("K", "kappa*a*sigma/D_c", "kappa", "K*D_c/(a*sigma)"),
-        ("b", "beta*a", "beta", "b/a"),
-    ];
-    in_parameters(any().and_positive("X Y"), &groups)
+    stated_domain("by groups")
 }
 
 /// The slider on K = K_c with the eigenvectors of its pair ±iω; the x-component is 1.

@@ -1,8 +1,8 @@
 //! When a pair of roots ±iω crosses the imaginary axis at one value of a parameter, and no other root is on the axis there.
 
-use super::{free, polynomial};
+use super::polynomial;
 use crate::notation::formula;
-use slipmode_algebra::{Expression, Proof, Refutation, Sign, SignFormula, Symbol};
+use slipmode_algebra::{Domain, Expression, Proof, Refutation, Sign, SignFormula, Symbol};
 
 /// At `parameter` = `critical` the polynomial with these coefficients has the roots ±i·`frequency`, which is not zero, no other root on
 /// the axis, and the real part of the pair has a slope in the parameter that is not zero. The proof is that of the general lemma.
@@ -73,9 +73,9 @@ fn lemma(degree: usize) -> Result<Proof, Refutation> {
         &[],
         &at_root.with("s", &imaginary),
         &none_above(formula("(c_0 - c_2*omega^2) + i*omega*(c_1 - c_3*omega^2)")),
-        &free(),
+        &Domain::default(),
     )?
-    .identity("∂P/∂K conj ∂P/∂s at iω", &[], &(by_parameter * conjugate), &(rate + rest), &free())?;
+    .identity("∂P/∂K conj ∂P/∂s at iω", &[], &(by_parameter * conjugate), &(rate + rest), &Domain::default())?;
     let on_pair = |one: Expression| {
         one.with("c_0", &formula("c_2*omega^2")).with("c_1", &none_above(formula("c_3*omega^2")))
     };
@@ -86,21 +86,21 @@ fn lemma(degree: usize) -> Result<Proof, Refutation> {
                 &[],
                 &on_pair(at_root),
                 &formula("(s^2 + omega^2)*(c_3*s + c_2)"),
-                &free(),
+                &Domain::default(),
             )?
             .identity(
                 "and ∂P/∂s at iω is not zero for ω ≠ 0, c2 ≠ 0: its imaginary part is 2 c2 ω",
                 &[],
                 &on_pair(by_root).with("s", &imaginary),
                 &formula("-2*c_3*omega^2 + i*2*c_2*omega"),
-                &free(),
+                &Domain::default(),
             ),
         _ => proof.identity(
             "where both vanish the polynomial is c2 (s² + ω²), with a slope 2 c2 iω that is not zero",
             &[],
             &on_pair(at_root),
             &formula("c_2*(s^2 + omega^2)"),
-            &free(),
+            &Domain::default(),
         ),
     }
 }

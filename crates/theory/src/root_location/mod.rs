@@ -5,14 +5,12 @@
 
 mod crossing;
 mod half_plane;
-mod quadratic_factors;
-mod real;
 
 pub use crossing::pair_crosses;
-pub(super) use half_plane::positive_coefficients;
 
 use super::notation::polynomial_coefficients;
-use slipmode_algebra::{Domain, Expression, Proof, RationalFunction, Refutation, Sign, SignFormula, Symbol};
+use super::stated_proofs::{lemma, named};
+use slipmode_algebra::{Expression, Proof, RationalFunction, Refutation, Sign, SignFormula, Symbol};
 
 /// The largest degree of a polynomial whose roots are located in a half plane.
 pub const MOST_DEGREE: usize = 6;
@@ -65,10 +63,17 @@ impl RootStatement {
         };
         let vanishing = SignFormula::All(vec![SignFormula::sign(leading, Sign::Zero), self.signs(lower)]);
         let with_leading = match self {
-            Self::AllReal => vec![SignFormula::All(vec![
-                SignFormula::sign(leading, Sign::NonZero),
-                real::signs(coefficients),
-            ])],
+            Self::AllReal => {
+                let discriminant = match coefficients.len() {
+                    3 => Some("discriminant_of_quadratic"),
+                    4 => Some("discriminant_of_cubic"),
+                    _ => None,
+                };
+                let not_negative =
+                    |name| SignFormula::sign(&of_coefficients(name, coefficients), Sign::NonNegative);
+                let signs = discriminant.map_or(SignFormula::All(Vec::new()), not_negative);
+                vec![SignFormula::All(vec![SignFormula::sign(leading, Sign::NonZero), signs])]
+            }
             _ => {
                 let negated: Vec<Expression> = coefficients.iter().map(|one| -one.clone()).collect();
                 vec![self.for_positive_leading(coefficients), self.for_positive_leading(&negated)]
@@ -100,15 +105,10 @@ impl RootStatement {
     /// Never, unless a step is at fault; the tests prove all of them.
     pub fn lemma(self, degree: usize) -> Result<Proof, Refutation> {
         match self {
-            Self::AllReal => real::lemma(degree),
-            Self::Stable | Self::Unstable => half_plane::lemma(degree),
+            Self::AllReal => lemma(&format!("real-roots-of-degree-{}", degree.min(MOST_DEGREE_OF_OTHERS))),
+            Self::Stable | Self::Unstable => lemma(&format!("roots-of-degree-{degree}")),
         }
     }
-}
-
-/// No assumption at all.
-fn free() -> Domain {
-    Domain::default()
 }
 
 /// The expression is negative.
@@ -116,15 +116,10 @@ fn below_zero(expression: &Expression) -> SignFormula {
     SignFormula::sign(&-expression.clone(), Sign::Positive)
 }
 
-/// Adds the step that an expression is not negative: its square root is real.
-fn not_negative_step(
-    proof: Proof,
-    says: &str,
-    expression: &Expression,
-    domain: &Domain,
-) -> Result<Proof, Refutation> {
-    let root = expression.clone().call(slipmode_algebra::Function::Sqrt).power(2);
-    proof.identity(says, &[], &root, expression, domain)
+/// What a name of the lemmas or a formula in c_0, c_1, … says of these coefficients.
+fn of_coefficients(text: &str, coefficients: &[Expression]) -> Expression {
+    let names = ["c_0", "c_1", "c_2", "c_3", "c_4", "c_5", "c_6"].map(Symbol::from);
+    named(text).substitute(&names.into_iter().zip(coefficients.iter().cloned()).collect())
 }
 
 #[cfg(test)]

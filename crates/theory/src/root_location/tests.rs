@@ -1,7 +1,7 @@
 //! The signs against roots that are known beforehand, and the proofs of the lemmas.
 
 use super::*;
-use slipmode_algebra::{Literal, RootCounts, UnivariatePolynomial};
+use slipmode_algebra::{Domain, Literal, RootCounts, UnivariatePolynomial};
 
 fn number(value: i32) -> Expression {
     Expression::integer(value)

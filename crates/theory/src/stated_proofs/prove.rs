@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::names::Named;
-use super::{DEEPEST, DomainForm, NONE, StatedProof, StatedProofs, StepForm, names, steps};
+use super::{DEEPEST, DomainForm, NONE, StatedProof, StatedProofs, StepForm, lemmas, names};
 use crate::{Equation, Equations};
 use slipmode_algebra::{Domain, Expression, Proof, Refutation};
 
@@ -13,33 +13,37 @@ impl StatedProofs {
     /// # Errors
     /// The first step that does not hold.
     pub fn prove(&self, id: &str, equations: &Equations) -> Result<Proof, Refutation> {
+        self.proved(id, &equations.iter().collect::<Vec<_>>())
+    }
+
+    pub(super) fn proved(&self, id: &str, equations: &[&Equation]) -> Result<Proof, Refutation> {
         let Some(stated) = self.proofs.get(id) else {
             return Err(Proof::new(id, "").refute("a proof that is stated", &[], "there is no such proof"));
         };
         let proof = Proof::new(id, "");
-        let named = Named::new(self, stated, &equations.iter().collect::<Vec<_>>());
+        let named = Named::new(self, stated, equations);
         let says = named.filled(&stated.says).map_err(|reason| proof.refute(&stated.says, &[], reason))?;
         self.add_steps(Proof::new(id, says), stated, equations, 0)
     }
 
-    fn add_steps(
+    pub(super) fn add_steps(
         &self,
         proof: Proof,
         stated: &StatedProof,
-        equations: &Equations,
+        equations: &[&Equation],
         depth: usize,
     ) -> Result<Proof, Refutation> {
-        let named = Named::new(self, stated, &equations.iter().collect::<Vec<_>>());
+        let named = Named::new(self, stated, equations);
         stated.steps.iter().try_fold(proof, |proof, step| {
             let Some(name) = step.refers_to() else { return step.add(proof, &named) };
             if depth == DEEPEST {
                 return Err(proof.refute(&step.says, &[], "lemmas stand too deep in each other"));
             }
-            match (self.blocks.get(name), self.proofs.contains_key(name), steps::built_in(name)) {
-                (Some(block), ..) => self.add_steps(proof, block, equations, depth + 1),
-                (None, true, _) => Ok(proof.using(self.prove(name, equations)?)),
-                (None, false, Some(lemma)) => lemma(proof),
-                (None, false, None) => Err(proof.refute(&step.says, &[], "there is no such lemma")),
+            match self.blocks.get(name) {
+                Some(block) => self.add_steps(proof, block, equations, depth + 1),
+                None if self.has(name) => Ok(proof.using(self.proved(name, equations)?)),
+                None if name == lemmas::FOR_REPORTS => lemmas::add_block(proof, name),
+                None => Err(proof.refute(&step.says, &[], "there is no such lemma")),
             }
         })
     }

@@ -5,7 +5,6 @@ use std::collections::BTreeSet;
 use slipmode_algebra::{Certificate, Domain, Expression, Proof, Refutation, Symbol, Toward};
 
 use super::super::derivation::read_name;
-use super::super::root_location::positive_coefficients;
 use super::domain::{DomainForm, Equal, read_equal};
 use super::names::{Form, Named, OF_SYSTEM};
 use super::{Faults, StepText};
@@ -56,11 +55,6 @@ enum Kind {
     Of(String),
 }
 
-/// Lemmas of this program, by the names that a step gives them.
-pub(super) fn built_in(name: &str) -> Option<fn(Proof) -> Result<Proof, Refutation>> {
-    (name == "positive-coefficients-of-a-cubic").then_some(positive_coefficients)
-}
-
 impl StepForm {
     pub fn read(text: &StepText, faults: &mut Faults) -> Self {
         let kinds: Vec<Result<Kind, String>> = [
@@ -73,11 +67,8 @@ impl StepForm {
                 Ok(Kind::Root { of: read(&root.of)?, variable: variable(&root.variable)?, between })
             }),
             text.limit.as_ref().map(|limit| {
-                let toward = match limit.to.as_str() {
-                    "0" => Toward::Zero,
-                    "infinity" => Toward::Infinity,
-                    other => return Err(format!("to = '{other}' (allowed: 0 or infinity)")),
-                };
+                let toward = Toward::from_word(&limit.to)
+                    .ok_or_else(|| format!("to = '{}' (allowed: 0 or infinity)", limit.to))?;
                 let (of, value) = (read(&limit.of)?, read(&limit.is)?);
                 Ok(Kind::Limit { of, variable: variable(&limit.variable)?, toward, value })
             }),
@@ -85,15 +76,13 @@ impl StepForm {
                 let variable = variable(&growth.variable)?;
                 Ok(Kind::Growth { of: read(&growth.of)?, variable, order: growth.order })
             }),
-            text.connected.as_ref().map(|image| {
-                image.iter().map(|entry| read_equal(entry)).collect::<Result<_, _>>().map(Kind::Connected)
-            }),
+            text.connected.as_ref().map(|image| read_point(image).map(Kind::Connected)),
             text.value.as_ref().map(|value| {
-                let at = value.at.iter().map(|entry| read_equal(entry)).collect::<Result<_, _>>()?;
+                let at = read_point(&value.at)?;
                 Ok(Kind::Value { of: read(&value.of)?, at, value: read(&value.is)? })
             }),
             text.difference.as_ref().map(|difference| {
-                let at = difference.at.iter().map(|entry| read_equal(entry)).collect::<Result<_, _>>()?;
+                let at = read_point(&difference.at)?;
                 let sides = [read(&difference.left)?, read(&difference.right)?];
                 let [left, right] = &difference.are;
                 Ok(Kind::Difference { sides, at, values: [read(left)?, read(right)?] })
@@ -238,6 +227,10 @@ fn is_inside(domain: &Domain, point: &[Equal]) -> bool {
 fn read(text: &str) -> Result<Form, String> {
     let form = Form::read(text, &BTreeSet::new()).map_err(|error| format!("'{text}', {error}"))?;
     if form.system.is_some() { Err(OF_SYSTEM.to_owned()) } else { Ok(form) }
+}
+
+fn read_point(entries: &[String]) -> Result<Vec<Equal>, String> {
+    entries.iter().map(|entry| read_equal(entry)).collect()
 }
 
 fn variable(text: &str) -> Result<Symbol, String> {

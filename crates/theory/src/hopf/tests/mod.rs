@@ -58,7 +58,7 @@ fn kind_changes_at_the_stated_inertial_parameter() {
 #[test]
 fn kind_is_the_sign_of_the_coefficient() {
     for law in EvolutionLaw::ALL {
-        let real = closed_form::real(law);
+        let real = closed_form::stated("real_part", law);
         for (eta, omega) in [("1/100", "1/3"), ("1/8", "1/2"), ("13/100", "2"), ("1/7", "1/9"), ("5", "3")] {
             let value = real.with("eta", &formula(eta)).with("omega", &formula(omega));
             let sign = slipmode_algebra::Domain::default().sign(&value).expect("a number");

@@ -1,6 +1,6 @@
 //! Cycles of the nonlinear slider next to K = K_c, integrated, against the amplitude and frequency predicted.
 
-use crate::hopf::closed_form::{frequency_slope, square_amplitude};
+use crate::hopf::closed_form::stated;
 use crate::hopf::*;
 use slipmode_core::number::nearest_f64;
 
@@ -132,7 +132,7 @@ fn value(expression: &Expression, eta: f64) -> f64 {
 
 /// K/K_c − 1 at which the predicted amplitude of ln(V/V_l) is this: positive where the cycle lies above K_c.
 fn distance(law: EvolutionLaw, eta: f64, amplitude: f64) -> f64 {
-    amplitude * amplitude / value(&square_amplitude(law), eta)
+    amplitude * amplitude / value(&stated("square_amplitude", law), eta)
 }
 
 /// Relative errors of the predicted amplitude and frequency shift.
@@ -141,7 +141,7 @@ fn errors(law: EvolutionLaw, eta: f64, amplitude: f64) -> [f64; 2] {
     let slider = Slider::near(law, eta, distance);
     let (point, period) = slider.cycle(amplitude);
     let shift = 2.0 * std::f64::consts::PI / period - omega();
-    let predicted_shift = value(&frequency_slope(law), eta) * distance;
+    let predicted_shift = value(&stated("frequency_slope", law), eta) * distance;
     [slider.first_harmonic(point, period) / amplitude - 1.0, shift / predicted_shift - 1.0]
 }
 
@@ -169,7 +169,7 @@ fn predicted_amplitude_and_frequency_are_those_of_integrated_cycles() {
 fn a_kick_beyond_the_unstable_cycle_destabilises_a_stable_slider() {
     let (law, eta, distance) = (EvolutionLaw::Aging, 0.1, 1e-3);
     let slider = Slider::near(law, eta, distance);
-    let predicted = (value(&square_amplitude(law), eta) * distance).sqrt();
+    let predicted = (value(&stated("square_amplitude", law), eta) * distance).sqrt();
     let after = |start: f64, returns: usize| {
         let mut point = section_point(start * predicted, eta);
         for _ in 0..returns {
