@@ -30,23 +30,13 @@ pub(super) fn alike(equations: &Equations) -> Vec<[Symbol; 2]> {
 
 /// The pairs in the sums of an expression, each in alphabetical order.
 fn sums(expression: &Expression, found: &mut BTreeSet<[Symbol; 2]>) {
-    match expression {
-        Expression::Number(_) | Expression::Variable(_) => {}
-        Expression::Sum(parts) => {
-            let names: BTreeSet<(String, Symbol)> = parts.iter().filter_map(lone).collect();
-            let pairs =
-                names.iter().flat_map(|one| names.range(one..).skip(1).map(move |other| (one, other)));
-            let alike = pairs.filter(|(one, other)| one.0 == other.0);
-            found.extend(alike.map(|(one, other)| [one.1.clone(), other.1.clone()]));
-            parts.iter().for_each(|part| sums(part, found));
-        }
-        Expression::Product(parts) => parts.iter().for_each(|part| sums(part, found)),
-        Expression::Quotient(above, below) => [above, below].into_iter().for_each(|part| sums(part, found)),
-        Expression::Negation(inner)
-        | Expression::Power(inner, _)
-        | Expression::Call(_, inner)
-        | Expression::Generic(_, inner) => sums(inner, found),
+    if let Expression::Sum(parts) = expression {
+        let names: BTreeSet<(String, Symbol)> = parts.iter().filter_map(lone).collect();
+        let pairs = names.iter().flat_map(|one| names.range(one..).skip(1).map(move |other| (one, other)));
+        let alike = pairs.filter(|(one, other)| one.0 == other.0);
+        found.extend(alike.map(|(one, other)| [one.1.clone(), other.1.clone()]));
     }
+    expression.parts().for_each(|part| sums(part, found));
 }
 
 /// The variable of a term that is one variable, its power or its root, and which of these.

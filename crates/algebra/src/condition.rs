@@ -64,19 +64,6 @@ impl Expression {
             Self::Call(Function::Sqrt, argument) => demand(argument, Relation::NonNegative),
             _ => {}
         }
-        match self {
-            Self::Number(_) | Self::Variable(_) => {}
-            Self::Sum(parts) | Self::Product(parts) => {
-                parts.iter().for_each(|part| part.add_demands(found));
-            }
-            Self::Quotient(above, below) => {
-                above.add_demands(found);
-                below.add_demands(found);
-            }
-            Self::Negation(inner)
-            | Self::Power(inner, _)
-            | Self::Call(_, inner)
-            | Self::Generic(_, inner) => inner.add_demands(found),
-        }
+        self.parts().for_each(|part| part.add_demands(found));
     }
 }

@@ -104,7 +104,7 @@ impl Expression {
     }
 
     /// The expressions that it is made of.
-    fn parts(&self) -> impl Iterator<Item = &Self> {
+    pub fn parts(&self) -> impl Iterator<Item = &Self> {
         let (many, [first, second]): (&[Self], [Option<&Self>; 2]) = match self {
             Self::Number(_) | Self::Variable(_) => (&[], [None; 2]),
             Self::Sum(parts) | Self::Product(parts) => (parts, [None; 2]),

@@ -236,15 +236,11 @@ impl<'d> Form<'d> {
 
 /// The arguments of the square roots in an expression.
 fn under_roots(expression: &Expression) -> Vec<Expression> {
-    let inside = |parts: &[Expression]| parts.iter().flat_map(under_roots).collect::<Vec<_>>();
-    match expression {
-        Expression::Number(_) | Expression::Variable(_) => Vec::new(),
-        Expression::Sum(parts) | Expression::Product(parts) => inside(parts),
-        Expression::Quotient(above, below) => [under_roots(above), under_roots(below)].concat(),
-        Expression::Negation(inner) | Expression::Power(inner, _) => under_roots(inner),
-        Expression::Call(Function::Sqrt, inner) => [vec![(**inner).clone()], under_roots(inner)].concat(),
-        Expression::Call(_, inner) | Expression::Generic(_, inner) => under_roots(inner),
-    }
+    let own = match expression {
+        Expression::Call(Function::Sqrt, inner) => Some((**inner).clone()),
+        _ => None,
+    };
+    own.into_iter().chain(expression.parts().flat_map(under_roots)).collect()
 }
 
 #[cfg(test)]

@@ -1,7 +1,8 @@
 //! Polynomials in one variable over the rationals: ring operations, division, greatest common divisor.
 
-use rug::{Integer, Rational};
+use rug::Rational;
 
+use crate::division::integer_scale;
 use crate::number::Field;
 
 /// A polynomial over ℚ by ascending power; the leading coefficient is not zero (the zero polynomial has none).
@@ -160,18 +161,7 @@ impl UnivariatePolynomial {
     /// A positive multiple of the polynomial whose coefficients are integers without a common factor.
     #[must_use]
     pub fn primitive(&self) -> Self {
-        if self.is_zero() {
-            return self.clone();
-        }
-        let mut denominator = Integer::from(1);
-        let mut content = Integer::new();
-        for coefficient in &self.coefficients {
-            denominator.lcm_mut(coefficient.denom());
-        }
-        for coefficient in &self.coefficients {
-            content.gcd_mut(&(coefficient.numer() * Integer::from(&denominator / coefficient.denom())));
-        }
-        self.scaled(&Rational::from((denominator, content)))
+        self.scaled(&integer_scale(self.coefficients.iter()))
     }
 }
 

@@ -362,23 +362,12 @@ impl Tactics<'_> {
 /// What an expression divides by, but for products and powers of it.
 fn divisors_in(expression: &Expression, found: &mut BTreeMap<String, Expression>) {
     match expression {
-        Expression::Number(_) | Expression::Variable(_) | Expression::Call(..) | Expression::Generic(..) => {}
-        Expression::Sum(parts) | Expression::Product(parts) => {
-            parts.iter().for_each(|part| divisors_in(part, found));
-        }
-        Expression::Quotient(above, below) => {
-            divisors_in(above, found);
-            divisors_in(below, found);
-            factors_in(below, found);
-        }
-        Expression::Negation(inner) => divisors_in(inner, found),
-        Expression::Power(inner, exponent) => {
-            divisors_in(inner, found);
-            if *exponent < 0 {
-                factors_in(inner, found);
-            }
-        }
+        Expression::Call(..) | Expression::Generic(..) => return,
+        Expression::Quotient(_, below) => factors_in(below, found),
+        Expression::Power(inner, ..0) => factors_in(inner, found),
+        _ => {}
     }
+    expression.parts().for_each(|part| divisors_in(part, found));
 }
 
 fn factors_in(divisor: &Expression, found: &mut BTreeMap<String, Expression>) {

@@ -99,19 +99,10 @@ pub(super) fn condition(condition: &Condition) -> String {
 
 /// The calls in an expression that lie in no other call.
 pub(super) fn outer_calls(expression: &Expression, found: &mut BTreeMap<String, Expression>) {
-    match expression {
-        Expression::Number(_) | Expression::Variable(_) => {}
-        Expression::Sum(parts) | Expression::Product(parts) => {
-            parts.iter().for_each(|part| outer_calls(part, found));
-        }
-        Expression::Quotient(above, below) => {
-            outer_calls(above, found);
-            outer_calls(below, found);
-        }
-        Expression::Negation(inner) | Expression::Power(inner, _) => outer_calls(inner, found),
-        Expression::Call(..) | Expression::Generic(..) => {
-            found.insert(real(expression), expression.clone());
-        }
+    if let Expression::Call(..) | Expression::Generic(..) = expression {
+        found.insert(real(expression), expression.clone());
+    } else {
+        expression.parts().for_each(|part| outer_calls(part, found));
     }
 }
 
@@ -119,10 +110,8 @@ pub(super) fn outer_calls(expression: &Expression, found: &mut BTreeMap<String, 
 pub(super) fn divides(expression: &Expression) -> bool {
     match expression {
         Expression::Number(value) => !value.is_integer(),
-        Expression::Variable(_) | Expression::Call(..) | Expression::Generic(..) => false,
-        Expression::Sum(parts) | Expression::Product(parts) => parts.iter().any(divides),
-        Expression::Quotient(..) => true,
-        Expression::Negation(inner) => divides(inner),
-        Expression::Power(inner, exponent) => *exponent < 0 || divides(inner),
+        Expression::Call(..) | Expression::Generic(..) => false,
+        Expression::Quotient(..) | Expression::Power(_, ..0) => true,
+        _ => expression.parts().any(divides),
     }
 }
