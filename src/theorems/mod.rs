@@ -254,13 +254,15 @@ struct OpenFile {
 }
 
 impl OpenFile {
-    fn add(&mut self, theorem: &Theorem, words: &str) {
-        for lemma in &theorem.lemmas {
-            if self.lemmas.insert(lemma.name.clone()) {
-                self.text += &format!("{}\n", lemma.text);
-                self.faults += &format!("{}\n", lemma.text);
-            }
+    fn add_once(&mut self, name: &str, text: &str) {
+        if self.lemmas.insert(name.to_owned()) {
+            self.text += &format!("{text}\n");
+            self.faults += &format!("{text}\n");
         }
+    }
+
+    fn add(&mut self, theorem: &Theorem, words: &str) {
+        theorem.lemmas.iter().for_each(|lemma| self.add_once(&lemma.name, &lemma.text));
         self.text += &format!("(** {} *)\n{}\n", comment(words), theorem.text);
         self.faults += &format!("{}\n", theorem.fault);
         self.names.push(theorem.name.clone());
@@ -269,17 +271,8 @@ impl OpenFile {
     /// A whole theorem after the steps that it uses, which are lemmas here and theorems in the file of their own claim.
     fn add_whole(&mut self, whole: &WholeTheorem, words: &str) {
         for step in &whole.steps {
-            for lemma in &step.lemmas {
-                if self.lemmas.insert(lemma.name.clone()) {
-                    self.text += &format!("{}\n", lemma.text);
-                    self.faults += &format!("{}\n", lemma.text);
-                }
-            }
-            if self.lemmas.insert(step.name.clone()) {
-                let text = step.text.replace("Theorem ", "Lemma ");
-                self.text += &format!("{text}\n");
-                self.faults += &format!("{text}\n");
-            }
+            step.lemmas.iter().for_each(|lemma| self.add_once(&lemma.name, &lemma.text));
+            self.add_once(&step.name, &step.text.replace("Theorem ", "Lemma "));
         }
         let WholeTheorem { name, statement, proof, altered, .. } = whole;
         self.text +=

@@ -207,14 +207,7 @@ impl<'p> Prover<'p> {
 
     /// The negation of one literal from the others and the premises, or that of a premise.
     fn negated(&self, premises: &Premises, literals: &[Literal]) -> Option<Vec<Draft>> {
-        let others = |at: usize| -> Vec<Literal> {
-            literals
-                .iter()
-                .enumerate()
-                .filter(|(other, _)| *other != at)
-                .map(|(_, one)| one.clone())
-                .collect()
-        };
+        let others = |at: usize| [&literals[..at], &literals[at + 1..]].concat();
         let goals = literals
             .iter()
             .enumerate()

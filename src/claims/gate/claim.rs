@@ -104,11 +104,7 @@ impl Claim {
         let scope = &formula.scope;
         let condition = |one: &crate::scene::FormulaCondition, book: &mut Book| {
             let [left, right] = &one.sides;
-            Compared {
-                left: book.term(left, None),
-                comparison: one.comparison,
-                right: book.term(right, None),
-            }
+            Compared::of(left, one.comparison, right, book)
         };
         let given: Vec<Compared> = scope.given.iter().map(|one| condition(one, &mut book)).collect();
         let (equal, conditions): (Vec<_>, Vec<_>) =
@@ -187,9 +183,7 @@ impl Claim {
                 _ => None,
             });
             let alone: Vec<usize> = alone.filter(|variable| self.may_solve(*variable)).collect();
-            let mut reached = BTreeSet::new();
-            self.book.reached(&one.left, &mut reached);
-            self.book.reached(&one.right, &mut reached);
+            let reached = self.reached(&one);
             let mut others: Vec<usize> =
                 reached.into_iter().filter(|variable| self.may_solve(*variable)).collect();
             others.sort_by_key(|variable| self.book.name(*variable));
@@ -245,9 +239,7 @@ impl Claim {
 
     /// The same for what two sides reach: the other equations are not solved.
     pub fn place_for(&self, base: &Base, bits: u32, sides: &Compared) -> Option<AtPoint<'_>> {
-        let mut reached = BTreeSet::new();
-        self.book.reached(&sides.left, &mut reached);
-        self.book.reached(&sides.right, &mut reached);
+        let mut reached = self.reached(sides);
         let (mut needed, mut others): (Vec<&Solved>, Vec<&Solved>) =
             (Vec::new(), self.solved.iter().collect());
         while let Some(next) = others.iter().position(|one| reached.contains(&one.variable)) {
@@ -295,13 +287,19 @@ impl Claim {
         self.meets(place, &self.there_is, &conditions)
     }
 
+    /// The variables that the sides of a comparison contain.
+    fn reached(&self, compared: &Compared) -> BTreeSet<usize> {
+        let mut reached = BTreeSet::new();
+        self.book.reached(&compared.left, &mut reached);
+        self.book.reached(&compared.right, &mut reached);
+        reached
+    }
+
     fn is_inner(&self, condition: &Compared) -> bool {
         if self.there_is.is_empty() {
             return false;
         }
-        let mut reached = BTreeSet::new();
-        self.book.reached(&condition.left, &mut reached);
-        self.book.reached(&condition.right, &mut reached);
+        let reached = self.reached(condition);
         self.there_is.iter().any(|variable| reached.contains(variable))
     }
 

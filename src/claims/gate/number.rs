@@ -6,7 +6,7 @@ use std::cmp::Ordering;
 use rug::{Float, float::Round};
 use slipmode_algebra::Function;
 use slipmode_algebra::number::Interval;
-use slipmode_core::number::{Ball, Rational, Real};
+use slipmode_core::number::{Ball, Field, Rational, Real};
 
 /// Why a term has no number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -32,6 +32,25 @@ pub(super) enum Number {
     },
     Within(Ball),
     Near(Interval),
+}
+
+#[derive(Clone, Copy)]
+enum Operation {
+    Plus,
+    Minus,
+    Times,
+    Over,
+}
+
+impl Operation {
+    fn of<N: Field>(self, left: N, right: &N) -> N {
+        match self {
+            Self::Plus => left + right,
+            Self::Minus => left - right,
+            Self::Times => left * right,
+            Self::Over => left / right,
+        }
+    }
 }
 
 impl Number {
@@ -133,21 +152,15 @@ impl Number {
     }
 
     /// An operation on two exact numbers, on two intervals if one is one, or else on two balls of the precision that one of them has.
-    fn joined(
-        &self,
-        other: &Self,
-        exact: impl Fn(&Rational, &Rational) -> Rational,
-        near: impl Fn(Interval, Interval) -> Interval,
-        enclosed: impl Fn(Ball, &Ball) -> Ball,
-    ) -> Tried<Self> {
+    fn joined(&self, other: &Self, operation: Operation) -> Tried<Self> {
         if let (Self::Exact(left), Self::Exact(right)) = (self, other) {
-            return Ok(Self::Exact(exact(left, right)));
+            return Ok(Self::Exact(operation.of(left.clone(), right)));
         }
         if matches!((self, other), (Self::Near(_), _) | (_, Self::Near(_))) {
-            return Self::near(near(self.interval(), other.interval()));
+            return Self::near(operation.of(self.interval(), &other.interval()));
         }
         let bits = self.bits().max(other.bits());
-        Self::of(enclosed(self.ball(bits), &other.ball(bits)))
+        Self::of(operation.of(self.ball(bits), &other.ball(bits)))
     }
 
     /// A product or quotient of a root with a root or a rational, from the one of the squares.
@@ -163,12 +176,7 @@ impl Number {
         if self.is_exactly_zero() {
             return Ok(other.clone());
         }
-        self.joined(
-            other,
-            |left, right| Rational::from(left + right),
-            |left, right| left + right,
-            |left, right| left + right,
-        )
+        self.joined(other, Operation::Plus)
     }
 
     pub fn minus(&self, other: &Self) -> Tried<Self> {
@@ -178,12 +186,7 @@ impl Number {
         {
             return Ok(Self::whole(0));
         }
-        self.joined(
-            other,
-            |left, right| Rational::from(left - right),
-            |left, right| left - right,
-            |left, right| left - right,
-        )
+        self.joined(other, Operation::Minus)
     }
 
     pub fn times(&self, other: &Self) -> Tried<Self> {
@@ -193,12 +196,7 @@ impl Number {
         if let Some(product) = self.of_squares(other, |left, right| left * right) {
             return Ok(product);
         }
-        self.joined(
-            other,
-            |left, right| Rational::from(left * right),
-            |left, right| left * right,
-            |left, right| left * right,
-        )
+        self.joined(other, Operation::Times)
     }
 
     pub fn over(&self, other: &Self) -> Tried<Self> {
@@ -208,12 +206,7 @@ impl Number {
             Some(_) if self.is_exactly_zero() => Ok(Self::whole(0)),
             Some(_) => match self.of_squares(other, |left, right| left / right) {
                 Some(quotient) => Ok(quotient),
-                None => self.joined(
-                    other,
-                    |left, right| Rational::from(left / right),
-                    |left, right| left / right,
-                    |left, right| left / right,
-                ),
+                None => self.joined(other, Operation::Over),
             },
         }
     }
@@ -238,7 +231,7 @@ impl Number {
             Function::Abs => match sign {
                 Some(Ordering::Less) => Ok(self.negated()),
                 Some(_) => Ok(self.clone()),
-                None => Self::of(slipmode_core::number::Field::square(&self.ball(bits)).sqrt()),
+                None => Self::of(self.ball(bits).square().sqrt()),
             },
             Function::Sqrt => match (self, sign) {
                 (_, Some(Ordering::Less)) => Err(Trouble::NoValue),

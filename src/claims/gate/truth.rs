@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use slipmode_algebra::Comparison;
+use slipmode_algebra::{Comparison, Expression};
 use slipmode_theory::root_location::RootStatement;
 
 use super::book::{Book, Term};
@@ -49,11 +49,9 @@ impl Said {
         let all =
             |parts: &[Formula], book: &mut Book| parts.iter().map(|part| Self::of(part, book)).collect();
         match formula {
-            Formula::Compare(left, comparison, right) => Self::Compare(Compared {
-                left: book.term(left, None),
-                comparison: *comparison,
-                right: book.term(right, None),
-            }),
+            Formula::Compare(left, comparison, right) => {
+                Self::Compare(Compared::of(left, *comparison, right, book))
+            }
             Formula::Roots(statement, polynomial, variable) => Self::Roots(
                 *statement,
                 book.term(polynomial, Some(variable.as_str())),
@@ -160,6 +158,11 @@ fn numbers(values: Vec<Value>) -> Tried<Vec<Number>> {
 }
 
 impl Compared {
+    pub fn of(left: &Expression, comparison: Comparison, right: &Expression, book: &mut Book) -> Self {
+        let (left, right) = (book.term(left, None), book.term(right, None));
+        Self { left, comparison, right }
+    }
+
     pub fn truth(&self, place: &mut AtPoint) -> Tried<bool> {
         // Intervals show no equality, and the sides of an equation are equal at most points.
         if place.bits == NEAR && self.comparison == Comparison::Equal {
