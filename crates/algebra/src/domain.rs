@@ -111,13 +111,6 @@ impl Domain {
         Self { positive: names.into_iter().collect(), ..Self::default() }
     }
 
-    /// The same domain with more positive variables.
-    #[must_use]
-    pub fn and_positive(mut self, names: &'static str) -> Self {
-        self.positive.extend(names.split_whitespace().map(Symbol::from));
-        self
-    }
-
     /// The same domain with one more positive variable.
     #[must_use]
     pub fn with_positive(mut self, name: Symbol) -> Self {

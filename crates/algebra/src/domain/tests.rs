@@ -13,7 +13,7 @@ fn condition(text: &str) -> Condition {
 /// Every kind of assumption at once: S is a root of 1 − C², b > 1, and p = α² with α = √p.
 fn full() -> Domain {
     Domain::positive("a")
-        .and_positive("b")
+        .with_positive("b".into())
         .with_positive("p".into())
         .given(parse("b - 1"), Relation::Positive)
         .given(parse("d"), Relation::NonZero)
@@ -123,7 +123,7 @@ fn a_name_that_stands_for_two_things_is_refused() {
         (Domain::default().parameter("g", parse("1")).parameter("g", parse("2")), "g"),
         (Domain::default().with("x", parse("y")).with("y", parse("2")), "y"),
         (Domain::positive("a").parameter("a", parse("1")), "a"),
-        (square().and_positive("S"), "S"),
+        (square().with_positive("S".into()), "S"),
         (square().with("S", parse("1")), "S"),
         (Domain::default().with_square(Symbol::read("i"), parse("1")), "i"),
         (Domain::default().with_square(Symbol::read("pm"), parse("1")), "pm"),
