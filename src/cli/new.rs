@@ -12,7 +12,7 @@ use slipmode_core::number::{Rational, nearest_f64};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use slipmode::scene::{Limits, Problem, Quantity, Uncertain, check_name};
+use slipmode::scene::{Limits, Problem, Quantity, Sliders, Uncertain, all_of, check_name};
 
 use crate::cli::answer::Answer;
 use crate::cli::failure::Failure;
@@ -57,17 +57,6 @@ pub struct Options {
 
 /// The paper's slider, in the order of the command line: what a folder starts from when no values are given.
 const PAPER: [&str; 5] = ["0.004", "0.006", "10e-6", "10e6", "1000"];
-
-/// Which of the two effects is larger: what exists depends on it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Effects {
-    /// a < b: velocity weakening, with a stability transition.
-    Weakening,
-    /// a = b: no transition and no upper boundary.
-    Neutral,
-    /// a > b: velocity strengthening, no transition.
-    Strengthening,
-}
 
 /// Writes the folder.
 ///
@@ -129,7 +118,7 @@ fn drafted(
     place: &Path,
     progress: Progress,
 ) -> Result<Files, Failure> {
-    let effects = Effects::of(parameters);
+    let effects = effects_of(parameters);
     let corners = Ranges::around(parameters).map_err(Failure::Refused)?;
     let mut ranges = typed.own.as_ref().map_or(corners, |own| Ranges::of_laboratory(&own.ranges));
     let mut draft = complete(typed, effects, &ranges, place, progress)?;
@@ -143,7 +132,7 @@ fn drafted(
 fn free_place(options: &Options) -> Result<PathBuf, Failure> {
     let place = options.output.clone().unwrap_or_else(|| PathBuf::from(&options.name));
     match place.symlink_metadata() {
-        Ok(_) => Err(Failure::Refused(format!("{}: already exists; choose another folder", place.display()))),
+        Ok(_) => Err(Failure::place(&place, "already exists; choose another folder")),
         Err(_) => Ok(place),
     }
 }
@@ -176,13 +165,12 @@ fn check_report_name(name: &str, arguments: &mut Arguments) {
     }
 }
 
-impl Effects {
-    fn of(parameters: &Slider<Rational>) -> Self {
-        match parameters.direct_effect.cmp(&parameters.evolution_effect) {
-            std::cmp::Ordering::Less => Self::Weakening,
-            std::cmp::Ordering::Equal => Self::Neutral,
-            std::cmp::Ordering::Greater => Self::Strengthening,
-        }
+/// Which of the two effects is larger: what exists depends on it.
+fn effects_of(parameters: &Slider<Rational>) -> Sliders {
+    match parameters.direct_effect.cmp(&parameters.evolution_effect) {
+        std::cmp::Ordering::Less => Sliders::Weakening,
+        std::cmp::Ordering::Equal => Sliders::Neutral,
+        std::cmp::Ordering::Greater => Sliders::Strengthening,
     }
 }
 
@@ -204,18 +192,18 @@ fn read(options: &Options) -> Result<Request, Failure> {
     let (centre, slider) = (or_example(centre), or_example(options.slider.clone()));
     let parameters = centre.slider(&mut arguments);
     let ranges = centre.point(&mut arguments).and_then(|point| own_ranges(options, point, &mut arguments));
-    let (parameters, ranges) = arguments.finish(parameters.zip(ranges))?;
+    let parameters = arguments.finish(parameters)?;
     let own = ranges.map(|ranges| Own { slider: parameters.clone(), ranges });
     let typed = Typed { name: options.name.clone(), slider, is_example, own, fitted: None };
     Ok(Request { typed, parameters })
 }
 
-/// The operating range around an operating point; `Some(None)` without one, and `None` when an option is at fault.
+/// The operating range around an operating point; none without one, and when an option is at fault.
 fn own_ranges(
     options: &Options,
     point: Option<OperatingPoint<Rational>>,
     arguments: &mut Arguments,
-) -> Option<Option<[OwnRange; 2]>> {
+) -> Option<[OwnRange; 2]> {
     let given = [
         ("--normal-stresses", &options.normal_stresses, Quantity::NormalStress),
         ("--loading-velocities", &options.loading_velocities, Quantity::LoadingVelocity),
@@ -223,7 +211,7 @@ fn own_ranges(
     let Some(OperatingPoint { normal_stress_pa, loading_velocity_m_per_s }) = point else {
         let needs = "an operating point: --normal-stress-pa and --loading-velocity-m-per-s";
         given.iter().for_each(|(option, text, _)| arguments.refuse_value(option, text.as_deref(), needs));
-        return Some(None);
+        return None;
     };
     let mut range = |index: usize, at: &Rational| {
         let (option, text, quantity) = given[index];
@@ -235,9 +223,7 @@ fn own_ranges(
         let needs = Problem::Needs(format!("a range that contains {}", option_of(quantity)));
         arguments.fault(option, Some(text), needs)
     };
-    let ranges = [range(0, &normal_stress_pa), range(1, &loading_velocity_m_per_s)];
-    let [Some(stress), Some(velocity)] = ranges else { return None };
-    Some(Some([stress, velocity]))
+    all_of([range(0, &normal_stress_pa), range(1, &loading_velocity_m_per_s)])
 }
 
 /// A folder's files, complete.
@@ -250,7 +236,7 @@ struct Draft {
 /// The files with the verdicts that they have: the folder is read back as `report` will read it, and decided.
 fn complete(
     typed: &Typed,
-    effects: Effects,
+    effects: Sliders,
     ranges: &Ranges,
     place: &Path,
     progress: Progress,

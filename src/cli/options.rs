@@ -275,7 +275,7 @@ pub fn inertial_threshold(text: &str) -> Result<InertialThreshold, Problem> {
 }
 
 /// Whether a number was given with a unit: in no other text of a number stands a letter but the e of an exponent.
-fn has_unit(text: &str) -> bool {
+pub fn has_unit(text: &str) -> bool {
     text.contains(|letter: char| letter.is_alphabetic() && !"eE".contains(letter))
 }
 
@@ -331,10 +331,7 @@ impl Arguments {
         text: &str,
         parse: impl FnOnce(&str) -> Result<T, Problem>,
     ) -> Option<T> {
-        match parse(text) {
-            Ok(value) => Some(value),
-            Err(problem) => self.fault(option, Some(text), problem),
-        }
+        parse(text).map_err(|problem| self.fault::<T>(option, Some(text), problem)).ok()
     }
 
     /// A value in this unit of SI, or with a unit of its own; its value in SI is then printed.

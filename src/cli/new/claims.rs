@@ -9,7 +9,6 @@ use slipmode::scene::{ClaimEntry, Faults, Sliders, read_claims, read_equations};
 use crate::cli::claim::refuse_contradictions;
 use crate::cli::failure::Failure;
 use crate::cli::folder::EQUATIONS;
-use crate::cli::new::Effects;
 use crate::cli::progress::Progress;
 
 /// The claims of the paper's own report, for their words.
@@ -36,12 +35,7 @@ struct DecidedClaim {
 ///
 /// # Errors
 /// When the list of the paper's claims is at fault.
-pub fn candidates(effects: Effects) -> Result<Vec<ClaimEntry>, Faults> {
-    let sliders = match effects {
-        Effects::Weakening => Sliders::Weakening,
-        Effects::Neutral => Sliders::Neutral,
-        Effects::Strengthening => Sliders::Strengthening,
-    };
+pub fn candidates(sliders: Sliders) -> Result<Vec<ClaimEntry>, Faults> {
     let equations = read_equations("equations.toml", EQUATIONS.as_bytes())?;
     let mut entries = read_claims("claims.toml", PAPER.as_bytes(), &procedures(), Some(&equations))?;
     let listed = entries.iter().filter(|entry| entry.sliders.contains(&sliders));

@@ -1,13 +1,12 @@
 //! The scene of a new report: the slider as it was typed, and what is computed for it.
 
-use slipmode::scene::{Quantity, Uncertain, cited, parse_value, with_unit};
+use slipmode::scene::{Quantity, Sliders, Uncertain, cited, parse_value, with_unit};
 use slipmode_core::friction::Slider;
 use slipmode_core::number::format::{exact_text, round_digits};
 use slipmode_core::number::{Rational, nearest_f64};
 
-use crate::cli::new::Effects;
 use crate::cli::new::ranges::{Decades, OwnRange, Ranges};
-use crate::cli::options::SliderOptions;
+use crate::cli::options::{SliderOptions, has_unit};
 
 /// What was typed, valid.
 #[derive(Debug)]
@@ -42,9 +41,8 @@ impl Typed {
     /// The value of a quantity in SI: as it was typed, unless it has a unit.
     pub fn in_si(&self, quantity: Quantity) -> String {
         let text = self.text(quantity);
-        let has_unit = text.contains(|letter: char| letter.is_alphabetic() && !"eE".contains(letter));
         if Uncertain::is_meant(text) {
-            let ends = Uncertain::of(quantity, text).ok().filter(|_| has_unit);
+            let ends = Uncertain::of(quantity, text).ok().filter(|_| has_unit(text));
             let range =
                 ends.map(|ends| format!("{} to {}", exact_text(&ends.lower), exact_text(&ends.upper)));
             return range.unwrap_or_else(|| text.to_string());
@@ -58,7 +56,7 @@ impl Typed {
 const MAP_POINTS: (i32, i32) = (141, 121);
 
 /// The text of `scenes/NAME.toml`.
-pub fn scene_text(typed: &Typed, effects: Effects, ranges: &Ranges) -> String {
+pub fn scene_text(typed: &Typed, effects: Sliders, ranges: &Ranges) -> String {
     let name = &typed.name;
     let map = rectangle(ranges.velocity, ranges.stress, MAP_POINTS);
     let (velocity, stress) = (ranges.simulated_velocity, ranges.simulated_stress);
@@ -77,36 +75,18 @@ pub fn scene_text(typed: &Typed, effects: Effects, ranges: &Ranges) -> String {
         parameters(typed),
     ]
     .join("\n");
-    if let Some(own) = &typed.own {
-        let parts =
-            [("{map}", map), ("{points}", own.points()), ("{coarser}", coarser.into()), ("{runs}", runs)];
-        let rest = parts.iter().fold(LABORATORY.to_owned(), |text, (key, part)| text.replace(key, part));
-        let fitted = typed.fitted.as_ref().map_or("", |fitted| &fitted.section);
-        return cited(&format!("{head}{rest}{fitted}"));
-    }
-    let sections = [
-        head,
-        format!(
-            "# max Im(s) and stability at every point of a grid of loading velocity and normal stress.\n# The ranges \
-                contain the corners of all asymptotes; you may choose others.\n[map]\n{map}"
-        ),
-        "# The exact boundary max Im(s) = 0 between oscillation and no oscillation.\n\
-         [boundary]\npoints = 160  # on each arc\ndigits = 30  # certain digits of each coordinate\n"
-            .into(),
-        frequency(effects, ranges.velocity),
-        "# Where each formula ({quasi-static-upper, quasi-static-lower, inertial-upper, inertial-lower}) has at most these relative errors.\n[tolerance]\nrelative = [0.1, \
-            0.01, 0.001]\n"
-            .into(),
-        format!(
-            "# Slip modes on a grid, compared with the map drawn by the formulas alone.\n[zones]\n{map}"
-        ),
-        format!(
-            "# The nonlinear slider at every point of a coarser grid. The time is proportional to the number of \
-                points.\n{coarser}[simulations]\n{runs}laws = [\"slip\", \"aging\"]\ntolerance = 1e-8  # relative, of \
-                peak velocity and period\n"
-        ),
+    let points = typed.own.as_ref().map(Own::points);
+    let template = if points.is_some() { LABORATORY } else { WHOLE_BOUNDARY };
+    let parts = [
+        ("{frequency}", frequency(effects, ranges.velocity)),
+        ("{map}", map),
+        ("{points}", points.unwrap_or_default()),
+        ("{coarser}", coarser.into()),
+        ("{runs}", runs),
     ];
-    cited(&sections.join("\n"))
+    let rest = parts.iter().fold(template.to_owned(), |text, (key, part)| text.replace(key, part));
+    let fitted = typed.fitted.as_ref().map_or("", |fitted| &fitted.section);
+    cited(&format!("{head}{rest}{fitted}"))
 }
 
 fn parameters(typed: &Typed) -> String {
@@ -131,9 +111,9 @@ fn parameters(typed: &Typed) -> String {
     format!("{source}[parameters]\n{lines}")
 }
 
-fn frequency(effects: Effects, velocity: Decades) -> String {
+fn frequency(effects: Sliders, velocity: Decades) -> String {
     match effects {
-        Effects::Weakening => {
+        Sliders::Weakening => {
             let [from, to] = velocity.decimals();
             format!(
             "# max Im(s) along lines of constant normal stress, in units of the critical one ({{critical-normal-stress}}).\n\
@@ -141,7 +121,7 @@ fn frequency(effects: Effects, velocity: Decades) -> String {
              loading_velocity_m_per_s = {{ from = {from}, to = {to}, points = 121 }}\n"
             )
         }
-        Effects::Neutral | Effects::Strengthening => {
+        Sliders::Neutral | Sliders::Strengthening => {
             "# [frequency] is left out: it needs the critical normal stress of {critical-normal-stress}, which exists for a < b only.\n".into()
         }
     }
@@ -155,6 +135,8 @@ fn rectangle(velocity: Decades, stress: Decades, (columns, rows): (i32, i32)) ->
     )
 }
 
+/// The sections of a scene that shows all corners of the boundary.
+const WHOLE_BOUNDARY: &str = include_str!("../../../templates/new/scene.toml");
 /// The sections of a scene about an operating point.
 const LABORATORY: &str = include_str!("../../../templates/new/laboratory/scene.toml");
 
