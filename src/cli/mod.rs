@@ -234,10 +234,6 @@ pub fn capture(arguments: impl IntoIterator<Item = OsString>) -> Captured {
 }
 
 /// Does a part of a command as a function: returns its result unless it fails, and what it would write to the standard streams.
-fn capture_work<T>(work: impl FnOnce() -> Result<T, Failure>) -> (Option<T>, Captured) {
-    captured(false, work)
-}
-
 fn captured<T>(as_json: bool, work: impl FnOnce() -> Result<T, Failure>) -> (Option<T>, Captured) {
     let ((done, exit_code), written) = streams::written_by(|| match work() {
         Ok(done) => (Some(done), 0),

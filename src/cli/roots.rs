@@ -14,7 +14,7 @@ use crate::cli::answer::Answer;
 use crate::cli::failure::Failure;
 use crate::cli::options::{Arguments, SliderOptions};
 use crate::cli::terminal;
-use crate::cli::{Captured, capture_work};
+use crate::cli::{Captured, captured};
 
 /// The most digits that can be requested.
 pub const MOST_DIGITS: u64 = 1_000_000;
@@ -54,7 +54,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
 /// assert!(roots.unwrap().contains("\"re\":") && messages.exit_code == 0);
 /// ```
 pub fn capture_roots(values: [&str; 7], digits: &str) -> (Option<String>, Captured) {
-    capture_work(|| Ok(answer(&SliderOptions::of(values), digits)?.value("roots").to_string()))
+    captured(false, || Ok(answer(&SliderOptions::of(values), digits)?.value("roots").to_string()))
 }
 
 fn answer(slider: &SliderOptions, digits: &str) -> Result<Answer, Failure> {

@@ -10,7 +10,7 @@ use slipmode_core::number::format::exact_text;
 use crate::cli::failure::Failure;
 use crate::cli::points::Started;
 use crate::cli::progress::Progress;
-use crate::cli::{Captured, capture_work};
+use crate::cli::{Captured, captured};
 
 /// Where the seven quantities and their errors stand in a table.
 #[derive(Debug)]
@@ -33,7 +33,7 @@ pub struct TableColumns {
 /// assert_eq!(found.units[3].as_ref().unwrap(), &1_000_000_000);
 /// ```
 pub fn capture_columns(header: Vec<u8>, unused: Vec<Quantity>) -> (Option<TableColumns>, Captured) {
-    capture_work(|| {
+    captured(false, || {
         let mut reader = reader(header);
         let first = reader.block(1)?;
         let work = ReadRows { unused };
@@ -50,7 +50,7 @@ pub fn capture_columns(header: Vec<u8>, unused: Vec<Quantity>) -> (Option<TableC
 /// The seven values of every row in SI, exact, as `0.009` or with its error bar as `[0.008, 0.01]`. A row with an empty cell has
 /// empty texts, and so have the unused quantities.
 pub fn capture_rows(csv: Vec<u8>, unused: Vec<Quantity>) -> (Option<Vec<[String; 7]>>, Captured) {
-    capture_work(|| {
+    captured(false, || {
         let started = Started::new(reader(csv), ReadRows { unused }, false, Progress::new(true))?;
         Ok::<_, Failure>(started.work(&mut sink())?.kept)
     })

@@ -12,7 +12,7 @@ use slipmode_core::stability::{
 use crate::cli::answer::{Answer, Item, SHOWN_DIGITS};
 use crate::cli::classify::ranges::{RootRanges, outward};
 use crate::cli::classify::rows::NEUTRAL;
-use crate::cli::classify::sample::{Sample, Sampled};
+use crate::cli::classify::sample::Sample;
 use crate::cli::inputs::{exact_json, exact_values, ranges_json};
 
 /// Classifies all values within the error bars: what is certain, what is possible at which point, and ranges. None for a
@@ -34,7 +34,6 @@ pub fn answer(
     };
     let critical = &found.critical_stiffness_pa_per_m;
     let [least, greatest] = critical.each_ref().map(shown);
-    let sampled = sample.map(|sample| sample.draw(region, threshold));
     let answer = Answer::to(ranges_json(region, &[]))
         .and(modes(region, &found))
         .list("spectral_classes", found.spectral_classes.iter().map(class))
@@ -44,8 +43,8 @@ pub fn answer(
         .with("critical_stiffness_pa_per_m", outward(critical))
         .named("K_c", &format!("{least} to {greatest} Pa/m"))
         .note(&cited("({transition})"));
-    Some(match sampled {
-        Some(sampled) => answer.part("sampled", Sampled::answer(&sampled)),
+    Some(match sample {
+        Some(sample) => answer.part("sampled", sample.answer(region, threshold)),
         None => answer.with("sampled", Value::Null),
     })
 }

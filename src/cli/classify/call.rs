@@ -6,7 +6,7 @@ use crate::cli::classify::grid::GridOptions;
 use crate::cli::classify::grid_files::GridPicture;
 use crate::cli::classify::view::ClassifiedPoint;
 use crate::cli::options::{Arguments, SliderOptions, ThresholdOption};
-use crate::cli::{Captured, capture_work};
+use crate::cli::{Captured, captured};
 
 /// Classifies the point of these values, in the order of the options, as `classify` does.
 ///
@@ -22,7 +22,7 @@ pub fn capture_point(
     values: [&str; 7],
     inertial_threshold: Option<&str>,
 ) -> (Option<ClassifiedPoint>, Captured) {
-    capture_work(|| {
+    captured(false, || {
         let mut arguments = Arguments::default();
         let threshold = ThresholdOption::of(inertial_threshold).threshold(&mut arguments);
         let parameters = SliderOptions::of(values).parameters(&mut arguments);
@@ -37,7 +37,7 @@ pub fn capture_grid(
     [loading_velocity, normal_stress]: [&str; 2],
     inertial_threshold: Option<&str>,
 ) -> (Option<GridPicture>, Captured) {
-    capture_work(|| {
+    captured(false, || {
         let mut arguments = Arguments::default();
         let threshold = ThresholdOption::of(inertial_threshold).threshold(&mut arguments);
         let grid = GridOptions::drawn(loading_velocity, normal_stress);

@@ -10,7 +10,6 @@ use slipmode_core::stability::batch::{GridAxis, StreamedGrid, Tally};
 use slipmode_core::stability::{InertialThreshold, SlipMode, SpectralClass};
 
 use crate::cli::answer::Answer;
-use crate::cli::classify::grid_files::{GridFiles, GridPicture};
 use crate::cli::classify::rows::NEUTRAL;
 use crate::cli::failure::Failure;
 use crate::cli::inputs::slider_json;
@@ -44,9 +43,9 @@ pub struct GridOptions {
 pub struct GridRequest {
     rows: Option<PathBuf>,
     svg: Option<PathBuf>,
-    slider: Slider<Rational>,
-    loading_velocities: LogAxis,
-    normal_stresses: LogAxis,
+    pub(super) slider: Slider<Rational>,
+    pub(super) loading_velocities: LogAxis,
+    pub(super) normal_stresses: LogAxis,
 }
 
 impl GridOptions {
@@ -129,15 +128,6 @@ fn axis(quantity: Quantity, text: Option<&str>, arguments: &mut Arguments) -> Op
 }
 
 impl GridRequest {
-    /// Draws the slip modes.
-    pub fn picture(&self, threshold: &InertialThreshold) -> GridPicture {
-        self.files(threshold).picture()
-    }
-
-    fn files<'g>(&'g self, threshold: &'g InertialThreshold) -> GridFiles<'g> {
-        GridFiles::new(&self.slider, threshold, [&self.loading_velocities, &self.normal_stresses])
-    }
-
     /// Classifies the grid, writes its rows and its picture where they are wanted, and prints the counts.
     ///
     /// # Errors
@@ -146,13 +136,12 @@ impl GridRequest {
         // An output that cannot be written is reported before the work, not after it.
         let [rows, svg] = Output::create_both([self.rows.as_deref(), self.svg.as_deref()])?;
         let tally = self.tally(threshold, progress);
-        let files = self.files(threshold);
         if let Some(output) = rows {
             let bar = progress.points(self.points());
-            files.write_rows(output, |points| bar.inc(points))?;
+            self.write_rows(threshold, output, |points| bar.inc(points))?;
             bar.finish_and_clear();
         }
-        svg.map_or(Ok(()), |output| output.finish(files.picture().svg))?;
+        svg.map_or(Ok(()), |output| output.finish(self.picture(threshold).svg))?;
         self.answer(&tally).print_beside(json, self.rows.as_deref())
     }
 
@@ -184,37 +173,35 @@ impl GridRequest {
 
     fn answer(&self, tally: &Tally) -> Answer {
         let (velocities, stresses) = (self.loading_velocities.points, self.normal_stresses.points);
-        let counted = |part: Answer, (name, count): (&'static str, u64)| {
-            counted(part, name, (name, count), &percent(count, tally.points()))
+        let shared = |part: Answer, (name, count): (&'static str, u64)| {
+            counted(part, (name, name, count, &percent(count, tally.points())))
         };
         let modes = SlipMode::ALL.into_iter().map(|mode| (mode.as_str(), tally.of_mode(mode)));
         let classes = SpectralClass::ALL.into_iter().map(|class| (class.as_str(), tally.of_class(class)));
         let neutral = (NEUTRAL, tally.on_transition());
         let axes = format!("({velocities} velocities x {stresses} stresses)");
+        let levels = [
+            ("f64", "decided by f64", tally.decided_by().f64, ""),
+            ("exact", "decided by rationals", tally.decided_by().exact, ""),
+        ];
         let answer = Answer::to(slider_json(&self.slider))
             .with("loading_velocities", velocities)
             .with("normal_stresses", stresses);
-        let answer = self::counted(answer, "points", ("points", tally.points()), &axes)
-            .part("slip_mode", modes.chain([neutral]).fold(Answer::default(), counted))
-            .part("spectral_class", classes.fold(Answer::default(), counted));
-        let answer =
-            self::counted(answer, "on_transition", ("exactly on K = K_c", tally.on_transition()), "");
-        let answer =
-            self::counted(answer, "on_boundary", ("exactly on max Im(s) = 0", tally.on_boundary()), "");
-        let levels = [
-            ("f64", ("decided by f64", tally.decided_by().f64)),
-            ("exact", ("decided by rationals", tally.decided_by().exact)),
-        ];
-        let levels = levels.into_iter();
-        answer.part(
-            "rung",
-            levels.fold(Answer::default(), |part, (key, line)| self::counted(part, key, line, "")),
-        )
+        let answer = counted(answer, ("points", "points", tally.points(), &axes))
+            .part("slip_mode", modes.chain([neutral]).fold(Answer::default(), shared))
+            .part("spectral_class", classes.fold(Answer::default(), shared));
+        [
+            ("on_transition", "exactly on K = K_c", tally.on_transition(), ""),
+            ("on_boundary", "exactly on max Im(s) = 0", tally.on_boundary(), ""),
+        ]
+        .into_iter()
+        .fold(answer, counted)
+        .part("rung", levels.into_iter().fold(Answer::default(), counted))
     }
 }
 
-/// Adds a count, in a line wide enough for the longest name of a mode and the largest number of points.
-fn counted(answer: Answer, key: &str, (name, count): (&str, u64), note: &str) -> Answer {
+/// Adds a count with its key, name and note, in a line wide enough for the longest name of a mode and the largest number of points.
+fn counted(answer: Answer, (key, name, count, note): (&str, &str, u64, &str)) -> Answer {
     let line = format!("{name:<37}{count:>13}  {note}");
     answer.with(key, count).text(line.trim_end()).text("\n")
 }

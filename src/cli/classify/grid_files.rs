@@ -15,9 +15,10 @@ use slipmode_core::stability::batch::{GridCell, GridKernel, SignPair};
 use slipmode_core::stability::boundary::BoundaryCurve;
 use slipmode_core::stability::{Classification, InertialThreshold, SlipMode, classify, classify_quickly};
 
+use crate::cli::classify::grid::GridRequest;
 use crate::cli::classify::rows::{Classified, ClassifyRows, RowFound};
 use crate::cli::failure::Failure;
-use crate::cli::output::{Output, machine_write};
+use crate::cli::output::Output;
 
 /// Points on each arc of the drawn boundary, and their digits.
 const BOUNDARY_POINTS: usize = 200;
@@ -36,34 +37,21 @@ pub struct GridPicture {
     pub svg: String,
 }
 
-/// A grid of which rows are written or modes are drawn.
-#[derive(Debug)]
-pub struct GridFiles<'g> {
-    slider: &'g Slider<Rational>,
-    rounded: Slider<Dd>,
-    threshold: &'g InertialThreshold,
-    loading_velocities: &'g LogAxis,
-    normal_stresses: &'g LogAxis,
-}
-
-impl<'g> GridFiles<'g> {
-    /// A grid of loading velocities and normal stresses.
-    pub fn new(
-        slider: &'g Slider<Rational>,
-        threshold: &'g InertialThreshold,
-        [loading_velocities, normal_stresses]: [&'g LogAxis; 2],
-    ) -> Self {
-        let rounded = slider.map(Dd::from_rational);
-        Self { slider, rounded, threshold, loading_velocities, normal_stresses }
-    }
-
+impl GridRequest {
     /// Writes a row for every point: its coordinates, and the columns of `classify --points`. Memory does not grow with the grid.
-    pub fn write_rows(&self, mut output: Output, done: impl Fn(u64)) -> Result<(), Failure> {
-        let work = ClassifyRows::<false> { threshold: self.threshold.clone() };
+    pub fn write_rows(
+        &self,
+        threshold: &InertialThreshold,
+        mut output: Output,
+        done: impl Fn(u64),
+    ) -> Result<(), Failure> {
+        let work = ClassifyRows::<false> { threshold: threshold.clone() };
+        let rounded = self.slider.map(Dd::from_rational);
         let names = ClassifyRows::<false>::APPENDED.join(",");
         let head = format!("loading_velocity_m_per_s,normal_stress_pa,{names}\n");
-        output.write_all(head.as_bytes()).map_err(|error| machine_write(&error))?;
-        let [velocities, stresses] = [self.loading_velocities, self.normal_stresses].map(LogCoordinates::of);
+        output.write_all(head.as_bytes())?;
+        let [velocities, stresses] =
+            [&self.loading_velocities, &self.normal_stresses].map(LogCoordinates::of);
         let columns = self.loading_velocities.points;
         for row in 0..self.normal_stresses.points {
             let stress = stresses.at(row);
@@ -72,7 +60,7 @@ impl<'g> GridFiles<'g> {
                 for column in first..columns.min(first.saturating_add(POINTS_TOGETHER)) {
                     let velocity = velocities.at(column);
                     text.extend_from_slice(format!("{},{}", shortest(velocity), shortest(stress)).as_bytes());
-                    let found = RowFound::Point(self.classified(velocity, stress));
+                    let found = RowFound::Point(self.classified(&rounded, threshold, [velocity, stress]));
                     work.append(&Classified { found, derived: None, warnings: Vec::new() }, &mut text);
                     text.push(b'\n');
                 }
@@ -80,7 +68,7 @@ impl<'g> GridFiles<'g> {
             };
             let firsts: Vec<u32> = (0..columns).step_by(POINTS_TOGETHER as usize).collect();
             for text in parallel::map(&firsts, part) {
-                output.write_all(&text).map_err(|error| machine_write(&error))?;
+                output.write_all(&text)?;
             }
             done(u64::from(columns));
         }
@@ -88,21 +76,21 @@ impl<'g> GridFiles<'g> {
     }
 
     /// Draws the slip modes.
-    pub fn picture(&self) -> GridPicture {
+    pub fn picture(&self, threshold: &InertialThreshold) -> GridPicture {
         let [velocities, stresses] =
-            [self.loading_velocities, self.normal_stresses].map(LogAxis::coordinates);
-        let values = self.modes(&velocities, &stresses);
+            [&self.loading_velocities, &self.normal_stresses].map(LogAxis::coordinates);
+        let values = self.modes(threshold, &velocities, &stresses);
         let modes = Grid { loading_velocity_m_per_s: velocities, normal_stress_pa: stresses, values };
-        let points = BoundaryCurve::new(self.slider, BOUNDARY_DIGITS).sample(BOUNDARY_POINTS, END_ERROR);
-        let svg = mode_picture(self.slider, &modes, &points, self.threshold).unwrap_or_default();
+        let points = BoundaryCurve::new(&self.slider, BOUNDARY_DIGITS).sample(BOUNDARY_POINTS, END_ERROR);
+        let svg = mode_picture(&self.slider, &modes, &points, threshold).unwrap_or_default();
         let Grid { loading_velocity_m_per_s, normal_stress_pa, .. } = modes;
         GridPicture { loading_velocity_m_per_s, normal_stress_pa, svg }
     }
 
     /// The slip modes, row by row of constant normal stress.
-    fn modes(&self, velocities: &[f64], stresses: &[f64]) -> Vec<SlipMode> {
+    fn modes(&self, threshold: &InertialThreshold, velocities: &[f64], stresses: &[f64]) -> Vec<SlipMode> {
         let undecided = GridCell::new(SignPair::new(0, 0), SlipMode::StickSlip);
-        let kernel = GridKernel::new(self.slider, self.threshold, stresses);
+        let kernel = GridKernel::new(&self.slider, threshold, stresses);
         let column = |&velocity: &f64| {
             let mut cells = vec![undecided; stresses.len()];
             kernel.as_ref()?.classify_row(velocity, &mut cells).map(|_| cells)
@@ -115,12 +103,17 @@ impl<'g> GridFiles<'g> {
     }
 
     /// The point of these coordinates, taken as the binary numbers that they are.
-    fn classified(&self, velocity: f64, stress: f64) -> Classification {
-        let rounded = self.rounded.at(Dd::from(stress), Dd::from(velocity));
-        classify_quickly(&rounded, self.threshold).unwrap_or_else(|| {
+    fn classified(
+        &self,
+        rounded: &Slider<Dd>,
+        threshold: &InertialThreshold,
+        [velocity, stress]: [f64; 2],
+    ) -> Classification {
+        let rounded = rounded.at(Dd::from(stress), Dd::from(velocity));
+        classify_quickly(&rounded, threshold).unwrap_or_else(|| {
             let [stress, velocity] =
                 [stress, velocity].map(|value| Rational::from_f64(value).unwrap_or_default());
-            classify(&self.slider.at(stress, velocity), self.threshold)
+            classify(&self.slider.at(stress, velocity), threshold)
         })
     }
 }

@@ -8,7 +8,7 @@ use crate::cli::answer::Answer;
 use crate::cli::options::Arguments;
 
 /// The number of random points unless it is given.
-const DEFAULT_SAMPLES: u32 = 10_000;
+const DEFAULT_SAMPLES: u64 = 10_000;
 /// The largest number of random points.
 const MOST_SAMPLES: u64 = 100_000_000;
 
@@ -33,13 +33,6 @@ pub struct Sample {
     samples: u32,
 }
 
-/// The shares that were found.
-#[derive(Debug)]
-pub struct Sampled {
-    sample: Sample,
-    shares: Vec<SampledShare>,
-}
-
 impl SampleOptions {
     /// Reads both; none without `--distribution`.
     pub fn read(&self, arguments: &mut Arguments) -> Option<Sample> {
@@ -49,13 +42,9 @@ impl SampleOptions {
         };
         let read = |word: &str| of_word(word, &Distribution::ALL, Distribution::as_str);
         let distribution = arguments.number("--distribution", word, read);
-        let samples = match &self.samples {
-            None => Some(DEFAULT_SAMPLES),
-            given => arguments
-                .whole("--samples", given.as_deref(), 100..=MOST_SAMPLES)
-                .and_then(|count| u32::try_from(count).ok()),
-        };
-        Some(Sample { distribution: distribution?, samples: samples? })
+        let samples = arguments.whole("--samples", self.samples.as_deref(), 100..=MOST_SAMPLES);
+        let samples = u32::try_from(samples.unwrap_or(DEFAULT_SAMPLES)).ok()?;
+        Some(Sample { distribution: distribution?, samples })
     }
 
     /// Notes both where no value has an error bar.
@@ -67,17 +56,9 @@ impl SampleOptions {
 }
 
 impl Sample {
-    /// Draws the points.
-    pub fn draw(self, region: &ParameterBox, threshold: &InertialThreshold) -> Sampled {
-        let shares = sampled_shares(region, threshold, self.distribution, self.samples);
-        Sampled { sample: self, shares: shares.to_vec() }
-    }
-}
-
-impl Sampled {
-    /// States the distribution, the number of points, and the shares of all modes; each mode that was found has a line.
-    pub fn answer(&self) -> Answer {
-        let Sample { distribution, samples } = self.sample;
+    /// Draws the points, and states the distribution, their number, and the shares of all modes; each mode that was found has a line.
+    pub fn answer(self, region: &ParameterBox, threshold: &InertialThreshold) -> Answer {
+        let Self { distribution, samples } = self;
         let word = distribution.as_str();
         let share = |found: &SampledShare| {
             let part = Answer::default()
@@ -91,9 +72,10 @@ impl Sampled {
             let note = format!("({share:.2} % ± {error:.2} % of {samples} random points, {word})");
             part.named("sampled share", found.mode.as_str()).note(&note)
         };
+        let shares = sampled_shares(region, threshold, distribution, samples);
         Answer::default()
             .with("distribution", word)
             .with("samples", samples)
-            .list("shares", self.shares.iter().map(share))
+            .list("shares", shares.iter().map(share))
     }
 }

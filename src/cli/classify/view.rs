@@ -44,53 +44,58 @@ impl ClassifiedPoint {
 
     /// All that `classify` says of the point; the keys are the names of the CSV columns and more.
     pub(in crate::cli) fn answer(&self) -> Answer {
-        answer(self)
+        let Self { parameters, found, frequencies } = self;
+        let derived = Derived::new(parameters, frequencies);
+        let groups = parameters.groups();
+        let critical = parameters.critical_stiffness();
+        let ratio = (critical > 0).then(|| Rational::from(&parameters.slider.stiffness_pa_per_m / &critical));
+        let without_ratio = if ratio.is_some() { "" } else { "(a >= b: no transition)" };
+        let roots = print_roots(parameters, ROOT_DIGITS);
+        Answer::to(inputs_json(parameters))
+            .item("slip_mode", "slip mode", slip_mode_word(found))
+            .note(mode_words(found))
+            .item("spectral_class", "spectral class", found.spectral_class.as_str())
+            .item("transition_sign", "sign of K - K_c", found.transition_sign)
+            .note(transition_words(found.transition_sign))
+            .item("boundary_sign", "sign of discriminant", found.boundary_sign)
+            .note(boundary_words(found.boundary_sign))
+            .text("\n")
+            .item("max_real_per_s", "max Re(s)", Item::from(found.max_real_per_s).in_unit("1/s"))
+            .item("max_imaginary_per_s", "max Im(s)", Item::from(found.max_imaginary_per_s).in_unit("1/s"))
+            .item("frequency_hz", "frequency", Item::rounded(derived.frequency_hz, " Hz"))
+            .note("(max Im(s)/2 pi)")
+            .item(
+                "frequency_over_natural",
+                "omega / omega_n",
+                Item::rounded(derived.frequency_over_natural, ""),
+            )
+            .note("(max Im(s) over sqrt(K/M))")
+            .with("natural_angular_frequency_per_s", derived.natural_angular_frequency_per_s)
+            .item("critical_stiffness_pa_per_m", "K_c", Item::from(&critical).in_unit("Pa/m"))
+            .note(&cited("({transition})"))
+            .item("stiffness_over_critical", "K / K_c", ratio.as_ref())
+            .note(without_ratio)
+            .item(
+                "transition_distance",
+                "distance to K = K_c",
+                distance(&LogDistance::to_transition(parameters)),
+            )
+            .item(
+                "boundary_distance",
+                "distance to max Im(s) = 0",
+                distance(&LogDistance::to_boundary(parameters)),
+            )
+            .text("\n")
+            .part(
+                "groups",
+                Answer::default()
+                    .item("inertial_parameter", "eta, M V0^2/(sigma a D_c)", &groups.inertial_parameter)
+                    .item("stiffness_group", "kappa, K D_c/(a sigma)", &groups.stiffness_group)
+                    .item("effect_ratio", "beta, b/a", &groups.effect_ratio),
+            )
+            .item("rung", "decided by", found.precision_level.as_str())
+            .list("roots", roots.iter().map(|root| PrintedRoot::answer(root).named("root s", &root.text())))
     }
-}
-
-fn answer(ClassifiedPoint { parameters, found, frequencies }: &ClassifiedPoint) -> Answer {
-    let derived = Derived::new(parameters, frequencies);
-    let groups = parameters.groups();
-    let critical = parameters.critical_stiffness();
-    let ratio = (critical > 0).then(|| Rational::from(&parameters.slider.stiffness_pa_per_m / &critical));
-    let without_ratio = if ratio.is_some() { "" } else { "(a >= b: no transition)" };
-    let roots = print_roots(parameters, ROOT_DIGITS);
-    Answer::to(inputs_json(parameters))
-        .item("slip_mode", "slip mode", slip_mode_word(found))
-        .note(mode_words(found))
-        .item("spectral_class", "spectral class", found.spectral_class.as_str())
-        .item("transition_sign", "sign of K - K_c", found.transition_sign)
-        .note(transition_words(found.transition_sign))
-        .item("boundary_sign", "sign of discriminant", found.boundary_sign)
-        .note(boundary_words(found.boundary_sign))
-        .text("\n")
-        .item("max_real_per_s", "max Re(s)", Item::from(found.max_real_per_s).in_unit("1/s"))
-        .item("max_imaginary_per_s", "max Im(s)", Item::from(found.max_imaginary_per_s).in_unit("1/s"))
-        .item("frequency_hz", "frequency", Item::rounded(derived.frequency_hz, " Hz"))
-        .note("(max Im(s)/2 pi)")
-        .item("frequency_over_natural", "omega / omega_n", Item::rounded(derived.frequency_over_natural, ""))
-        .note("(max Im(s) over sqrt(K/M))")
-        .with("natural_angular_frequency_per_s", derived.natural_angular_frequency_per_s)
-        .item("critical_stiffness_pa_per_m", "K_c", Item::from(&critical).in_unit("Pa/m"))
-        .note(&cited("({transition})"))
-        .item("stiffness_over_critical", "K / K_c", ratio.as_ref())
-        .note(without_ratio)
-        .item("transition_distance", "distance to K = K_c", distance(&LogDistance::to_transition(parameters)))
-        .item(
-            "boundary_distance",
-            "distance to max Im(s) = 0",
-            distance(&LogDistance::to_boundary(parameters)),
-        )
-        .text("\n")
-        .part(
-            "groups",
-            Answer::default()
-                .item("inertial_parameter", "eta, M V0^2/(sigma a D_c)", &groups.inertial_parameter)
-                .item("stiffness_group", "kappa, K D_c/(a sigma)", &groups.stiffness_group)
-                .item("effect_ratio", "beta, b/a", &groups.effect_ratio),
-        )
-        .item("rung", "decided by", found.precision_level.as_str())
-        .list("roots", roots.iter().map(|root| PrintedRoot::answer(root).named("root s", &root.text())))
 }
 
 /// log10 of the factors by which σ at the same V0, or V0 at the same σ, would have to change.
