@@ -166,30 +166,25 @@ fn limit_on_points(options: &Options, arguments: &mut Arguments) -> u64 {
     limit.unwrap_or(Limits::default().max_points)
 }
 
-/// The velocity and the normal stress of single points, where they are given; none when one is at fault.
-fn coordinates(options: &Options, arguments: &mut Arguments) -> Option<[Option<Rational>; 2]> {
+/// The velocity and the normal stress of single points, where they are given.
+fn coordinates(options: &Options, arguments: &mut Arguments) -> [Option<Rational>; 2] {
     let given = [
         ("--at-velocity", Quantity::LoadingVelocity, &options.at_velocity),
         ("--at-normal-stress", Quantity::NormalStress, &options.at_normal_stress),
     ];
-    let [velocity, stress] = given.map(|(option, quantity, text)| match text {
-        Some(text) => arguments.measured(option, text, unit_of(quantity)).map(Some),
-        None => Some(None),
-    });
-    Some([velocity?, stress?])
+    given.map(|(option, quantity, text)| arguments.measured(option, text.as_ref()?, unit_of(quantity)))
 }
 
-/// The share of ω_n whose line is wanted, where one is given; none when it is at fault.
-fn frequency_ratio(options: &Options, arguments: &mut Arguments) -> Option<Option<InertialThreshold>> {
-    let Some(text) = &options.frequency_ratio else { return Some(None) };
-    arguments.number("--frequency-ratio", text, inertial_threshold).map(Some)
+/// The share of ω_n whose line is wanted, where one is given.
+fn frequency_ratio(options: &Options, arguments: &mut Arguments) -> Option<InertialThreshold> {
+    arguments.number("--frequency-ratio", options.frequency_ratio.as_ref()?, inertial_threshold)
 }
 
 /// The same of either ratio.
-fn pair_ratio(options: &Options, arguments: &mut Arguments) -> Option<Option<PairRatio>> {
+fn pair_ratio(options: &Options, arguments: &mut Arguments) -> Option<PairRatio> {
     match &options.damping_ratio {
-        None => Some(frequency_ratio(options, arguments)?.map(PairRatio::Frequency)),
-        Some(text) => arguments.number("--damping-ratio", text, damping_ratio).map(Some),
+        None => frequency_ratio(options, arguments).map(PairRatio::Frequency),
+        Some(text) => arguments.number("--damping-ratio", text, damping_ratio),
     }
 }
 
@@ -233,8 +228,8 @@ impl Request {
             slider: slider?,
             points: usize::try_from(points).ok()?,
             digits: u32::try_from(digits?).ok()?,
-            at: at?,
-            pair_ratio: pair_ratio?,
+            at,
+            pair_ratio,
         })
     }
 

@@ -14,7 +14,7 @@ use crate::cli::failure::Failure;
 use crate::cli::folder::read_scene;
 use crate::cli::input::{lacks, read_small_file};
 use crate::cli::options::Arguments;
-use crate::cli::output::Output;
+use crate::cli::output::{Output, is_stream};
 use crate::cli::progress::Progress;
 use crate::cli::report::LimitOption;
 use crate::cli::words::law_of_word;
@@ -44,8 +44,8 @@ pub struct Options {
 /// When the scene or a file is at fault, an output cannot be written, or a certificate is not proved again.
 pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     let mut arguments = Arguments::default();
-    let law = options.law.as_ref().map(|word| arguments.number("--law", word, law_of_word));
-    let law = arguments.finish(Some(law.flatten()))?;
+    let law = options.law.as_ref().and_then(|word| arguments.number("--law", word, law_of_word));
+    let law = arguments.finish(Some(law))?;
     match law.zip(options.output.as_deref()) {
         Some((law, place)) => options.certify(law, place, *progress),
         None => options.prove(*progress),
@@ -60,8 +60,8 @@ impl Options {
             let allowed = "a grid of loading velocities and normal stresses";
             return Err(lacks(&self.scene, "simulations", allowed).into());
         };
-        let is_stream = place.as_os_str() == "-";
-        if self.json && is_stream {
+        let is_stdout = is_stream(place);
+        if self.json && is_stdout {
             let why = "needs a file: standard output has the object of --json";
             return Err(Failure::Refused(format!("--output = -: {why}")));
         }
@@ -70,7 +70,7 @@ impl Options {
         let text = written(&rows);
         let digest = sha256_hex(text.as_bytes());
         output.finish(text)?;
-        let line = if is_stream { String::new() } else { format!("sha256 = \"{digest}\"\n") };
+        let line = if is_stdout { String::new() } else { format!("sha256 = \"{digest}\"\n") };
         Answer::to(json!({ "scene": self.scene, "law": law.as_str() }))
             .with("points", rows.len())
             .with("certificates", rows.iter().filter(|row| row.certificate.is_ok()).count())

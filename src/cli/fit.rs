@@ -132,31 +132,20 @@ impl Options {
         let laws: Vec<EvolutionLaw> =
             [EvolutionLaw::Slip, EvolutionLaw::Aging].into_iter().filter(is_meant).collect();
         let mut number = |text: &Option<String>, quantity: Quantity| {
-            let Some(text) = text else { return Some(None) };
-            let value = arguments.measured(&option_of(quantity), text, unit_of(quantity));
-            value.map(|value| Some(nearest_f64(&value)))
+            let value = arguments.measured(&option_of(quantity), text.as_ref()?, unit_of(quantity));
+            value.as_ref().map(nearest_f64)
         };
-        let values = [
-            number(&self.normal_stress_pa, Quantity::NormalStress),
-            number(&self.stiffness_pa_per_m, Quantity::Stiffness),
-            number(&self.mass_per_area_kg_per_m2, Quantity::MassPerArea),
-            number(&self.loading_velocity_m_per_s, Quantity::LoadingVelocity),
-        ];
+        let normal_stress_pa = number(&self.normal_stress_pa, Quantity::NormalStress);
+        let stiffness_pa_per_m = number(&self.stiffness_pa_per_m, Quantity::Stiffness);
+        let mass_per_area_kg_per_m2 = number(&self.mass_per_area_kg_per_m2, Quantity::MassPerArea);
+        let loading_velocity_m_per_s = number(&self.loading_velocity_m_per_s, Quantity::LoadingVelocity);
         arguments.refuse_stream("--output", self.output.as_deref().filter(|_| self.json), "the object");
         arguments.refuse_stream("--svg", self.svg.as_deref(), "something else");
-        let [Some(stress), Some(stiffness), Some(mass), Some(velocity)] = values else {
-            return arguments.finish(None);
-        };
-        let request = word.map(|_| Request {
-            given: FitGiven {
-                law: laws[0],
-                stiffness_pa_per_m: stiffness,
-                mass_per_area_kg_per_m2: mass,
-                has_drift: self.drift,
-            },
+        let request = laws.first().copied().map(|law| Request {
+            given: FitGiven { law, stiffness_pa_per_m, mass_per_area_kg_per_m2, has_drift: self.drift },
             laws,
-            normal_stress_pa: stress,
-            loading_velocity_m_per_s: velocity,
+            normal_stress_pa,
+            loading_velocity_m_per_s,
         });
         arguments.finish(request)
     }

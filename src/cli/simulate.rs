@@ -121,15 +121,11 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     }
     let box_runs = options.within_error_bars.read(&mut arguments);
     let settings = arguments.finish(settings)?;
+    let (rows, progress) = (&options.rows, *progress);
     if options.certify {
-        return points::run(
-            points,
-            &options.rows,
-            SimulateRows::<true> { law, settings, box_runs },
-            *progress,
-        );
+        return points::run(points, rows, SimulateRows::<true> { law, settings, box_runs }, progress);
     }
-    points::run(points, &options.rows, SimulateRows::<false> { law, settings, box_runs }, *progress)
+    points::run(points, rows, SimulateRows::<false> { law, settings, box_runs }, progress)
 }
 
 impl Options {

@@ -63,13 +63,15 @@ pub fn run(options: &Options) -> Result<(), Failure> {
 
 /// Computes the limit of every formula for each error.
 fn answer(slider: &Slider<Rational>, relative: Vec<Rational>) -> Answer {
+    let enclosed = slider.map(|value| Ball::from_rational(value, WORKING_BITS));
     let row = |row: &ToleranceRow| {
         let asymptote = row.limit.asymptote;
-        let value = coefficient(slider, asymptote);
+        // σ of eqs 15 and 16, and V0 of eqs 18 and 20 at 1 Pa.
+        let value = asymptote.value(&enclosed, &Ball::from(1));
         let place = place_of_limit(asymptote, row.limit.whole_branch);
-        let limit = format!("{} {}", certain_digits(&row.in_si, DIGITS), unit(asymptote));
+        let [value_key, limit_key, unit] = keys(asymptote);
+        let limit = format!("{} {unit}", certain_digits(&row.in_si, DIGITS));
         let formula = formula(asymptote, &certain_digits(&value, DIGITS));
-        let [value_key, limit_key] = keys(asymptote);
         part(asymptote, &row.tolerance, WIDTH, [&formula, place, &limit])
             .with(value_key, value.to_f64())
             .with("limit", json!({ limit_key: row.in_si.to_f64() }))
@@ -95,18 +97,13 @@ fn part(
         .with("where", place)
 }
 
-/// The names of the formula's value and of its limit.
-fn keys(asymptote: Asymptote) -> [&'static str; 2] {
+/// The names of the formula's value and of its limit, and the unit of the limit.
+fn keys(asymptote: Asymptote) -> [&'static str; 3] {
     if asymptote.is_quasi_static() {
-        ["normal_stress_pa", "loading_velocity_m_per_s"]
+        ["normal_stress_pa", "loading_velocity_m_per_s", "m/s"]
     } else {
-        ["loading_velocity_over_normal_stress_m_per_s_per_pa", "normal_stress_pa"]
+        ["loading_velocity_over_normal_stress_m_per_s_per_pa", "normal_stress_pa", "Pa"]
     }
-}
-
-/// The unit of the limit.
-fn unit(asymptote: Asymptote) -> &'static str {
-    if asymptote.is_quasi_static() { "m/s" } else { "Pa" }
 }
 
 /// The formula with the slider's numbers: eqs 15 and 16 are values of σ, eqs 18 and 20 are V0 in proportion to σ.
@@ -116,12 +113,6 @@ fn formula(asymptote: Asymptote, value: &str) -> String {
     } else {
         format!("V0 = {value} m/s · σ/Pa")
     }
-}
-
-/// σ of eqs 15 and 16, and V0 of eqs 18 and 20 at 1 Pa.
-fn coefficient(slider: &Slider<Rational>, asymptote: Asymptote) -> Ball {
-    let slider = slider.map(|value| Ball::from_rational(value, WORKING_BITS));
-    asymptote.value(&slider, &Ball::from(1))
 }
 
 /// A line, with so many characters for the formula.

@@ -59,18 +59,16 @@ impl Request {
         let places = coordinates(options, arguments);
         let needs = "values without error bars";
         arguments.refuse_value("--damping-ratio", options.damping_ratio.as_deref(), needs);
-        let frequency_ratio = match frequency_ratio(options, arguments) {
-            Some(Some(ratio)) if !is_allowed_over_box(&ratio) => {
-                let problem = Problem::OutOfRange { allowed: OVER_BOX.to_string() };
-                arguments.fault("--frequency-ratio", options.frequency_ratio.as_deref(), problem)
-            }
-            read => read,
-        };
+        let frequency_ratio = frequency_ratio(options, arguments);
+        if frequency_ratio.as_ref().is_some_and(|ratio| !is_allowed_over_box(ratio)) {
+            let problem = Problem::OutOfRange { allowed: OVER_BOX.to_string() };
+            arguments.fault::<()>("--frequency-ratio", options.frequency_ratio.as_deref(), problem);
+        }
         refuse_beside_single_points(options, arguments);
         let points = u32::try_from(given.unwrap_or(DEFAULT_POINTS)).ok()?;
         let is_single = options.has_single_points();
-        let at = if is_single { RangePlaces::Single(places?) } else { RangePlaces::Even(points) };
-        Some(Self { region: region?, at, frequency_ratio: frequency_ratio? })
+        let at = if is_single { RangePlaces::Single(places) } else { RangePlaces::Even(points) };
+        Some(Self { region: region?, at, frequency_ratio })
     }
 
     /// What is said where no values within the error bars have the lines.

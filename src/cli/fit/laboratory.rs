@@ -9,6 +9,7 @@ use slipmode_core::friction::{EvolutionLaw, OperatingPoint};
 use slipmode_core::number::Rational;
 use slipmode_core::number::format::{Side, exact_text, rounded, shortest};
 
+use crate::cli::answer::csv_of_numbers;
 use crate::cli::failure::Failure;
 use crate::cli::new::{Fitted, write_fitted};
 use crate::cli::options::SliderOptions;
@@ -106,11 +107,7 @@ fn record_text(record: &StepRecord) -> String {
         Response::ShearStress(values) => ("shear_stress_pa", values),
         Response::Friction(values) => ("friction", values),
     };
-    let mut text = format!("time_s,{name},{response},normal_stress_pa\n");
-    let values = values.iter().zip(&measured.normal_stresses_pa);
-    for ((time, load), (value, normal)) in measured.times_s.iter().zip(load).zip(values) {
-        let row = [time, load, value, normal].map(|value| shortest(*value));
-        text += &format!("{}\n", row.join(","));
-    }
-    text
+    let samples = measured.times_s.iter().zip(load).zip(values.iter().zip(&measured.normal_stresses_pa));
+    let rows = samples.map(|((time, load), (value, normal))| [*time, *load, *value, *normal]);
+    csv_of_numbers(["time_s", name, response, "normal_stress_pa"], rows)
 }

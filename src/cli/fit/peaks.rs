@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 use slipmode::csv::PeakTable;
 use slipmode::experiments::fit::estimate_words;
 use slipmode::fitting::{EFFECT_RATIOS, PeakComparison, PeakFit, PeakFits, PeakGiven, hidden_part};
-use slipmode::scene::{AllowedRange, Problem, Quantity, Uncertain, parse_value};
+use slipmode::scene::{AllowedRange, Problem, Quantity, Uncertain, all_of, parse_value};
 use slipmode_core::number::format::{round_digits, shortest};
 use slipmode_core::number::{Rational, nearest_f64};
 
@@ -73,41 +73,33 @@ impl PeakOptions {
     pub fn read(&self, request: &Request) -> Result<Known, Failure> {
         let mut arguments = Arguments::default();
         let known = [request.given.stiffness_pa_per_m, request.given.mass_per_area_kg_per_m2];
-        let machine = match known {
-            [Some(stiffness), Some(mass)] => Some([stiffness, mass]),
-            _ => None,
-        };
+        let machine = all_of(known);
         arguments.refuse("--peaks", machine.is_none() && known != [None; 2], "both of -k and -m, or neither");
         let has_stress = request.normal_stress_pa.is_some();
         arguments.refuse("--normal-stress-pa", machine.is_none() && has_stress, "-k and -m: they give b - a");
         let ends = |ends: Uncertain| [ends.lower, ends.upper].map(|end| nearest_f64(&end));
-        let mut range = |option: &str,
-                         text: &Option<String>,
-                         read: &dyn Fn(&str) -> Result<Rational, Problem>| {
-            let Some(text) = text else { return Some(None) };
-            arguments.number(option, text, |text| Uncertain::parse(text, read)).map(|found| Some(ends(found)))
-        };
+        let mut range =
+            |option: &str, text: &Option<String>, read: &dyn Fn(&str) -> Result<Rational, Problem>| {
+                arguments.number(option, text.as_ref()?, |text| Uncertain::parse(text, read)).map(ends)
+            };
         let ratio =
             range("--effect-ratio", &self.effect_ratio, &|text| AllowedRange::EFFECT_RATIO.parse(text));
         let distance = Quantity::CriticalSlipDistance;
-        let distance =
+        let slip_distance_m =
             range(&option_of(distance), &self.critical_slip_distance_m, &|text| parse_value(distance, text));
         let bandwidth =
-            self.bandwidth_hz.as_deref().map(|text| arguments.measured("--bandwidth-hz", text, "Hz"));
-        let (Some(ratio), Some(slip_distance_m)) = (ratio, distance) else { return arguments.finish(None) };
-        let bandwidth_hz = bandwidth.map(|found| found.map(|value| nearest_f64(&value)));
+            self.bandwidth_hz.as_deref().and_then(|text| arguments.measured("--bandwidth-hz", text, "Hz"));
+        let bandwidth_hz = bandwidth.as_ref().map(nearest_f64);
         let rate = machine.map(|[stiffness, mass]| (stiffness / mass).sqrt());
         let slower = |(rate, hertz): (f64, f64)| hidden_part(std::f64::consts::TAU * hertz / rate);
         let given = PeakGiven {
             laws: request.laws.clone(),
             effect_ratio: ratio.unwrap_or(EFFECT_RATIOS),
             slip_velocity_m_per_s: slip_distance_m.zip(rate).map(|(ends, rate)| ends.map(|end| end * rate)),
-            hidden: rate.zip(bandwidth_hz.flatten()).map_or(0.0, slower),
+            hidden: rate.zip(bandwidth_hz).map_or(0.0, slower),
             has_errors: false,
         };
-        let is_read = bandwidth_hz != Some(None);
-        let bandwidth_hz = bandwidth_hz.flatten();
-        arguments.finish(is_read.then_some(Known { given, machine, slip_distance_m, bandwidth_hz }))
+        arguments.finish(Some(Known { given, machine, slip_distance_m, bandwidth_hz }))
     }
 }
 

@@ -1,8 +1,6 @@
 //! The answer of `fit`, and its rows.
 
-use std::fmt::Write;
-
-use serde_json::{Map, Value, json};
+use serde_json::json;
 use slipmode::experiments::fit::shares_of_modes;
 use slipmode::fitting::{Estimate, Fit, Fits, SAMPLES, StepRecord, advice, comparison_words, sampled_modes};
 use slipmode_core::friction::OperatingPoint;
@@ -10,7 +8,7 @@ use slipmode_core::number::format::{round_digits, shortest};
 use slipmode_core::number::{Rational, nearest_f64};
 use slipmode_core::stability::InertialThreshold;
 
-use crate::cli::answer::Answer;
+use crate::cli::answer::{Answer, csv_of_numbers};
 
 /// States the fitted values with their intervals, the noise, and what the record cannot tell.
 pub fn answer(record: &StepRecord, fits: &Fits, point: &OperatingPoint<Rational>) -> Answer {
@@ -23,18 +21,14 @@ pub fn answer(record: &StepRecord, fits: &Fits, point: &OperatingPoint<Rational>
         "mass_per_area_kg_per_m2": given.mass_per_area_kg_per_m2,
         "drift": given.has_drift,
     });
-    let mut answer = Answer::to(inputs).item("law", "evolution law", given.law.as_str());
-    for estimate in &fit.estimates {
-        answer = answer.and(estimated(estimate));
-    }
     let noise = &fit.residuals;
-    let mut correlations = Map::new();
-    for (i, j, correlation) in fit.correlations() {
-        let pair = [i, j].map(|index| fit.estimates[index].parameter.as_str()).join(",");
-        correlations.insert(pair, correlation.into());
-    }
+    let correlations = fit.correlations().fold(Answer::default(), |all, (i, j, correlation)| {
+        all.with(&[i, j].map(|index| fit.estimates[index].parameter.as_str()).join(","), correlation)
+    });
+    let head = Answer::to(inputs).item("law", "evolution law", given.law.as_str());
+    let answer = fit.estimates.iter().map(estimated).fold(head, Answer::and);
     let answer = answer
-        .with("correlations", Value::Object(correlations))
+        .part("correlations", correlations)
         .with("residual_standard_deviation", noise.standard_deviation)
         .named("noise of the friction", &round_digits(noise.standard_deviation, 3))
         .note("(standard deviation of the residuals)")
@@ -91,16 +85,10 @@ fn modes(fit: &Fit, point: &OperatingPoint<Rational>) -> Answer {
         .note(&format!("(at {stress} Pa and {velocity} m/s; sampled, {SAMPLES} sliders with these errors and correlations)"))
 }
 
-/// The columns of the rows.
-const HEADER: &str = "time_s,load_point_displacement_m,friction,fitted_friction,residual\n";
-
 /// The record with the fitted friction, as CSV.
 pub fn rows(record: &StepRecord, fit: &Fit) -> String {
-    let mut text = HEADER.to_string();
+    let names = ["time_s", "load_point_displacement_m", "friction", "fitted_friction", "residual"];
     let samples = record.measured.times_s.iter().zip(&record.displacements_m);
-    for ((time, way), (friction, fitted)) in samples.zip(record.frictions.iter().zip(fit.fitted(record))) {
-        let cells = [*time, *way, *friction, fitted, friction - fitted].map(shortest);
-        let _ = writeln!(text, "{}", cells.join(","));
-    }
-    text
+    let rows = samples.zip(record.frictions.iter().zip(fit.fitted(record)));
+    csv_of_numbers(names, rows.map(|((t, way), (mu, fitted))| [*t, *way, *mu, fitted, mu - fitted]))
 }

@@ -10,7 +10,7 @@ use slipmode_core::stability::{Asymptote, ParameterBox};
 
 use crate::cli::answer::Answer;
 use crate::cli::inputs::ranges_json;
-use crate::cli::tolerance::{DIGITS, columns, formula, keys, part, unit};
+use crate::cli::tolerance::{DIGITS, columns, formula, keys, part};
 
 /// Digits of each enclosure: more than are printed.
 const CERTAIN_DIGITS: u32 = 20;
@@ -37,10 +37,11 @@ fn row(region: &ParameterBox, asymptote: Asymptote, relative_error: &Rational) -
     let found = limit_over_box(asymptote, region, relative_error, CERTAIN_DIGITS);
     let limits = found.as_ref().map(LimitOverBox::certain_and_best);
     let digits = |value: &Ball| certain_digits(value, DIGITS);
+    let [value_key, limit_key, unit] = keys(asymptote);
     let words = found.as_ref().zip(limits).map(|(found, limits)| {
         let [least, greatest] = found.values.each_ref().map(digits);
         let range = if least == greatest { least } else { format!("{least} to {greatest}") };
-        let ([certain, best], unit) = (limits.map(digits), unit(asymptote));
+        let [certain, best] = limits.map(digits);
         let limit =
             format!("{certain} {unit}  ({best} {unit} for the values with which it is good farthest)");
         (formula(asymptote, &range), place(asymptote), limit)
@@ -48,7 +49,6 @@ fn row(region: &ParameterBox, asymptote: Asymptote, relative_error: &Rational) -
     let (formula, where_good, limit) =
         words.unwrap_or_else(|| (String::new(), "nowhere certain", EQUAL_EFFECTS.to_string()));
     let [certain, best] = limits.map_or([None; 2], |limits| limits.map(|limit| Some(limit.to_f64())));
-    let [value_key, limit_key] = keys(asymptote);
     part(asymptote, relative_error, WIDTH, [&formula, where_good, &limit])
         .with("where", place(asymptote))
         .with(value_key, found.as_ref().map(|found| found.values.each_ref().map(Ball::to_f64)))
