@@ -12,7 +12,7 @@ use crate::report::changes::{changes, decided_by, looked_at};
 use crate::report::citation::citation;
 use crate::report::claim_text::code_span;
 use crate::report::claims_picture::claims_picture;
-use crate::report::math::can_be_set;
+use crate::report::math::check_size;
 use crate::report::{
     CardView, ChapterView, ClaimGroupView, ClaimView, EquationView, EvidenceView, FactView, InputView,
     PartView, ProofLineView, ProvenanceView, ReadingView, ReportView,
@@ -20,7 +20,7 @@ use crate::report::{
 use crate::scene::{Chapter, LogAxis, ReportPlan, Sentence, Source, StatedClaim};
 use slipmode_algebra::{Certificate, Line, Notation};
 use slipmode_core::number::nearest_f64;
-use slipmode_plot::table::Table;
+use slipmode_plot::table::{Table, escape_markdown as plain};
 use slipmode_theory::Equations;
 
 /// Everything that a report puts before its reader.
@@ -351,16 +351,11 @@ fn proof_lines(lines: &[Line<'_>]) -> Vec<ProofLineView> {
 /// Mathematics where it can be set, and what the parser reads where a formula is too long for a page.
 fn set(written: impl Fn(Notation) -> String) -> String {
     let latex = written(Notation::Latex);
-    if latex.split('$').skip(1).step_by(2).all(can_be_set) {
+    if latex.split('$').skip(1).step_by(2).all(|formula| check_size(formula).is_ok()) {
         latex
     } else {
         code_span(&written(Notation::Plain))
     }
-}
-
-/// Plain words as Markdown: characters that Markdown or mathematics would take as markup are escaped.
-pub(super) fn plain(text: &str) -> String {
-    slipmode_plot::table::escape_markdown(text)
 }
 
 #[cfg(test)]

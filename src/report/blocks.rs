@@ -1,16 +1,18 @@
 //! Lines such as `[[figure:fig-1]]` that place a block in the prose of a chapter.
 
-/// What a placing line places.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum BlockKind {
-    /// A figure with its caption.
-    Figure,
-    /// A table with its note.
-    Table,
-    /// A numbered equation.
-    Equation,
-    /// A claim's verdict in one line, with a link to the ledger.
-    Claim,
+slipmode_algebra::named! {
+    /// What a placing line places.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub(crate) enum BlockKind {
+        /// A figure with its caption.
+        Figure = "figure",
+        /// A table with its note.
+        Table = "table",
+        /// A numbered equation.
+        Equation = "equation",
+        /// A claim's verdict in one line, with a link to the ledger.
+        Claim = "claim",
+    }
 }
 
 /// A stretch of prose or a block.
@@ -61,17 +63,11 @@ fn flush(text: &mut String, found: &mut Vec<Piece>) {
 fn placing_line(line: &str) -> Option<Piece> {
     let inside = line.trim().strip_prefix("[[")?.strip_suffix("]]")?;
     let (kind, id) = inside.split_once(':').unwrap_or((inside, ""));
-    let kind = match kind.trim() {
-        "figure" => BlockKind::Figure,
-        "table" => BlockKind::Table,
-        "equation" => BlockKind::Equation,
-        "claim" => BlockKind::Claim,
-        _ => return Some(Piece::Unknown(line.trim().into())),
-    };
-    if id.contains("]]") {
-        return Some(Piece::Unknown(line.trim().into()));
-    }
-    Some(Piece::Block(kind, id.trim().into()))
+    let kind = BlockKind::from_word(kind.trim()).filter(|_| !id.contains("]]"));
+    Some(match kind {
+        Some(kind) => Piece::Block(kind, id.trim().into()),
+        None => Piece::Unknown(line.trim().into()),
+    })
 }
 
 #[cfg(test)]

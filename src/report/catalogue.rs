@@ -81,10 +81,10 @@ pub(crate) fn faults(view: &ReportView) -> Vec<String> {
         for piece in pieces(text) {
             match piece {
                 Piece::Block(kind, id) if !catalogue.has(kind, &id) => {
-                    found.push(format!("chapter {chapter}: there is no {} `{id}`", word(kind)));
+                    found.push(format!("chapter {chapter}: there is no {kind} `{id}`"));
                 }
                 Piece::Block(kind @ (BlockKind::Figure | BlockKind::Table | BlockKind::Equation), id)
-                    if !placed.insert((word(kind), id.clone())) =>
+                    if !placed.insert((kind.as_str(), id.clone())) =>
                 {
                     found.push(format!("chapter {chapter}: `{id}` is placed a second time"));
                 }
@@ -97,15 +97,6 @@ pub(crate) fn faults(view: &ReportView) -> Vec<String> {
     }
     found.extend(reference_faults(view, &catalogue));
     found
-}
-
-fn word(kind: BlockKind) -> &'static str {
-    match kind {
-        BlockKind::Figure => "figure",
-        BlockKind::Table => "table",
-        BlockKind::Equation => "equation",
-        BlockKind::Claim => "claim",
-    }
 }
 
 fn id_faults(view: &ReportView) -> Vec<String> {

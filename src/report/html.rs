@@ -13,8 +13,8 @@ use super::page_style::{LIVE_SCRIPT, LIVE_STYLE, OWN_STYLE, SCRIPT, content_poli
 use super::parts::{anchor, lead, runs, title};
 use super::templates::Templates;
 use super::view::{
-    AnswerView, CardView, ChangeView, ChapterView, ClaimView, EquationView, EvidenceView, FigureView,
-    ReportView,
+    AnswerView, CardView, ChangeView, ChapterView, ClaimGroupView, ClaimView, EquationView, EvidenceView,
+    FigureView, ReportView,
 };
 use super::{ReportError, cut_note, shown_rows};
 use crate::scene::{Part, Source};
@@ -66,7 +66,7 @@ impl<'a> Page<'a> {
         let (parts, later_parts) = (self.parts(before)?, self.parts(after)?);
         let paper = self.parts(of_paper)?.pop();
         let groups = self.groups()?;
-        let picture_html = self.picture()?;
+        let picture_html = view.claims_picture.as_ref().map(|picture| self.figure(picture)).transpose()?;
         let appendix_html = self.appendix()?;
         let provenance = json!({
             "text_html": self.prose.blocks(&view.provenance.text_markdown, 2, "provenance"),
@@ -91,7 +91,7 @@ impl<'a> Page<'a> {
             "summary_html": summary_html,
             "parts": parts,
             "groups": groups,
-            "picture_html": picture_html,
+            "picture_html": picture_html.unwrap_or_default(),
             "later_parts": later_parts,
             "paper": paper,
             "script_js": script_js,
@@ -165,28 +165,23 @@ impl<'a> Page<'a> {
     }
 
     fn groups(&mut self) -> Result<Vec<Value>, ReportError> {
-        let mut groups = Vec::new();
-        for (index, group) in self.view.ledger.iter().enumerate() {
-            let mut claims_html = Vec::new();
-            for claim in &group.claims {
-                claims_html.push(self.claim(claim)?);
-            }
-            groups.push(json!({
-                "anchor": group_anchor(index + 1),
+        let view = self.view;
+        let group = |(number, group): (usize, &ClaimGroupView)| {
+            let claims_html = group.claims.iter().map(|claim| self.claim(claim));
+            Ok(json!({
+                "claims_html": claims_html.collect::<Result<Vec<_>, _>>()?,
+                "anchor": group_anchor(number),
                 "title": group.title,
                 "chips": group.claims.iter().map(chip).collect::<Vec<_>>(),
-                "claims_html": claims_html,
-            }));
-        }
-        Ok(groups)
+            }))
+        };
+        (1..).zip(&view.ledger).map(group).collect()
     }
 
     /// A claim of the ledger. What it shows when it is opened is packed, and within it each proof.
     fn claim(&mut self, claim: &ClaimView) -> Result<String, ReportError> {
-        let mut proofs = Vec::new();
-        for evidence in claim.evidence.iter() {
-            proofs.push(self.proof(claim, evidence)?);
-        }
+        let proofs = claim.evidence.iter().map(|evidence| self.proof(claim, evidence));
+        let proofs = proofs.collect::<Result<Vec<_>, _>>()?;
         let mut page = claim_page(claim, &proofs, &self.catalogue, &mut self.prose);
         page["packed"] = self.packed.keep(self.templates.render("claim_body.html", &page)?).into();
         self.templates.render("claim.html", &page)
@@ -216,30 +211,24 @@ impl<'a> Page<'a> {
         Ok(json!({ "packed": self.packed.keep(proof), "lines": count, "theorem": evidence.theorem }))
     }
 
-    fn picture(&mut self) -> Result<String, ReportError> {
-        self.view.claims_picture.as_ref().map_or_else(|| Ok(String::new()), |picture| self.figure(picture))
-    }
-
     fn parts(&mut self, runs: Vec<&'a [ChapterView]>) -> Result<Vec<Value>, ReportError> {
-        let mut parts = Vec::new();
-        for run in runs {
+        let part = |run: &'a [ChapterView]| {
             let part = run[0].part;
             // Below the heading of a part, those of its chapters stand one level lower.
             let level = if part.is_some() { 3 } else { 2 };
-            let mut chapters = Vec::new();
-            for chapter in run {
+            let chapters = run.iter().map(|chapter| {
                 let body_html = self.chapter(chapter, level)?;
-                chapters.push(json!({ "id": chapter.id, "title": chapter.title, "body_html": body_html }));
-            }
-            parts.push(json!({
+                Ok(json!({ "id": chapter.id, "title": chapter.title, "body_html": body_html }))
+            });
+            Ok(json!({
+                "chapters": chapters.collect::<Result<Vec<_>, ReportError>>()?,
                 "anchor": part.map_or_else(String::new, anchor),
                 "title": part.map_or("", title),
                 "lead": part.map_or("", lead),
                 "is_folded": part.is_some_and(Part::follows_ledger),
-                "chapters": chapters,
-            }));
-        }
-        Ok(parts)
+            }))
+        };
+        runs.into_iter().map(part).collect()
     }
 
     fn chapter(&mut self, chapter: &'a ChapterView, level: usize) -> Result<String, ReportError> {
@@ -291,7 +280,7 @@ impl<'a> Page<'a> {
 
     fn equation(&mut self, equation: &EquationView) -> Result<String, ReportError> {
         let place = format!("equation {}", equation.id);
-        let formula_html = self.prose.mathematics.block(&equation.latex).unwrap_or_else(|fault| {
+        let formula_html = self.prose.mathematics.convert(&equation.latex, true).unwrap_or_else(|fault| {
             self.prose.faults.push(format!("{place}: formula {fault}"));
             String::new()
         });
@@ -303,18 +292,12 @@ impl<'a> Page<'a> {
 
     /// Figures and tables that no chapter placed.
     fn appendix(&mut self) -> Result<String, ReportError> {
-        let mut html = String::new();
-        for figure in
-            self.view.figures.iter().filter(|figure| !self.placed.contains(&figure.id)).collect::<Vec<_>>()
-        {
-            html += &self.figure(figure)?;
-        }
-        for table in
-            self.view.tables.iter().filter(|table| !self.placed.contains(&table.id)).collect::<Vec<_>>()
-        {
-            html += &self.table(table)?;
-        }
-        Ok(html)
+        let view = self.view;
+        let placed = std::mem::take(&mut self.placed);
+        let figures = view.figures.iter().filter(|figure| !placed.contains(&figure.id));
+        let figures = figures.map(|figure| self.figure(figure)).collect::<Result<String, _>>()?;
+        let tables = view.tables.iter().filter(|table| !placed.contains(&table.id));
+        Ok(figures + &tables.map(|table| self.table(table)).collect::<Result<String, _>>()?)
     }
 
     fn environment(&self) -> Result<String, ReportError> {

@@ -20,29 +20,18 @@ pub(crate) struct Mathematics {
 }
 
 impl Mathematics {
-    /// MathML of a formula within a line.
-    ///
-    /// # Errors
-    /// What is wrong with the LaTeX, in words.
-    pub fn inline(&mut self, latex: &str) -> Result<String, String> {
-        self.convert(latex, MathDisplay::Inline)
-    }
-
-    /// MathML of a formula on lines of its own.
-    ///
-    /// # Errors
-    /// What is wrong with the LaTeX, in words.
-    pub fn block(&mut self, latex: &str) -> Result<String, String> {
-        self.convert(latex, MathDisplay::Block)
-    }
-
     /// Rules of the classes used so far.
     #[must_use]
     pub fn style_rules(&self) -> String {
         self.classes.iter().map(|(style, class)| format!(".{class}{{{style}}}\n")).collect()
     }
 
-    fn convert(&mut self, latex: &str, display: MathDisplay) -> Result<String, String> {
+    /// MathML of a formula, within a line or on lines of its own.
+    ///
+    /// # Errors
+    /// What is wrong with the LaTeX, in words.
+    pub fn convert(&mut self, latex: &str, is_block: bool) -> Result<String, String> {
+        let display = if is_block { MathDisplay::Block } else { MathDisplay::Inline };
         let untagged: String = without_tags(latex).chars().map(printable).collect();
         check_size(latex)?;
         let converted = self.converter.convert_with_local_state(untagged.trim(), display);
@@ -67,13 +56,8 @@ impl Mathematics {
     }
 }
 
-/// Whether a page can show a formula of this size.
-pub(super) fn can_be_set(latex: &str) -> bool {
-    check_size(latex).is_ok()
-}
-
-/// Whether a formula is small enough for a reader that calls itself for every level.
-fn check_size(latex: &str) -> Result<(), String> {
+/// Whether a formula is small enough for a page, and for a reader that calls itself for every level.
+pub(super) fn check_size(latex: &str) -> Result<(), String> {
     let (mut depth, mut deepest) = (0_usize, 0);
     for sign in latex.chars() {
         match sign {
@@ -122,7 +106,7 @@ mod tests {
             r"\begin{aligned} \dot\theta &= 1 - \frac{V\theta}{D_c} \\ \ddot\delta &= 0 \end{aligned}",
             r"\operatorname{Im}(s) \le \omega_n,\quad \mathbb{Q}",
         ] {
-            let mathml = mathematics.block(latex).unwrap();
+            let mathml = mathematics.convert(latex, true).unwrap();
             assert!(
                 mathml.starts_with("<math display=\"block\">") && mathml.ends_with("</math>"),
                 "{mathml}"
@@ -133,7 +117,7 @@ mod tests {
 
     #[test]
     fn what_cannot_be_read_is_named() {
-        let fault = Mathematics::default().inline(r"\frac{1").unwrap_err();
+        let fault = Mathematics::default().convert(r"\frac{1", false).unwrap_err();
         assert!(fault.contains(r"`\frac{1`"), "{fault}");
     }
 
@@ -146,7 +130,7 @@ mod tests {
             r"\href{javascript:alert(1)}{x}",
             r"x < y > z & w",
         ] {
-            let mathml = mathematics.inline(latex).unwrap_or_default();
+            let mathml = mathematics.convert(latex, false).unwrap_or_default();
             assert!(
                 !mathml.contains("<img") && !mathml.contains("<script") && !mathml.contains("href="),
                 "{mathml}"

@@ -37,7 +37,7 @@ pub use explorer::{ExplorerPage, render_explorer};
 pub use html::render_html;
 pub use junit::junit;
 pub use markdown::formula_faults;
-pub use produce::{Folder, Product, decide, produce, produce_scene};
+pub use produce::{Folder, Product, decide, figure_and_table_files, produce, produce_scene};
 pub use text::{render_edition, render_markdown};
 pub use view::{
     AnswerView, CardView, ChangeView, ChapterView, CitationView, ClaimGroupView, ClaimView, EquationView,

@@ -78,7 +78,7 @@ pub fn produce(
     let ledger = Ledger::decide(&folder.plan.name, &folder.claims, &context);
     let apart = wanted.apart(folder);
     let (figures, tables) = (wanted.figures(&outcome, &apart)?, wanted.tables(&context, &apart)?);
-    let mut files = figure_and_table_files(figures.iter(), &tables);
+    let mut files = figure_and_table_files(&figures, &tables);
     files.insert("ledger.json".into(), ledger.to_json());
     files.extend(theorems(&ledger, &folder.equations).map(|text| (THEOREMS_FILE.to_owned(), text)));
     let view = assemble(Material {
@@ -118,7 +118,7 @@ pub fn produce_scene(
         .filter(|maker| !maker.needs.is_empty())
         .filter_map(|maker| maker.table(&context))
         .collect();
-    figure_and_table_files(figures.iter(), &tables)
+    figure_and_table_files(&figures, &tables)
 }
 
 /// The tables of the experiments, and those about the equations and the claims.
@@ -126,11 +126,9 @@ fn all_table_makers() -> impl Iterator<Item = &'static TableMaker> {
     table_makers().chain(claims::table_makers())
 }
 
-fn figure_and_table_files<'f>(
-    figures: impl Iterator<Item = &'f Figure>,
-    tables: &[Table],
-) -> BTreeMap<String, String> {
-    let figures = figures.map(|figure| (format!("figures/{}.svg", figure.id), figure.svg.clone()));
+/// The figures and tables as files.
+pub fn figure_and_table_files(figures: &[Figure], tables: &[Table]) -> BTreeMap<String, String> {
+    let figures = figures.iter().map(|figure| (format!("figures/{}.svg", figure.id), figure.svg.clone()));
     let tables = tables.iter().map(|table| (format!("tables/{}.csv", table.id), table.to_csv()));
     figures.chain(tables).collect()
 }

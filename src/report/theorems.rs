@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use super::assemble::plain;
 use crate::claims::{Entry, Ledger, Tie, definitions, statement, whole_statements};
+use slipmode_plot::table::escape_markdown as plain;
 use slipmode_theory::Equations;
 
 /// The file's name.

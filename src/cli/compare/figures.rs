@@ -41,7 +41,8 @@ fn differences(rows: &[ComparedRow]) -> Option<FigureView> {
     }
     let end = libm::exp10(libm::log10(largest).floor() + 1.0);
     let mut chart: LineChart = picture("differences");
-    (chart.x.min, chart.x.max) = (first(rows) - 0.5, last(rows) + 0.5);
+    let number = |row: Option<&ComparedRow>, default| row.map_or(default, |row| row.number as f64);
+    (chart.x.min, chart.x.max) = (number(rows.first(), 0.0) - 0.5, number(rows.last(), 1.0) + 0.5);
     (chart.y.min, chart.y.max) = (-end, end);
     chart.series = series;
     let caption = "Relative differences between the runs' numbers and our simulation, in units of what the tolerance and the errors of both sides allow. Inside the strip they agree.";
@@ -49,31 +50,14 @@ fn differences(rows: &[ComparedRow]) -> Option<FigureView> {
 }
 
 /// Marks without a line between them: a point without a place on the axes interrupts it.
-fn series(rows: &[ComparedRow], of: Observable) -> Series {
-    let mut points = Vec::new();
-    for row in rows {
-        for finding in &row.comparison.findings {
-            let is_meant = finding.observable == of && finding.reference == Reference::Simulation;
-            if let (true, Some(difference), Some(allowed)) = (is_meant, finding.difference, finding.allowed) {
-                let at = difference / allowed;
-                points.extend(
-                    at.is_finite()
-                        .then_some([(row.number as f64, at), (f64::NAN, f64::NAN)])
-                        .into_iter()
-                        .flatten(),
-                );
-            }
-        }
-    }
-    Series::marked(of.words(), points)
-}
-
-fn first(rows: &[ComparedRow]) -> f64 {
-    rows.first().map_or(0.0, |row| row.number as f64)
-}
-
-fn last(rows: &[ComparedRow]) -> f64 {
-    rows.last().map_or(1.0, |row| row.number as f64)
+fn series<'r>(rows: &'r [ComparedRow], of: Observable) -> Series {
+    let findings =
+        |row: &'r ComparedRow| row.comparison.findings.iter().map(move |it| (row.number as f64, it));
+    let all = rows.iter().flat_map(findings);
+    let meant = all.filter(|(_, it)| it.observable == of && it.reference == Reference::Simulation);
+    let marks = meant.filter_map(|(number, it)| Some((number, it.difference? / it.allowed?)));
+    let points = marks.filter(|(_, at)| at.is_finite()).flat_map(|mark| [mark, (f64::NAN, f64::NAN)]);
+    Series::marked(of.words(), points.collect())
 }
 
 /// The last cycle of a trajectory and of our run, both from their upward crossing of V_l on.

@@ -2,7 +2,9 @@
 
 use std::path::Path;
 
-use slipmode::report::{ChapterView, ProvenanceView, ReportView, render_html, render_markdown};
+use slipmode::report::{
+    ChapterView, ProvenanceView, ReportView, figure_and_table_files, render_html, render_markdown,
+};
 
 use crate::cli::compare::figures::figures;
 use crate::cli::compare::inputs::inputs;
@@ -24,17 +26,8 @@ const WITHIN: &str = "\nParameters with error bars: a value that differs at the 
 pub fn files(runs: &Path, done: &Done<ComparedRow>, environment: &Environment) -> Result<Files, Failure> {
     let rows = &done.kept;
     let (figures, tables) = (figures(rows), tables(rows));
-    let mut files = Files::new();
-    for figure in &figures {
-        files.insert(format!("figures/{}.svg", figure.id), figure.svg.clone());
-    }
-    for table in &tables {
-        files.insert(format!("tables/{}.csv", table.id), table.to_csv());
-    }
-    let how = match within_error_bars(rows) {
-        Some(_) => format!("{HOW}{WITHIN}"),
-        None => HOW.into(),
-    };
+    let mut files = figure_and_table_files(&figures, &tables);
+    let how = format!("{HOW}{}", within_error_bars(rows).map_or("", |_| WITHIN));
     let placed: String = figures.iter().map(|figure| format!("[[figure:{}]]\n\n", figure.id)).collect();
     let chapter = |id: &str, title: &str, text_markdown: String| ChapterView {
         id: id.into(),
@@ -81,12 +74,9 @@ fn summary(rows: &[ComparedRow], faulty: u64) -> String {
         1 => " 1 further row of the file is invalid and was left out.".to_string(),
         _ => format!(" {faulty} further rows of the file are invalid and were left out."),
     };
-    let within = match within_error_bars(rows) {
-        Some(within) => {
-            format!(" ({within} of them only within the error bars of their parameters, sampled)")
-        }
-        None => String::new(),
-    };
+    let within = within_error_bars(rows)
+        .map(|within| format!(" ({within} of them only within the error bars of their parameters, sampled)"))
+        .unwrap_or_default();
     format!(
         "Of {} runs, **{agree} agree**{within}, **{differ} differ** and **{not_compared} could not be compared**.{invalid}\n",
         rows.len(),

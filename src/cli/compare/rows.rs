@@ -188,9 +188,7 @@ impl CompareRows {
 /// # Errors
 /// When the name is not safe or the file is not there.
 fn trajectory_place(folder: &Path, name: &str) -> Result<PathBuf, Problem> {
-    if let Some(error) = name.split('/').find_map(|part| check_name(part).err()) {
-        return Err(Problem::BadName(error));
-    }
+    name.split('/').try_for_each(check_name).map_err(Problem::BadName)?;
     place_inside(folder, name).map_err(|error| Problem::Unreadable(error.to_string()))
 }
 

@@ -19,16 +19,12 @@ pub(crate) fn harmless(markdown: &str, shift: usize, link: &dyn Fn(&str) -> Opti
     for _ in 0..MOST_ROUNDS {
         let edits = hazards(&text);
         if edits.is_empty() {
-            return finished(&text, shift, link);
+            return edited(&text, finishing_edits(&text, shift, link));
         }
         text = edited(&text, edits);
     }
     // Markup inside markup without end is no prose: it is shown as it stands.
     text.lines().map(|line| escape_markdown(line) + "\n").collect()
-}
-
-fn finished(text: &str, shift: usize, link: &dyn Fn(&str) -> Option<String>) -> String {
-    edited(text, finishing_edits(text, shift, link))
 }
 
 type Edit = (Range<usize>, String);
@@ -78,11 +74,8 @@ fn finishing_edits(text: &str, shift: usize, link: &dyn Fn(&str) -> Option<Strin
             }
             Event::Start(Tag::Link { dest_url, .. }) if dest_url.starts_with('#') => {
                 let words = inner(text, &events[at..]);
-                let target = link(&dest_url[1..]);
-                edits.push((
-                    range.clone(),
-                    target.map_or_else(|| words.clone(), |to| format!("[{words}]({to})")),
-                ));
+                let linked = link(&dest_url[1..]).map(|to| format!("[{words}]({to})"));
+                edits.push((range.clone(), linked.unwrap_or(words)));
             }
             _ => {}
         }

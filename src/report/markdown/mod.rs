@@ -85,8 +85,7 @@ impl Prose {
     }
 
     fn formula(&mut self, latex: &str, display: bool, place: &str) -> Event<'static> {
-        let mathml = if display { self.mathematics.block(latex) } else { self.mathematics.inline(latex) };
-        let mut text = mathml.unwrap_or_else(|fault| {
+        let mut text = self.mathematics.convert(latex, display).unwrap_or_else(|fault| {
             self.faults.push(format!("{place}: formula {fault}"));
             String::new()
         });
@@ -138,8 +137,8 @@ pub fn formula_faults(markdown: &str) -> Vec<(usize, String)> {
     let mut faults = Vec::new();
     for (event, place) in Parser::new_ext(&source, options()).into_offset_iter() {
         let set = match &event {
-            Event::InlineMath(latex) => mathematics.inline(latex),
-            Event::DisplayMath(latex) => mathematics.block(latex),
+            Event::InlineMath(latex) => mathematics.convert(latex, false),
+            Event::DisplayMath(latex) => mathematics.convert(latex, true),
             _ => continue,
         };
         let line = source.bytes().take(place.start).filter(|byte| *byte == b'\n').count() + 1;
