@@ -3,9 +3,9 @@
 use crate::csv::name::Unit;
 use crate::csv::name::Wanted;
 use crate::csv::rows::RowReader;
-use crate::csv::samples::{SampleCells, Samples, fault, number};
+use crate::csv::samples::{SampleCells, Samples, number};
 use crate::fitting::{PeakFailure, PeakRow};
-use crate::scene::{CsvProblem, Faults, Problem, Quantity};
+use crate::scene::{CsvProblem, Fault, Faults, Problem, Quantity};
 
 /// Index of the peak velocity among the columns.
 const PEAK: usize = 1;
@@ -56,7 +56,7 @@ pub fn read_peak_table(reader: RowReader, normal_stress_pa: Option<f64>) -> Resu
     faults.extend(of_rows);
     if faults.is_empty() && table.rows.is_empty() {
         let problem = CsvProblem::Record(PeakFailure::TooFewRows(0).to_string());
-        faults.push(fault(&file, None, "", problem.into()));
+        faults.push(Fault::of(&file, "", problem));
     }
     if faults.is_empty() { Ok(table) } else { Err(faults) }
 }

@@ -7,7 +7,7 @@ use crate::scene::{CsvProblem, Fault, Faults};
 
 use crate::csv::name::Wanted;
 use crate::csv::rows::RowReader;
-use crate::csv::samples::{Samples, fault};
+use crate::csv::samples::Samples;
 use backward::Backward;
 
 /// The columns; the last one may be missing.
@@ -70,12 +70,12 @@ impl Read {
         let found = self.lines.len();
         if found < LEAST_SAMPLES {
             let problem = CsvProblem::TooFewSamples { found, wanted: LEAST_SAMPLES };
-            return Some(fault(file, None, "", problem.into()));
+            return Some(Fault::of(file, "", problem));
         }
         let gap = self.recording.gap(log_level)?;
         let (step, usual) = (format!("{:.4e}", gap.step_s), format!("{:.4e}", gap.usual_s));
         let what = if gap.is_return { "oscillation" } else { "step" };
         let line = self.lines.get(gap.sample).copied();
-        Some(fault(file, line, "column time_s", CsvProblem::Gap { step, usual, what }.into()))
+        Some(Fault::of(file, "column time_s", CsvProblem::Gap { step, usual, what }).at(line))
     }
 }

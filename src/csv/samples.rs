@@ -62,18 +62,13 @@ impl<const N: usize> Samples<'_, N> {
                 count += 1;
             }
             if count > self.most {
-                faults.push(fault(&file, None, "", CsvProblem::TooManyRows(self.most).into()));
+                faults.push(Fault::of(&file, "", CsvProblem::TooManyRows(self.most)));
                 break;
             }
         }
         faults.truncate(MOST_FAULTS);
         Ok(faults)
     }
-}
-
-/// A fault of a file of samples.
-pub fn fault(file: &str, line: Option<usize>, key: &str, problem: Problem) -> Fault {
-    Fault::of(file, key, problem).at(line)
 }
 
 /// The numbers of a row; its time is later than the last one.

@@ -4,9 +4,9 @@ use slipmode_core::number::nearest_f64;
 
 use crate::csv::name::Wanted;
 use crate::csv::rows::RowReader;
-use crate::csv::samples::{SampleCells, Samples, fault};
+use crate::csv::samples::{SampleCells, Samples};
 use crate::fitting::{Column, Load, Measured, RecordFault, Response, StepRecord};
-use crate::scene::{CsvProblem, Faults};
+use crate::scene::{CsvProblem, Fault, Faults};
 
 const TIME: Wanted = Wanted { key: "time_s", symbols: &["t"], is_optional: false };
 const DISPLACEMENT: Wanted = optional("load_point_displacement_m");
@@ -65,7 +65,7 @@ pub fn read_step_record(
     if !faults.is_empty() {
         return Err(faults);
     }
-    let whole = |key: &str, reason: String| fault(&file, None, key, CsvProblem::Record(reason).into());
+    let whole = |key: &str, reason: String| Fault::of(&file, key, CsvProblem::Record(reason));
     let problems = column_problems(columns.unwrap_or_default(), normal_stress_pa.is_some());
     if read.lines.is_empty() {
         return Err(vec![whole("", "no rows below the header".into())]);
@@ -82,7 +82,7 @@ pub fn read_step_record(
                 column.map(|column| format!("column {}", name_of(column, columns.unwrap_or_default())));
             let row = sample.map(|sample| format!("row {}", sample + 1));
             let key = row.into_iter().chain(column).collect::<Vec<_>>().join(", ");
-            fault(&file, line(sample), &key, CsvProblem::Record(reason).into())
+            Fault::of(&file, &key, CsvProblem::Record(reason)).at(line(sample))
         };
         found.into_iter().map(named).collect()
     })
@@ -145,11 +145,8 @@ impl Read {
         }
         if let Some(sample) = self.normal_stresses_pa.iter().position(|stress| *stress <= 0.0) {
             let reason = "the normal stress is not positive (wanted: compression is positive)".into();
-            return Err(vec![RecordFault {
-                sample: Some(sample),
-                column: Some(Column::NormalStress),
-                reason,
-            }]);
+            let (sample, column) = (Some(sample), Some(Column::NormalStress));
+            return Err(vec![RecordFault { sample, column, reason }]);
         }
         let response = match self.stresses_pa.is_empty() {
             true => Response::Friction(self.frictions),
@@ -159,12 +156,8 @@ impl Read {
             true => Load::Displacement(self.displacements_m, upper_quartile(self.last_digits_m)),
             false => Load::Velocity(self.velocities_m_per_s),
         };
-        StepRecord::new(Measured {
-            times_s: self.times_s,
-            load,
-            response,
-            normal_stresses_pa: self.normal_stresses_pa,
-        })
+        let Self { times_s, normal_stresses_pa, .. } = self;
+        StepRecord::new(Measured { times_s, load, response, normal_stresses_pa })
     }
 }
 

@@ -95,21 +95,15 @@ pub fn assign(
     let mut meanings = Vec::new();
     for name in names {
         let found = if is_known(name) { Ok(Meaning::Other) } else { meaning(name, wanted) };
-        meanings.push(found.unwrap_or_else(|problem| {
-            faults.push((name.clone(), problem));
-            Meaning::Faulty
-        }));
+        let found = found.map_err(|problem| faults.push((name.clone(), problem)));
+        meanings.push(found.unwrap_or(Meaning::Faulty));
     }
     let (mut values, mut errors) = (Vec::new(), Vec::new());
     for (index, of) in wanted.iter().enumerate() {
-        values.push(place(names, &meanings, index, of).unwrap_or_else(|fault| {
-            faults.push(fault);
-            None
-        }));
-        errors.push(error_place(names, &meanings, index, of).unwrap_or_else(|fault| {
-            faults.push(fault);
-            None
-        }));
+        let place = place(names, &meanings, index, of).map_err(|fault| faults.push(fault));
+        values.push(place.unwrap_or_default());
+        let place = error_place(names, &meanings, index, of).map_err(|fault| faults.push(fault));
+        errors.push(place.unwrap_or_default());
     }
     let is_read = |index: usize| {
         values.iter().flatten().any(|(position, _)| *position == index)
@@ -161,18 +155,12 @@ fn meaning(name: &str, wanted: &[Wanted]) -> Result<Meaning, CsvProblem> {
 
 /// The fault of a name that can be understood in two ways.
 fn ambiguous(readings: &[(usize, Reading)], wanted: &[Wanted]) -> CsvProblem {
-    let said = |(index, reading): &(usize, Reading)| match reading.is_error {
-        true => format!("the error of {}", wanted[*index].key),
-        false => wanted[*index].key.to_string(),
+    let words = |(index, reading): &(usize, Reading)| match reading.is_error {
+        true => (format!("the error of {}", wanted[*index].key), wanted[*index].error_name()),
+        false => (wanted[*index].key.to_string(), wanted[*index].key.to_string()),
     };
-    let allowed = |(index, reading): &(usize, Reading)| match reading.is_error {
-        true => wanted[*index].error_name(),
-        false => wanted[*index].key.to_string(),
-    };
-    CsvProblem::Ambiguous {
-        readings: readings.iter().map(said).collect::<Vec<_>>().join(" or "),
-        allowed: readings.iter().map(allowed).collect::<Vec<_>>().join(", "),
-    }
+    let (readings, allowed): (Vec<_>, Vec<_>) = readings.iter().map(words).unzip();
+    CsvProblem::Ambiguous { readings: readings.join(" or "), allowed: allowed.join(", ") }
 }
 
 /// Where the values of what is wanted stand; its name in SI comes before any other.
