@@ -6,7 +6,7 @@ use std::fmt::Write;
 
 use crate::scene::{Author, Paper};
 
-use super::{Files, Parts, REPORT_FOLDER};
+use super::{Files, Parts, REPORT_FOLDER, below};
 
 /// The file with manifest, title and authors.
 pub const CODECHECK_FILE: &str = "codecheck.yml";
@@ -39,8 +39,7 @@ pub fn open_fields(paper: &Paper) -> Vec<String> {
 /// The text of the file; the manifest has every file of the report.
 pub(super) fn codecheck(parts: &Parts<'_>, paper: &Paper, files: &Files) -> String {
     let mut text = format!("%YAML 1.1\n---\nversion: {SPECIFICATION}\n\nmanifest:\n");
-    let prefix = format!("{REPORT_FOLDER}/");
-    for (path, made) in files.keys().filter_map(|path| Some((path, path.strip_prefix(&prefix)?))) {
+    for (path, made, _) in below(files, REPORT_FOLDER) {
         item(&mut text, "file", path);
         // Writing to a string cannot fail.
         let _ = writeln!(text, "    comment: {}", quoted(&comment(made)));

@@ -13,12 +13,15 @@ const FEWEST_DIGITS: usize = 3;
 /// The first line in which two files differ; none when they have the same bytes.
 #[must_use]
 pub fn byte_difference(path: &str, archived: &[u8], computed: &[u8]) -> Option<String> {
-    if archived == computed {
-        return None;
-    }
-    let (old, new) = (archived.split(|byte| *byte == b'\n'), computed.split(|byte| *byte == b'\n'));
-    let same = old.zip(new).take_while(|(old, new)| old == new).count();
-    Some(format!("{path}:{}: differs from the result computed now", same + 1))
+    let line = first_different_line(archived, computed)?;
+    Some(format!("{path}:{line}: differs from the result computed now"))
+}
+
+/// The first line, counted from 1, in which two files differ; none when they have the same bytes.
+pub fn first_different_line(old: &[u8], new: &[u8]) -> Option<usize> {
+    let is_end = |byte: &u8| *byte == b'\n';
+    let lines = old.split(is_end).zip(new.split(is_end));
+    (old != new).then(|| lines.take_while(|(old, new)| old == new).count() + 1)
 }
 
 /// The lines in which two texts differ by more than the last digits of numbers; see [`same_text`].

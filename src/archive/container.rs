@@ -8,7 +8,7 @@ use zip::{CompressionMethod, DateTime, ZipWriter};
 use super::Files;
 
 /// The time that an archive states: a whole number of seconds in the years 1980 to 2107, which is what zip can hold.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct ReleaseTime(pub(super) DateTime);
 
 /// Seconds in a day.

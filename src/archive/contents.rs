@@ -66,7 +66,7 @@ pub fn contents(parts: &Parts<'_>) -> Files {
 /// Adds the files that follow from the others, in the order in which they follow.
 pub(super) fn add_derived(parts: &Parts<'_>, files: &mut Files) {
     let lock = files.get(LOCK_FILE).map(|lock| String::from_utf8_lossy(lock)).unwrap_or_default();
-    let materials = bill_of_materials(&lock, &parts.facts.version);
+    let materials = bill_of_materials(&lock, parts.facts.version());
     let add = |files: &mut Files, path: &str, text: String| files.insert(path.into(), text.into_bytes());
     add(files, MATERIALS_FILE, materials);
     add(files, README_FILE, readme(parts));

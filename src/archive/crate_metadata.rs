@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use super::digests::{DIGESTS_FILE, sha256_hex};
-use super::{Files, INPUT_FOLDER, Parts, REPORT_FOLDER};
+use super::{Files, INPUT_FOLDER, Parts, REPORT_FOLDER, below};
 
 /// The file with the metadata.
 pub(super) const CRATE_FILE: &str = "ro-crate-metadata.json";
@@ -14,11 +14,19 @@ const LICENCE: &str = "https://spdx.org/licenses/MIT";
 /// The metadata of these files, as JSON-LD.
 pub(super) fn crate_metadata(parts: &Parts<'_>, files: &Files) -> String {
     let mut graph = vec![
-        descriptor(),
+        json!({
+            "@id": CRATE_FILE,
+            "@type": "CreativeWork",
+            "about": id("./"),
+            "conformsTo": id("https://w3id.org/ro/crate/1.1"),
+        }),
         root(parts, files),
-        profile(),
-        licence(),
-        author(),
+        json!({ "@id": PROFILE, "@type": "CreativeWork", "name": "Process Run Crate", "version": "0.5" }),
+        json!({
+            "@id": LICENCE, "@type": "CreativeWork", "name": "MIT License", "url": LICENCE,
+            "description": "A short permissive licence; Apache-2.0 at your option.",
+        }),
+        json!({ "@id": "#authors", "@type": "Organization", "name": "The slipmode authors" }),
         program(parts),
         action(parts, files),
     ];
@@ -32,15 +40,6 @@ pub(super) fn crate_metadata(parts: &Parts<'_>, files: &Files) -> String {
 
 fn id(id: &str) -> Value {
     json!({ "@id": id })
-}
-
-fn descriptor() -> Value {
-    json!({
-        "@id": CRATE_FILE,
-        "@type": "CreativeWork",
-        "about": id("./"),
-        "conformsTo": id("https://w3id.org/ro/crate/1.1"),
-    })
 }
 
 fn root(parts: &Parts<'_>, files: &Files) -> Value {
@@ -60,24 +59,9 @@ fn root(parts: &Parts<'_>, files: &Files) -> Value {
     })
 }
 
-fn profile() -> Value {
-    json!({ "@id": PROFILE, "@type": "CreativeWork", "name": "Process Run Crate", "version": "0.5" })
-}
-
-fn licence() -> Value {
-    json!({
-        "@id": LICENCE, "@type": "CreativeWork", "name": "MIT License", "url": LICENCE,
-        "description": "A short permissive licence; Apache-2.0 at your option.",
-    })
-}
-
-fn author() -> Value {
-    json!({ "@id": "#authors", "@type": "Organization", "name": "The slipmode authors" })
-}
-
 /// The program's name among packages of Rust (a package URL), as in the bill of materials.
 fn program_id(parts: &Parts<'_>) -> String {
-    format!("pkg:cargo/slipmode@{}", parts.facts.version)
+    format!("pkg:cargo/slipmode@{}", parts.facts.version())
 }
 
 fn program(parts: &Parts<'_>) -> Value {
@@ -85,17 +69,14 @@ fn program(parts: &Parts<'_>) -> Value {
         "@id": program_id(parts),
         "@type": "SoftwareApplication",
         "name": "slipmode",
-        "softwareVersion": parts.facts.version,
+        "softwareVersion": parts.facts.version(),
         "url": program_id(parts),
         "sha256": parts.facts.source_sha256,
     })
 }
 
 fn action(parts: &Parts<'_>, files: &Files) -> Value {
-    let within = |folder: &str| -> Vec<Value> {
-        let prefix = format!("{folder}/");
-        files.keys().filter(|path| path.starts_with(&prefix)).map(|path| id(path)).collect()
-    };
+    let within = |folder: &str| below(files, folder).map(|(path, ..)| id(path)).collect::<Vec<_>>();
     json!({
         "@id": "#report",
         "@type": "CreateAction",
@@ -132,8 +113,6 @@ fn media_type(path: &str) -> &'static str {
         (".cff", "application/yaml"),
         (".yml", "application/yaml"),
     ];
-    known
-        .into_iter()
-        .find(|(ending, _)| path.ends_with(ending))
-        .map_or("text/plain", |(_, media_type)| media_type)
+    let found = known.into_iter().find(|(ending, _)| path.ends_with(ending));
+    found.map_or("text/plain", |(_, media_type)| media_type)
 }

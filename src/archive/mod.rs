@@ -26,6 +26,7 @@ use std::collections::BTreeMap;
 
 pub use budget::{Budget, Request, requests};
 pub use codecheck::{CODECHECK_FILE, open_fields};
+pub use compare::first_different_line;
 pub use container::{ReleaseTime, pack};
 pub use contents::contents;
 pub use digests::{DIGESTS_FILE, digest_faults, finished_hex, sha256_hex, sha256_of_reader};
@@ -61,33 +62,39 @@ pub const LOCK_FILE: &str = "Cargo.lock";
 /// The sources of the program with all packages, from which it builds without a network.
 pub const SOURCES_FILE: &str = "sources.tar.xz";
 
+/// The files below a folder, each with its path, that within the folder, and its bytes.
+pub fn below<'f>(
+    files: &'f Files,
+    folder: &'f str,
+) -> impl Iterator<Item = (&'f String, &'f str, &'f Vec<u8>)> {
+    let within = move |path: &'f str| path.strip_prefix(folder)?.strip_prefix('/');
+    files.iter().filter_map(move |(path, bytes)| Some((path, within(path)?, bytes)))
+}
+
 /// What is known of the program that computed the report.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename = "Versions")]
 pub struct Facts {
-    /// The program's version.
-    pub version: String,
-    /// Names and versions of the program and of the libraries it computes with.
-    pub versions: BTreeMap<String, String>,
     /// SHA-256 over the program's sources.
     pub source_sha256: String,
+    /// Names and versions of the program and of the libraries it computes with.
+    pub versions: BTreeMap<String, String>,
     /// The time that the archive states.
+    #[serde(skip)]
     pub time: ReleaseTime,
 }
 
-/// The form of `versions.json`.
-#[derive(Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Versions {
-    source_sha256: String,
-    versions: BTreeMap<String, String>,
-}
-
 impl Facts {
+    /// The program's version.
+    #[must_use]
+    pub fn version(&self) -> &str {
+        self.versions.get("slipmode").map_or("", String::as_str)
+    }
+
     /// As `versions.json`.
     #[must_use]
     pub fn to_json(&self) -> String {
-        let (source_sha256, versions) = (self.source_sha256.clone(), self.versions.clone());
-        format!("{:#}\n", serde_json::json!(Versions { source_sha256, versions }))
+        format!("{:#}\n", serde_json::json!(self))
     }
 
     /// What the `versions.json` of an archive states, which nothing proves.
@@ -96,19 +103,19 @@ impl Facts {
     /// When it is not what a build of this program writes.
     pub fn parse(json: &[u8], time: ReleaseTime) -> Result<Self, String> {
         let refuse = |why: &str| format!("{VERSIONS_FILE}: {why}");
-        let Versions { source_sha256, versions } =
-            serde_json::from_slice(json).map_err(|error| refuse(&error.to_string()))?;
+        let stated: Self = serde_json::from_slice(json).map_err(|error| refuse(&error.to_string()))?;
+        let facts = Self { time, ..stated };
         let is_word = |text: &String| {
             text.len() <= 100
                 && text
                     .chars()
                     .all(|c| c.is_ascii_alphanumeric() || matches!(c, ' ' | '.' | '+' | '-' | '(' | ')'))
         };
-        let is_digest =
-            source_sha256.len() == 64 && source_sha256.bytes().all(|byte| byte.is_ascii_hexdigit());
-        let version =
-            versions.get("slipmode").cloned().ok_or_else(|| refuse("states no version of slipmode"))?;
-        let facts = Self { version, versions, source_sha256, time };
+        let digest = &facts.source_sha256;
+        let is_digest = digest.len() == 64 && digest.bytes().all(|byte| byte.is_ascii_hexdigit());
+        if !facts.versions.contains_key("slipmode") {
+            return Err(refuse("states no version of slipmode"));
+        }
         let is_plain = facts.versions.iter().all(|(name, version)| is_word(name) && is_word(version));
         if is_digest && is_plain && facts.to_json().as_bytes() == json {
             Ok(facts)

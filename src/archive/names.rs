@@ -13,10 +13,7 @@ pub fn check_path(path: &str) -> Result<(), String> {
     if path.split('/').count() > DEEPEST {
         return Err(format!("more than {DEEPEST} parts"));
     }
-    match path.split('/').find_map(|part| check_name(part).err()) {
-        Some(error) => Err(error.to_string()),
-        None => Ok(()),
-    }
+    path.split('/').try_for_each(check_name).map_err(|error| error.to_string())
 }
 
 /// Pairs of paths that are one file where case is ignored, in order.

@@ -10,7 +10,7 @@ use super::{
 
 /// The text of the README.
 pub(super) fn readme(parts: &Parts<'_>) -> String {
-    let (name, title, version) = (parts.name, parts.title, &parts.facts.version);
+    let (name, title, version) = (parts.name, parts.title, parts.facts.version());
     let mut text = format!(
         "# {title}\n\n\
          The report `{name}`, with all its inputs, archived by slipmode {version}.\n\n\

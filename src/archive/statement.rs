@@ -3,23 +3,17 @@
 use serde_json::{Value, json};
 
 use super::digests::sha256_hex;
-use super::{Files, INPUT_FOLDER, Parts, REPORT_FOLDER};
+use super::{Files, INPUT_FOLDER, Parts, REPORT_FOLDER, below};
 
 /// The statement about the report's files, as JSON.
 pub(super) fn statement(parts: &Parts<'_>, files: &Files) -> String {
-    let folder = |folder: &'static str| {
-        let prefix = format!("{folder}/");
-        files.iter().filter(move |(path, _)| path.starts_with(&prefix))
-    };
-    let subject: Vec<Value> = folder(REPORT_FOLDER)
-        .map(|(path, bytes)| json!({ "name": path, "digest": { "sha256": sha256_hex(bytes) } }))
-        .collect();
-    let material = |(path, bytes): (&String, &Vec<u8>)| json!({ "name": path, "digest": { "sha256": sha256_hex(bytes) } });
+    let described = |(path, _, bytes): (&String, &str, &Vec<u8>)| json!({ "name": path, "digest": { "sha256": sha256_hex(bytes) } });
+    let subject: Vec<Value> = below(files, REPORT_FOLDER).map(described).collect();
     let program = json!({
-        "name": format!("slipmode {} (sources)", parts.facts.version),
+        "name": format!("slipmode {} (sources)", parts.facts.version()),
         "digest": { "sha256": parts.facts.source_sha256 },
     });
-    let dependencies: Vec<Value> = folder(INPUT_FOLDER).map(material).chain([program]).collect();
+    let dependencies: Vec<Value> = below(files, INPUT_FOLDER).map(described).chain([program]).collect();
     let statement = json!({
         "_type": "https://in-toto.io/Statement/v1",
         "subject": subject,
@@ -31,7 +25,7 @@ pub(super) fn statement(parts: &Parts<'_>, files: &Files) -> String {
                 "internalParameters": { "versions": parts.facts.versions },
                 "resolvedDependencies": dependencies,
             },
-            "runDetails": { "builder": { "id": format!("urn:slipmode:{}", parts.facts.version) } },
+            "runDetails": { "builder": { "id": format!("urn:slipmode:{}", parts.facts.version()) } },
         },
     });
     format!("{statement:#}\n")

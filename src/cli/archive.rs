@@ -19,7 +19,7 @@ use crate::cli::claim::refuse_contradictions;
 use crate::cli::environment::{Environment, SOURCE_SHA256, versions};
 use crate::cli::failure::Failure;
 use crate::cli::folder::{Source, read_report_from};
-use crate::cli::output::{Output, machine_write};
+use crate::cli::output::Output;
 use crate::cli::progress::Progress;
 use crate::cli::report::{LimitOption, unrenderable, verdicts};
 
@@ -60,13 +60,10 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     refuse_contradictions(&product.ledger)?;
     let facts = facts(time);
     let theorems = theorems(&folder, &product.ledger)?;
-    let parts = Parts {
-        sources: sources.as_deref(),
-        ..parts(&folder, &inputs, &product, &theorems, &facts, options.codecheck)
-    };
+    let parts = parts(&folder, &inputs, &product, &theorems, &facts, options.codecheck, sources.as_deref());
     let packed = pack(&contents(&parts), time).map_err(Failure::Refused)?;
-    archive.write_all(&packed).map_err(|error| machine_write(&error))?;
-    timings.write_all(environment.to_json().as_bytes()).map_err(|error| machine_write(&error))?;
+    archive.write_all(&packed)?;
+    timings.write_all(environment.to_json().as_bytes())?;
     archive.commit()?;
     timings.commit()?;
     let open = parts.codecheck.map_or_else(Vec::new, open_fields);
@@ -111,13 +108,8 @@ pub fn theorems(folder: &Folder, ledger: &Ledger) -> Result<BTreeMap<String, Str
 
 /// What is known of this program.
 pub fn facts(time: ReleaseTime) -> Facts {
-    let versions = versions().map(|(name, version)| (name.to_string(), version));
-    Facts {
-        version: env!("CARGO_PKG_VERSION").into(),
-        versions: BTreeMap::from(versions),
-        source_sha256: SOURCE_SHA256.into(),
-        time,
-    }
+    let versions = versions().map(|(name, version)| (name.to_string(), version)).into();
+    Facts { versions, source_sha256: SOURCE_SHA256.into(), time }
 }
 
 /// Collects what is archived of a report.
@@ -128,9 +120,9 @@ pub fn parts<'p>(
     theorems: &'p BTreeMap<String, String>,
     facts: &'p Facts,
     has_codecheck: bool,
+    sources: Option<&'p [u8]>,
 ) -> Parts<'p> {
     let codecheck = has_codecheck.then_some(&plan.paper);
-    let sources = None;
     Parts {
         name: &plan.name,
         title: &plan.title,
@@ -151,12 +143,10 @@ fn read_sources(path: &Path) -> Result<Vec<u8>, Failure> {
     if !bytes.starts_with(XZ) {
         return Err(Failure::place(path, "is no .tar.xz file (`cargo xtask sources` makes one)"));
     }
-    match bytes.len() as u64 {
-        length if length > most => {
-            Err(Failure::place(path, &format!("has {length} bytes (allowed: {most})")))
-        }
-        _ => Ok(bytes),
+    if bytes.len() as u64 > most {
+        return Err(Failure::place(path, &format!("has {} bytes (allowed: {most})", bytes.len())));
     }
+    Ok(bytes)
 }
 
 /// The first bytes of each file that xz has compressed.

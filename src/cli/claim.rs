@@ -28,7 +28,7 @@ pub fn problems(ledger: &Ledger) -> Vec<String> {
 }
 
 /// The claims whose verdict is not the recorded one, with both, and those whose theorems are about something else.
-pub fn drift(ledger: &Ledger) -> Vec<String> {
+fn drift(ledger: &Ledger) -> Vec<String> {
     let verdict = |entry: &Entry| {
         let [recorded, now] = [entry.expected, entry.finding.verdict].map(Verdict::as_str);
         format!("{}: recorded {recorded}, now {now}", entry.id)
@@ -38,7 +38,7 @@ pub fn drift(ledger: &Ledger) -> Vec<String> {
 }
 
 /// The errors of the program that its last gate found: two of its evaluations of one claim contradict each other.
-pub fn contradictions(ledger: &Ledger) -> Vec<String> {
+fn contradictions(ledger: &Ledger) -> Vec<String> {
     let line = |(id, contradiction)| {
         format!(
             "error of slipmode: {id}: {contradiction} The claim has no verdict. Please report this with claims.toml and equations.toml."

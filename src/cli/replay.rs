@@ -9,15 +9,15 @@ use crate::cli::archive::{facts, parts, recompute, theorems};
 use clap::Args;
 use serde_json::json;
 use slipmode::archive::{
-    Budget, CODECHECK_FILE, Caps, Facts, Files, INPUT_FOLDER, Maker, Parts, ReleaseTime, Reproduction,
-    SOURCES_FILE, digest_faults, reproduction, requests, unpack,
+    Budget, CODECHECK_FILE, Caps, Facts, Files, INPUT_FOLDER, Maker, ReleaseTime, Reproduction, SOURCES_FILE,
+    below, digest_faults, reproduction, requests, unpack,
 };
 use slipmode::report::Product;
 use slipmode::scene::{AllowedRange, Limits, first_lines};
 use slipmode_core::number::nearest_f64;
 
 use crate::cli::answer::Answer;
-use crate::cli::claim::{contradictions, drift};
+use crate::cli::claim::problems;
 use crate::cli::example;
 use crate::cli::failure::Failure;
 use crate::cli::folder::{Source, read_report_from};
@@ -75,7 +75,7 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
         return Err(Failure::Check(first_lines(digests, |more| format!("and {more} more")).join("\n")));
     }
     let this = facts(opened.time);
-    let refused = |fault: String| Failure::Refused(format!("{}: {fault}", options.archive.display()));
+    let refused = |fault: String| Failure::place(&options.archive, &fault);
     let maker = Maker::of(&opened.files, opened.time, &this).map_err(refused)?;
     if let (Maker::OtherBuild(other), false) = (&maker, options.other_build) {
         return Err(refused(other_build_text(other, &this, &options.archive)));
@@ -112,7 +112,7 @@ fn budget(factor: &str) -> Result<Budget, Failure> {
 }
 
 fn other_build_text(other: &Facts, this: &Facts, archive: &Path) -> String {
-    let build = |facts: &Facts| format!("{} of sources {}", facts.version, &facts.source_sha256[..12]);
+    let build = |facts: &Facts| format!("{} of sources {}", facts.version(), &facts.source_sha256[..12]);
     format!(
         "archived by another build (slipmode {}; this is {}); compare with: slipmode replay --other-build {}",
         build(other),
@@ -136,11 +136,7 @@ pub struct Opened {
 pub fn open(path: &Path) -> Result<Opened, Failure> {
     let caps = Caps::default();
     let container = read_file_up_to(path, caps.container_bytes)?;
-    let named = |faults: Vec<String>| {
-        let lines: Vec<String> = faults.iter().map(|fault| format!("{}: {fault}", path.display())).collect();
-        Failure::Refused(lines.join("\n"))
-    };
-    let (files, time) = unpack(&container, &caps).map_err(named)?;
+    let (files, time) = unpack(&container, &caps).map_err(|faults| Failure::place_lines(path, faults))?;
     Ok(Opened { container, files, time })
 }
 
@@ -156,6 +152,7 @@ struct Replay<'r> {
 impl Replay<'_> {
     fn run(&self, limits: Limits, progress: &Progress) -> Result<(Product, Reproduction), Failure> {
         let inputs = below(&self.opened.files, INPUT_FOLDER);
+        let inputs: Files = inputs.map(|(_, path, bytes)| (path.to_string(), bytes.clone())).collect();
         let inside = self.place.join(INPUT_FOLDER);
         self.check_digits(&inputs)?;
         let watch = Watch::start(self.place, self.budget);
@@ -167,11 +164,9 @@ impl Replay<'_> {
         let theorems = theorems(&folder, &product.ledger)?;
         let has_codecheck = self.opened.files.contains_key(CODECHECK_FILE);
         let sources = self.opened.files.get(SOURCES_FILE).map(Vec::as_slice);
-        let parts = parts(&folder, &read, &product, &theorems, self.facts, has_codecheck);
-        let parts = Parts { sources, ..parts };
+        let parts = parts(&folder, &read, &product, &theorems, self.facts, has_codecheck, sources);
         let mut found = reproduction(&self.opened.container, &self.opened.files, &parts, &self.maker);
-        found.differences.extend(contradictions(&product.ledger));
-        found.differences.extend(drift(&product.ledger));
+        found.differences.extend(problems(&product.ledger));
         found.not_verified.extend(sources.map(|_| {
             format!("{SOURCES_FILE}: that these are the sources of the program that made the archive")
         }));
@@ -186,9 +181,9 @@ impl Replay<'_> {
     }
 
     fn refuse(&self, faults: Vec<String>) -> Result<(), Failure> {
-        let line = |fault: &String| format!("{}: {fault}; --budget FACTOR lifts it", self.place.display());
-        let lines: Vec<String> = faults.iter().map(line).collect();
-        if lines.is_empty() { Ok(()) } else { Err(Failure::Refused(lines.join("\n"))) }
+        let lines: Vec<String> =
+            faults.iter().map(|fault| format!("{fault}; --budget FACTOR lifts it")).collect();
+        if lines.is_empty() { Ok(()) } else { Err(Failure::place_lines(self.place, lines)) }
     }
 
     /// What was compared, in words.
@@ -200,10 +195,4 @@ impl Replay<'_> {
             }
         }
     }
-}
-
-fn below(files: &Files, folder: &str) -> Files {
-    let prefix = format!("{folder}/");
-    let inside = files.iter().filter_map(|(path, bytes)| Some((path.strip_prefix(&prefix)?, bytes)));
-    inside.map(|(path, bytes)| (path.to_string(), bytes.clone())).collect()
 }

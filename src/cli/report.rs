@@ -11,7 +11,7 @@ use slipmode::report::{
 use slipmode::scene::{Limits, Source, first_lines};
 
 use crate::cli::answer::Answer;
-use crate::cli::claim::{contradictions, drift, print_warnings, refuse_contradictions, verify_claim};
+use crate::cli::claim::{print_warnings, problems, refuse_contradictions, verify_claim};
 use crate::cli::environment::{ENVIRONMENT_FILE, Environment};
 use crate::cli::failure::Failure;
 use crate::cli::folder::{read_report, read_scene};
@@ -154,8 +154,7 @@ pub fn verify(options: &VerifyOptions, progress: &Progress) -> Result<(), Failur
         Vec::new()
     };
     moved.extend(product.files.get(PAGE).and_then(|page| over_budget(page.len())));
-    let mut drift: Vec<String> = contradictions(&product.ledger);
-    drift.extend(self::drift(&product.ledger));
+    let mut drift = problems(&product.ledger);
     drift.extend(product.ledger.overstated().map(|entry| {
         format!("{}: the strength {} is above its weakest part's", entry.id, entry.finding.strength.as_str())
     }));
@@ -239,9 +238,7 @@ fn published_files(files: &Files, with_page: bool) -> Files {
 }
 
 pub fn unrenderable(folder: &Path, error: &ReportError) -> Failure {
-    let lines: Vec<String> =
-        error.to_string().lines().map(|line| format!("{}: {line}", folder.display())).collect();
-    Failure::Refused(lines.join("\n"))
+    Failure::place_lines(folder, error.to_string().lines())
 }
 
 /// States a claim with its verdict.

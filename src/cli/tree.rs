@@ -5,6 +5,7 @@ use std::fs;
 use std::io::{self, Read};
 use std::path::Path;
 
+use slipmode::archive::first_different_line;
 use slipmode::report::without_environment;
 
 use crate::cli::environment::ENVIRONMENT_FILE;
@@ -25,16 +26,15 @@ pub fn listing(files: &Files, folder: &Path) -> String {
 /// When the published folder cannot be read.
 pub fn differences(files: &Files, published: &Path) -> Result<Vec<String>, Failure> {
     let mut names = BTreeSet::new();
-    if published.exists() {
-        list(published, "", &mut names).map_err(|error| Failure::io(published, "cannot be read", &error))?;
-    }
+    list(published, "", &mut names).map_err(|error| Failure::io(published, "cannot be read", &error))?;
     names.extend(files.keys().cloned());
     names.remove(ENVIRONMENT_FILE);
     let mut found = Vec::new();
     for name in names {
         let path = published.join(&name);
-        let old = match read_published(&path) {
-            Ok(bytes) => Some(String::from_utf8_lossy(&bytes).into_owned()),
+        let mut bytes = Vec::new();
+        let old = match open_regular(&path).and_then(|mut file| file.read_to_end(&mut bytes)) {
+            Ok(_) => Some(String::from_utf8_lossy(&bytes)),
             Err(error) if error.kind() == io::ErrorKind::NotFound => None,
             Err(error) => return Err(Failure::io(&path, "cannot be read", &error)),
         };
@@ -43,32 +43,16 @@ pub fn differences(files: &Files, published: &Path) -> Result<Vec<String>, Failu
     Ok(found)
 }
 
-fn read_published(path: &Path) -> io::Result<Vec<u8>> {
-    let mut bytes = Vec::new();
-    open_regular(path)?.read_to_end(&mut bytes)?;
-    Ok(bytes)
-}
-
 fn difference(name: &str, old: Option<&str>, new: Option<&str>) -> Option<String> {
     match (old, new) {
         (None, _) => Some(format!("{name}: not in the published copy")),
         (Some(_), None) => Some(format!("{name}: in the published copy, but not in the report")),
-        (Some(old), Some(new)) if old == new => None,
         (Some(old), Some(new)) => {
             let (old, new) = (without_environment(old), without_environment(new));
-            let line = first_difference(&old, &new)?;
+            let line = first_different_line(old.as_bytes(), new.as_bytes())?;
             Some(format!("{name}:{line}: differs from the published copy"))
         }
     }
-}
-
-/// The first line, counted from 1, in which two texts differ.
-fn first_difference(old: &str, new: &str) -> Option<usize> {
-    if old == new {
-        return None;
-    }
-    let same = old.split('\n').zip(new.split('\n')).take_while(|(old, new)| old == new).count();
-    Some(same + 1)
 }
 
 fn list(folder: &Path, prefix: &str, names: &mut BTreeSet<String>) -> io::Result<()> {
