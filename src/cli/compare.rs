@@ -88,9 +88,7 @@ pub fn run(options: &Options, progress: Progress) -> Result<(), Failure> {
         folder.commit(&page::files(&options.runs, &done, &environment)?)?;
     }
     let takes_stdout = options.output.as_deref().is_some_and(is_stream);
-    if let Some(output) = output {
-        output.commit()?;
-    }
+    output.map_or(Ok(()), Output::commit)?;
     if options.json || !takes_stdout {
         view::answer(&done.kept, done.counts.faulty).print(options.json)?;
     }

@@ -61,5 +61,5 @@ pub fn ledger(path: &Path) -> Result<Vec<u8>, Failure> {
     }
     let inside = format!("{REPORT_FOLDER}/ledger.json");
     let mut files = open(path)?.files;
-    files.remove(&inside).ok_or_else(|| Failure::Refused(format!("{}: holds no {inside}", path.display())))
+    files.remove(&inside).ok_or_else(|| Failure::place(path, &format!("holds no {inside}")))
 }

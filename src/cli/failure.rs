@@ -38,6 +38,12 @@ impl Failure {
         Self::Refused(format!("{}: {why}", place.display()))
     }
 
+    /// Faults of a place, a line each.
+    pub fn place_lines(place: &Path, faults: impl IntoIterator<Item = impl fmt::Display>) -> Self {
+        let lines = faults.into_iter().map(|fault| format!("{}: {fault}", place.display()));
+        Self::Refused(lines.collect::<Vec<_>>().join("\n"))
+    }
+
     /// What a write to standard output that did not succeed means. A reader that has gone wants no more of it, and the command
     /// goes on to its verdict; anything else is a failure.
     ///
@@ -66,6 +72,13 @@ impl Failure {
             Self::Input(_) | Self::Refused(_) => BAD_INPUT,
             Self::Check(_) => CHECK_FAILED,
         }
+    }
+}
+
+/// A write to an output that did not succeed; the error names the output.
+impl From<io::Error> for Failure {
+    fn from(error: io::Error) -> Self {
+        Self::Refused(error.to_string())
     }
 }
 

@@ -206,13 +206,7 @@ impl Reader {
         path: &str,
         parse: impl FnOnce(&str, &[u8], &Limits) -> Result<T, Faults>,
     ) -> Option<T> {
-        let bytes = match self.source.read(path) {
-            Ok(bytes) => bytes,
-            Err(fault) => {
-                self.faults.push(fault);
-                return None;
-            }
-        };
+        let bytes = self.source.read(path).map_err(|fault| self.faults.push(fault)).ok()?;
         self.inputs.push(InputView {
             path: path.to_string(),
             bytes: bytes.len().to_string(),

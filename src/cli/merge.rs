@@ -15,9 +15,7 @@ use crate::cli::failure::Failure;
 use crate::cli::options::Arguments;
 use crate::cli::output::Output;
 use crate::cli::sweep::MOST_SHARDS;
-use crate::cli::sweep::block_file::{
-    Contents, Heading, OpenBlock, Origin, Unsound, block_name, block_of_name,
-};
+use crate::cli::sweep::block_file::{Contents, Heading, OpenBlock, Origin, block_name, block_of_name};
 use whole::Whole;
 
 /// Options of `merge`.
@@ -147,16 +145,16 @@ impl<'f> Folder<'f> {
         }
         strays.sort();
         for block in present.iter().copied() {
-            let Ok(open) = OpenBlock::open(place, block) else { continue };
+            let Ok(Ok(open)) = OpenBlock::open(place, block) else { continue };
             let heading = open.heading.clone();
             let Ok(contents) = open.copy(true, &mut std::io::sink())? else { continue };
             if let Some(fault) = heading.origin.count_fault() {
-                return Err(Failure::Refused(naming(place, &block_name(block), &fault)));
+                return Err(Failure::place(&place.join(block_name(block)), &fault));
             }
             let (origin, points, columns) = (heading.origin, heading.points, contents.columns);
             return Ok(Self { place, present, strays, reference: block, origin, points, columns });
         }
-        Err(Failure::Refused(format!("{}: has no valid block; run every shard", place.display())))
+        Err(Failure::place(place, "has no valid block; run every shard"))
     }
 
     fn naming(&self, block: u64, reason: &str) -> String {
@@ -194,15 +192,9 @@ impl<'f> Folder<'f> {
 
     /// Adds a block to the whole, and checks its digest, then its origin, then its rows and columns.
     fn add(&self, block: u64, whole: &mut Whole) -> Result<State, Failure> {
-        let open = match OpenBlock::open(self.place, block) {
+        let open = match OpenBlock::open(self.place, block)? {
             Ok(open) => open,
-            Err(Unsound::Missing) => {
-                return Ok(State::Damaged("changed while the blocks were merged".into()));
-            }
-            Err(Unsound::Damaged(reason)) => return Ok(State::Damaged(reason)),
-            Err(Unsound::Unreadable(error)) => {
-                return Err(Failure::io(&self.place.join(block_name(block)), "cannot be read", &error));
-            }
+            Err(reason) => return Ok(State::Damaged(reason)),
         };
         let heading = open.heading.clone();
         let contents = match whole.copy(open, block == 0)? {

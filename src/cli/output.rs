@@ -5,7 +5,7 @@ mod partial;
 mod places;
 
 use std::fs::{self, File};
-use std::io::{self, BufWriter, Seek, SeekFrom, Write};
+use std::io::{self, BufWriter, IntoInnerError, Seek, SeekFrom, Write};
 use std::os::fd::AsFd;
 use std::path::{Path, PathBuf};
 
@@ -18,12 +18,7 @@ pub use places::{check_input, note_input, note_input_folder};
 
 /// A file under writing that appears in its place only when [`Output::commit`] succeeds.
 #[derive(Debug)]
-pub struct Output {
-    target: Target,
-}
-
-#[derive(Debug)]
-enum Target {
+pub enum Output {
     /// A regular file, and the unfinished one next to it.
     File { place: PathBuf, partial: BufWriter<PartialFile> },
     /// Standard output, from a file without a name.
@@ -66,7 +61,7 @@ impl Output {
         let partial =
             PartialFile::beside(place).map_err(|error| Failure::io(place, "cannot be created", &error))?;
         let partial = BufWriter::with_capacity(BUFFER_BYTES, partial);
-        Ok(Self { target: Target::File { place: place.to_path_buf(), partial } })
+        Ok(Self::File { place: place.to_path_buf(), partial })
     }
 
     fn spool() -> Result<Self, Failure> {
@@ -79,7 +74,7 @@ impl Output {
                 .map_err(|why| Failure::Refused(format!("standard output: {why}")))?;
         }
         let file = tempfile::tempfile().map_err(no_spool)?;
-        Ok(Self { target: Target::Spool(BufWriter::with_capacity(BUFFER_BYTES, file)) })
+        Ok(Self::Spool(BufWriter::with_capacity(BUFFER_BYTES, file)))
     }
 
     /// Writes the whole content and puts the file in its place.
@@ -87,7 +82,7 @@ impl Output {
     /// # Errors
     /// When the content cannot be written.
     pub fn finish(mut self, content: impl AsRef<[u8]>) -> Result<(), Failure> {
-        self.write_all(content.as_ref()).map_err(|error| machine_write(&error))?;
+        self.write_all(content.as_ref())?;
         self.commit()
     }
 
@@ -96,18 +91,18 @@ impl Output {
     /// # Errors
     /// When the command has read the file that is there, or the system refuses; nothing is left behind then.
     pub fn commit(mut self) -> Result<(), Failure> {
-        self.flush().map_err(|error| machine_write(&error))?;
-        match self.target {
-            Target::File { place, partial } => {
+        self.flush()?;
+        match self {
+            Self::File { place, partial } => {
                 let partial = partial
                     .into_inner()
                     .map_err(|error| Failure::io(&place, "cannot be written", error.error()))?;
                 places::check_output(&place, false).map_err(|why| Failure::place(&place, why))?;
                 partial.persist(&place).map_err(|error| Failure::io(&place, "cannot be written", &error))
             }
-            Target::Spool(writer) => {
-                let mut file = writer.into_inner().map_err(|error| machine_write(error.error()))?;
-                file.seek(SeekFrom::Start(0)).map_err(|error| machine_write(&error))?;
+            Self::Spool(writer) => {
+                let mut file = writer.into_inner().map_err(IntoInnerError::into_error)?;
+                file.seek(SeekFrom::Start(0))?;
                 let copied = io::copy(&mut file, &mut StandardOutput).and_then(|_| StandardOutput.flush());
                 copied.or_else(|error| Failure::of_standard_output(&error))
             }
@@ -128,32 +123,17 @@ impl Write for Output {
 impl Output {
     /// Does something with the file; an error gets the name of the output in front.
     fn attempt<T>(&mut self, action: impl FnOnce(&mut dyn Write) -> io::Result<T>) -> io::Result<T> {
-        let (done, name) = match &mut self.target {
-            Target::File { place, partial } => (action(partial), place.display().to_string()),
-            Target::Spool(file) => (action(file), "a temporary file for standard output".to_string()),
+        let (done, name) = match self {
+            Self::File { place, partial } => (action(partial), place.display().to_string()),
+            Self::Spool(file) => (action(file), "a temporary file for standard output".to_string()),
         };
         done.map_err(|error| io::Error::new(error.kind(), format!("{name}: cannot be written: {error}")))
-    }
-}
-
-impl Write for PartialFile {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.file().write(bytes)
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        self.file().flush()
     }
 }
 
 /// Whether a place is a standard stream.
 pub fn is_stream(place: &Path) -> bool {
     place.as_os_str() == "-"
-}
-
-/// A write to an output that did not succeed; the error names the output.
-pub fn machine_write(error: &io::Error) -> Failure {
-    Failure::Refused(error.to_string())
 }
 
 /// Only a regular file may be replaced: a rename over a link or device would destroy what others rely on.

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use indicatif::ProgressBar;
-use slipmode::csv::{Block, Counts, Header, RowReader, RowWork, Work, Worked};
+use slipmode::csv::{Block, Counts, Header, RowReader, RowWork, Work};
 use slipmode::parallel;
 use slipmode::scene::{Fault, Faults, shortened, visible};
 
@@ -16,7 +16,7 @@ use crate::cli::dialect::DialectOptions;
 use crate::cli::failure::Failure;
 use crate::cli::input::open_csv;
 use crate::cli::options::Arguments;
-use crate::cli::output::{Output, machine_write};
+use crate::cli::output::Output;
 use crate::cli::progress::Progress;
 use crate::cli::terminal;
 
@@ -119,17 +119,19 @@ impl<W: RowWork> Started<W> {
     /// As [`run`].
     pub fn work(self, output: &mut impl Write) -> Result<Done<W::Kept>, Failure> {
         let Self { work, mut reader, bar } = self;
-        output.write_all(&work.header_line()).map_err(|error| machine_write(&error))?;
+        output.write_all(&work.header_line())?;
         let mut done = Done { kept: Vec::new(), faults: Faults::new(), counts: Counts::default() };
         let mut faults = Faults::new();
         let mut batch = read_batch::<W>(&mut reader)?;
         while !batch.is_empty() && (work.keep_going || faults.len() < MOST_FAULTS) {
             let is_lost = !work.keep_going && !faults.is_empty();
-            let (worked, next) =
-                rayon::join(|| work_batch(&work, &batch, is_lost), || read_batch::<W>(&mut reader));
+            let (worked, next) = rayon::join(
+                || parallel::map(&batch, |block| work.block(block, is_lost)),
+                || read_batch::<W>(&mut reader),
+            );
             for mut part in worked {
                 if work.keep_going || faults.is_empty() {
-                    output.write_all(&part.text).map_err(|error| machine_write(&error))?;
+                    output.write_all(&part.text)?;
                 }
                 faults.extend(part.faults.iter().take(MOST_FAULTS.saturating_sub(faults.len())).cloned());
                 done.kept.append(&mut part.kept);
@@ -157,10 +159,6 @@ fn read_batch<W: RowWork>(reader: &mut RowReader) -> Result<Vec<Block>, Fault> {
         batch.push(block);
     }
     Ok(batch)
-}
-
-fn work_batch<W: RowWork>(work: &Work<W>, batch: &[Block], only_read: bool) -> Vec<Worked<W::Kept>> {
-    parallel::map(batch, |block| work.block(block, only_read))
 }
 
 /// Prints how the columns are read, and which are not.

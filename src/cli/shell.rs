@@ -4,7 +4,6 @@ use clap::{Args, Command};
 use clap_complete::Shell;
 
 use crate::cli::failure::Failure;
-use crate::cli::output::machine_write;
 use crate::cli::terminal;
 
 /// Options of `completions`.
@@ -49,6 +48,6 @@ pub fn man(options: &ManOptions, mut commands: Command) -> Result<(), Failure> {
         }
     };
     let mut page = Vec::new();
-    clap_mangen::Man::new(page_of).render(&mut page).map_err(|error| machine_write(&error))?;
+    clap_mangen::Man::new(page_of).render(&mut page)?;
     terminal::print(&String::from_utf8_lossy(&page))
 }

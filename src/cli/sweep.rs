@@ -26,7 +26,7 @@ use crate::cli::failure::Failure;
 use crate::cli::options::Arguments;
 use crate::cli::progress::Progress;
 use crate::cli::terminal;
-use block_file::{Content, OpenBlock, Origin, Unsound, write_block};
+use block_file::{Content, OpenBlock, Origin, write_block};
 use load::Loaded;
 use points::{Job, Points};
 use summed::Summed;
@@ -201,20 +201,14 @@ impl BlockWriter<'_> {
 
     /// Whether a block is there and sound. A damaged one is computed again; one of another sweep is never overwritten.
     fn holds(&self, block: u64) -> Result<bool, Failure> {
-        let place = self.out.join(block_file::block_name(block));
-        let open = match OpenBlock::open(self.out, block) {
-            Ok(open) => open,
-            Err(Unsound::Missing | Unsound::Damaged(_)) => return Ok(false),
-            Err(Unsound::Unreadable(error)) => return Err(Failure::io(&place, "cannot be read", &error)),
-        };
+        let Ok(open) = OpenBlock::open(self.out, block)? else { return Ok(false) };
         let heading = open.heading.clone();
         // The digest comes first: a flipped bit of the heading must not look like another scene.
         let Ok(contents) = open.copy(true, &mut std::io::sink())? else { return Ok(false) };
         if let Some(difference) = heading.origin.difference(&self.origin) {
-            return Err(Failure::Refused(format!(
-                "{}: {difference}; choose another folder, or remove its blocks",
-                place.display()
-            )));
+            let place = self.out.join(block_file::block_name(block));
+            let why = format!("{difference}; choose another folder, or remove its blocks");
+            return Err(Failure::place(&place, &why));
         }
         let range = self.blocks.range(block);
         let is_ours = (heading.block, heading.points) == (block, range.end - range.start);

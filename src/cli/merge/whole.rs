@@ -4,7 +4,7 @@ use slipmode::sweep::Summary;
 
 use crate::cli::failure::Failure;
 use crate::cli::output::Output;
-use crate::cli::sweep::block_file::{Content, Contents, OpenBlock, Unsound};
+use crate::cli::sweep::block_file::{Content, Contents, OpenBlock};
 
 /// What the blocks are joined to.
 pub enum Whole {
@@ -37,18 +37,14 @@ impl Whole {
 
     /// Copies a block's CSV; what is wrong with the block is the inner error.
     pub fn copy(&mut self, open: OpenBlock, is_first: bool) -> Result<Result<Contents, String>, Failure> {
-        let copied = match self {
+        match self {
             Self::Checked => open.copy(true, &mut std::io::sink()),
             Self::Rows(output) => open.copy(is_first, output),
             Self::Summary(summary) => {
                 summary.csv.clear();
                 open.copy(true, &mut summary.csv)
             }
-        };
-        Ok(copied?.map_err(|unsound| match unsound {
-            Unsound::Damaged(reason) => reason,
-            _ => "changed while the blocks were merged".into(),
-        }))
+        }
     }
 
     /// Adds the summary of the block that was copied last; its rows have to be as many as its points.

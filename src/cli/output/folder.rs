@@ -57,7 +57,7 @@ impl OutputFolder {
 /// Only a new folder, an empty one or an earlier output of ours may be written.
 fn check_place(place: &Path) -> Result<(), Failure> {
     let Ok(metadata) = fs::symlink_metadata(place) else { return Ok(()) };
-    let refuse = |why: &str| Err(Failure::Refused(format!("{}: {why}", place.display())));
+    let refuse = |why: &str| Err(Failure::place(place, why));
     if metadata.file_type().is_symlink() {
         return refuse("is a symbolic link; name the folder itself");
     }

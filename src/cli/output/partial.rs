@@ -49,11 +49,6 @@ impl PartialFile {
         Ok(Self { file, _entry: entry })
     }
 
-    /// The open file.
-    pub fn file(&mut self) -> &mut File {
-        self.file.as_file_mut()
-    }
-
     /// Puts the file in its place when its bytes are on the disk; an earlier file is replaced in one step.
     ///
     /// # Errors
@@ -63,6 +58,16 @@ impl PartialFile {
         file.as_file().sync_all()?;
         file.persist(place).map_err(|error| error.error)?;
         sync_folder(folder_of(place))
+    }
+}
+
+impl io::Write for PartialFile {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.file.as_file_mut().write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.file.as_file_mut().flush()
     }
 }
 

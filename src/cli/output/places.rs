@@ -2,7 +2,7 @@
 
 use std::fs::{self, File, Metadata};
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use crate::cli::output::partial::folder_of;
 
@@ -59,8 +59,7 @@ pub fn note_output(place: &Path, is_folder: bool) -> Result<(), &'static str> {
 /// # Errors
 /// When the command has read it, or a file in it.
 pub fn check_output(place: &Path, is_folder: bool) -> Result<(), &'static str> {
-    let places = PLACES.lock().unwrap_or_else(PoisonError::into_inner);
-    places.check_written(&Target::of_output(place, is_folder))
+    check(&Target::of_output(place, is_folder), &places().inputs, BOTH)
 }
 
 /// Notes standard output: a file that it is redirected to must not be read.
@@ -72,8 +71,8 @@ pub fn note_standard_output(file: &File) -> Result<(), &'static str> {
 }
 
 fn note_read(place: Target) -> Result<(), &'static str> {
-    let mut places = PLACES.lock().unwrap_or_else(PoisonError::into_inner);
-    let checked = places.check_read(&place);
+    let mut places = places();
+    let checked = check(&place, &places.outputs, BOTH);
     places.inputs.push(place);
     checked
 }
@@ -83,26 +82,23 @@ fn note_read(place: Target) -> Result<(), &'static str> {
 /// # Errors
 /// When it is an output of this command too.
 pub fn check_input(file: &File) -> Result<(), &'static str> {
-    let places = PLACES.lock().unwrap_or_else(PoisonError::into_inner);
-    places.check_read(&Target { path: None, identity: identity_of(file), is_folder: false })
+    let input = Target { path: None, identity: identity_of(file), is_folder: false };
+    check(&input, &places().outputs, BOTH)
 }
 
-impl CommandPaths {
-    fn check_written(&self, place: &Target) -> Result<(), &'static str> {
-        if self.inputs.iter().any(|input| input.meets(place)) { Err(BOTH) } else { Ok(()) }
-    }
+/// Refuses a place that meets one of these, and says why.
+fn check(place: &Target, others: &[Target], why: &'static str) -> Result<(), &'static str> {
+    if others.iter().any(|other| other.meets(place)) { Err(why) } else { Ok(()) }
+}
 
-    fn check_read(&self, place: &Target) -> Result<(), &'static str> {
-        if self.outputs.iter().any(|output| output.meets(place)) { Err(BOTH) } else { Ok(()) }
-    }
+fn places() -> MutexGuard<'static, CommandPaths> {
+    PLACES.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 fn note_written(place: Target) -> Result<(), &'static str> {
-    let mut places = PLACES.lock().unwrap_or_else(PoisonError::into_inner);
-    places.check_written(&place)?;
-    if places.outputs.iter().any(|output| output.meets(&place)) {
-        return Err(TWICE);
-    }
+    let mut places = places();
+    check(&place, &places.inputs, BOTH)?;
+    check(&place, &places.outputs, TWICE)?;
     places.outputs.push(place);
     Ok(())
 }

@@ -9,7 +9,7 @@ use slipmode::archive::finished_hex;
 
 use crate::cli::failure::Failure;
 use crate::cli::input::open_regular;
-use crate::cli::output::{Output, check_input, machine_write};
+use crate::cli::output::{Output, check_input};
 
 /// The first line of every block.
 const FORMAT: &str = "slipmode block 1";
@@ -109,17 +109,6 @@ pub struct Heading {
     sha256: String,
 }
 
-/// Why a block's file does not hold.
-#[derive(Debug)]
-pub enum Unsound {
-    /// There is none.
-    Missing,
-    /// It is not what its heading says, or has none.
-    Damaged(String),
-    /// It cannot be read.
-    Unreadable(io::Error),
-}
-
 /// The file of a block.
 pub fn block_name(block: u64) -> String {
     format!("block-{block:09}.csv")
@@ -192,35 +181,39 @@ pub struct Contents {
 }
 
 impl OpenBlock {
-    /// Opens a block of a folder and reads its heading; a length other than the stated one is found here.
+    /// Opens a block of a folder and reads its heading; a length other than the stated one is found here. The inner error is
+    /// that there is no such file, which `merge` has listed, or that it does not hold.
     ///
     /// # Errors
-    /// When there is no such file, or it does not hold.
-    pub fn open(folder: &Path, block: u64) -> Result<Self, Unsound> {
+    /// When it cannot be read.
+    pub fn open(folder: &Path, block: u64) -> Result<Result<Self, String>, Failure> {
         let name = folder.join(block_name(block));
+        let unreadable = |error| Failure::io(&name, "cannot be read", &error);
         let file = match open_regular(&name).and_then(not_an_output) {
-            Ok(file) => file,
-            Err(error) if error.kind() == io::ErrorKind::NotFound => return Err(Unsound::Missing),
-            Err(error) => return Err(Unsound::Unreadable(error)),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => {
+                return Ok(Err("changed while the blocks were merged".into()));
+            }
+            file => file.map_err(unreadable)?,
         };
-        let size = file.metadata().map_err(Unsound::Unreadable)?.len();
+        let size = file.metadata().map_err(unreadable)?.len();
         let mut reader = BufReader::with_capacity(1 << 16, file);
         let mut text = Vec::new();
         let mut limited = (&mut reader).take(LONGEST_HEADING);
         for _ in 0..HEADING_LINES {
-            limited.read_until(b'\n', &mut text).map_err(Unsound::Unreadable)?;
+            limited.read_until(b'\n', &mut text).map_err(unreadable)?;
         }
         let heading = std::str::from_utf8(&text).ok().and_then(Heading::parse);
-        let heading = heading.ok_or_else(|| Unsound::Damaged("has no valid heading".into()))?;
+        let Some(heading) = heading else { return Ok(Err("has no valid heading".into())) };
         let stated = text.len() as u64 + heading.bytes;
-        match size {
-            size if size < stated => Err(Unsound::Damaged(format!("truncated: {size} of {stated} bytes"))),
-            size if size > stated => Err(Unsound::Damaged(format!("too long: {size} bytes, not {stated}"))),
+        Ok(match size {
+            size if size < stated => Err(format!("truncated: {size} of {stated} bytes")),
+            size if size > stated => Err(format!("too long: {size} bytes, not {stated}")),
             _ => Ok(Self { heading, reader, name }),
-        }
+        })
     }
 
-    /// Writes the CSV, without its column names unless `with_columns`, and then gives its contents if the digest is the stated one.
+    /// Writes the CSV, without its column names unless `with_columns`, and then gives its contents; the inner error is that the digest
+    /// is not the stated one.
     ///
     /// # Errors
     /// When it cannot be read or written.
@@ -228,7 +221,7 @@ impl OpenBlock {
         mut self,
         with_columns: bool,
         out: &mut impl Write,
-    ) -> Result<Result<Contents, Unsound>, Failure> {
+    ) -> Result<Result<Contents, String>, Failure> {
         let mut digest = Sha256::new().chain_update(self.heading.stated());
         let mut shape = Shape::default();
         let mut skipped = if with_columns { 0 } else { self.heading.columns };
@@ -243,13 +236,13 @@ impl OpenBlock {
             shape.add(&buffer[..count]);
             let from = usize::try_from(skipped).unwrap_or(usize::MAX).min(count);
             skipped -= from as u64;
-            out.write_all(&buffer[from..count]).map_err(|error| machine_write(&error))?;
+            out.write_all(&buffer[from..count])?;
         }
         if finished_hex(digest) == self.heading.sha256 {
             let fault = shape.fault(&self.heading);
             return Ok(Ok(Contents { columns: shape.columns, fault }));
         }
-        Ok(Err(Unsound::Damaged("damaged or altered: its SHA-256 is not the stated one".into())))
+        Ok(Err("damaged or altered: its SHA-256 is not the stated one".into()))
     }
 }
 
@@ -276,7 +269,7 @@ pub fn write_block(
     heading.sha256 = finished_hex(digest);
     let mut output = Output::replace(&folder.join(block_name(block)))?;
     for part in [heading.text().as_bytes(), columns, lines] {
-        output.write_all(part).map_err(|error| machine_write(&error))?;
+        output.write_all(part)?;
     }
     output.commit()
 }
