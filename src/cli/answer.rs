@@ -144,9 +144,9 @@ pub fn cell(value: &Value) -> String {
 }
 
 /// Writes rows of numbers as CSV below a line of column names.
-pub fn csv_of_numbers<const N: usize>(names: [&str; N], rows: impl Iterator<Item = [f64; N]>) -> String {
+pub fn csv_of_numbers<const N: usize>(names: &str, rows: impl Iterator<Item = [f64; N]>) -> String {
     let line = |row: [f64; N]| format!("{}\n", row.map(shortest).join(","));
-    format!("{}\n{}", names.join(","), rows.map(line).collect::<String>())
+    format!("{names}\n{}", rows.map(line).collect::<String>())
 }
 
 impl Item {

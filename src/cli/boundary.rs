@@ -209,10 +209,8 @@ impl Request {
         let slider = options.slider.slider(arguments);
         let limit = limit_on_points(options, arguments);
         let given = arguments.whole("--points", options.points.as_deref(), 2..=u64::MAX);
-        let digits = match &options.digits {
-            None => Some(DEFAULT_DIGITS),
-            Some(text) => arguments.whole("--digits", Some(text), 1..=MOST_DIGITS),
-        };
+        let whole = |text: &String| arguments.whole("--digits", Some(text), 1..=MOST_DIGITS);
+        let digits = options.digits.as_ref().map_or(Some(DEFAULT_DIGITS), whole);
         let needs = "CSV: the numbers of --json have 64 bits";
         arguments.refuse_value("--digits", options.digits.as_deref().filter(|_| options.json), needs);
         let at = coordinates(options, arguments);

@@ -188,13 +188,7 @@ pub fn main_with(arguments: impl IntoIterator<Item = OsString>) -> u8 {
             return exit_code_of_usage(&error);
         }
     };
-    match run(cli) {
-        Ok(()) => 0,
-        Err(failure) => {
-            failure.print(as_json);
-            failure.exit_code()
-        }
-    }
+    ended(run(cli), as_json).1
 }
 
 /// Runs a command as a function: what it would write to the standard streams is returned.
@@ -235,14 +229,19 @@ pub fn capture(arguments: impl IntoIterator<Item = OsString>) -> Captured {
 
 /// Does a part of a command as a function: returns its result unless it fails, and what it would write to the standard streams.
 fn captured<T>(as_json: bool, work: impl FnOnce() -> Result<T, Failure>) -> (Option<T>, Captured) {
-    let ((done, exit_code), written) = streams::written_by(|| match work() {
+    let ((done, exit_code), written) = streams::written_by(|| ended(work(), as_json));
+    (done, Captured { exit_code, ..written })
+}
+
+/// The result of a command and its exit code; a failure is printed.
+fn ended<T>(result: Result<T, Failure>, as_json: bool) -> (Option<T>, u8) {
+    match result {
         Ok(done) => (Some(done), 0),
         Err(failure) => {
             failure.print(as_json);
             (None, failure.exit_code())
         }
-    });
-    (done, Captured { exit_code, ..written })
+    }
 }
 
 /// Whether a program reads what the command prints.

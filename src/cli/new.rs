@@ -71,7 +71,7 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
         let written = OutputFolder::create(&place)?;
         return options.write(written, &paper::files(&options.name), "verify", &place, Answer::default());
     }
-    let Request { typed, parameters } = read(options)?;
+    let (typed, parameters) = read(options)?;
     let place = free_place(options)?;
     let output = OutputFolder::create(&place)?;
     let files = drafted(&typed, &parameters, &place, *progress)?;
@@ -104,7 +104,7 @@ pub fn write_fitted(
         output: Some(place.to_path_buf()),
         json: false,
     };
-    let Request { typed, parameters } = read(&options)?;
+    let (typed, parameters) = read(&options)?;
     let place = free_place(&options)?;
     let output = OutputFolder::create(&place)?;
     let typed = Typed { fitted: Some(fitted), ..typed };
@@ -121,11 +121,11 @@ fn drafted(
     let effects = effects_of(parameters);
     let corners = Ranges::around(parameters).map_err(Failure::Refused)?;
     let mut ranges = typed.own.as_ref().map_or(corners, |own| Ranges::of_laboratory(&own.ranges));
-    let mut draft = complete(typed, effects, &ranges, place, progress)?;
-    while draft.has_gaps && ranges.coarsen() {
-        draft = complete(typed, effects, &ranges, place, progress)?;
+    let (mut files, mut has_gaps) = complete(typed, effects, &ranges, place, progress)?;
+    while has_gaps && ranges.coarsen() {
+        (files, has_gaps) = complete(typed, effects, &ranges, place, progress)?;
     }
-    Ok(draft.files)
+    Ok(files)
 }
 
 /// Where the folder is to be; nothing may be there.
@@ -175,12 +175,7 @@ fn effects_of(parameters: &Slider<Rational>) -> Sliders {
 }
 
 /// The name and the numbers as typed, and the slider as exact values.
-struct Request {
-    typed: Typed,
-    parameters: Slider<Rational>,
-}
-
-fn read(options: &Options) -> Result<Request, Failure> {
+fn read(options: &Options) -> Result<(Typed, Slider<Rational>), Failure> {
     let mut arguments = Arguments::default();
     check_report_name(&options.name, &mut arguments);
     let Some(centre) = options.slider.centre(&mut arguments) else {
@@ -195,7 +190,7 @@ fn read(options: &Options) -> Result<Request, Failure> {
     let parameters = arguments.finish(parameters)?;
     let own = ranges.map(|ranges| Own { slider: parameters.clone(), ranges });
     let typed = Typed { name: options.name.clone(), slider, is_example, own, fitted: None };
-    Ok(Request { typed, parameters })
+    Ok((typed, parameters))
 }
 
 /// The operating range around an operating point; none without one, and when an option is at fault.
@@ -226,21 +221,15 @@ fn own_ranges(
     all_of([range(0, &normal_stress_pa), range(1, &loading_velocity_m_per_s)])
 }
 
-/// A folder's files, complete.
-struct Draft {
-    files: Files,
-    /// Whether a simulation has no result, so that claims on all of them are left out.
-    has_gaps: bool,
-}
-
-/// The files with the verdicts that they have: the folder is read back as `report` will read it, and decided.
+/// The files with the verdicts that they have: the folder is read back as `report` will read it, and decided. The second
+/// value says whether a simulation has no result, so that claims on all of them are left out.
 fn complete(
     typed: &Typed,
     effects: Sliders,
     ranges: &Ranges,
     place: &Path,
     progress: Progress,
-) -> Result<Draft, Failure> {
+) -> Result<(Files, bool), Failure> {
     let mut files = folder_files(typed, effects, ranges);
     files.insert("claims.toml".into(), claims::undecided(&claims::candidates(effects)?));
     let bytes = files.iter().map(|(name, text)| (name.clone(), text.clone().into_bytes())).collect();
@@ -251,5 +240,5 @@ fn complete(
         *text = decided.without_those_left_out(text);
     }
     files.insert("claims.toml".into(), decided.text(&typed.name));
-    Ok(Draft { files, has_gaps: decided.has_gaps })
+    Ok((files, decided.has_gaps))
 }

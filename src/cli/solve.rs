@@ -149,9 +149,8 @@ impl TargetOptions {
             return arguments.measured("--angular-frequency", text, PER_SECOND).map(Target::AngularFrequency);
         }
         if let Some(text) = &self.frequency_ratio {
-            return arguments
-                .number("--frequency-ratio", text, inertial_threshold)
-                .map(Target::FrequencyRatio);
+            let ratio = arguments.number("--frequency-ratio", text, inertial_threshold);
+            return ratio.map(Target::FrequencyRatio);
         }
         if let Some(text) = &self.growth_rate {
             return arguments.number("--growth-rate", text, growth_rate).map(Target::GrowthRate);
@@ -162,12 +161,9 @@ impl TargetOptions {
 
 /// A rate of either sign, or zero.
 fn growth_rate(text: &str) -> Result<Rational, Problem> {
-    let (is_negative, magnitude) = match text.strip_prefix('-') {
-        Some(magnitude) => (true, magnitude),
-        None => (false, text),
-    };
+    let magnitude = text.strip_prefix('-').unwrap_or(text);
     match AllowedRange::PHYSICAL.parse_measured(magnitude, PER_SECOND) {
         Err(Problem::NotPositive { .. }) if !magnitude.starts_with('-') => Ok(Rational::new()),
-        read => read.map(|rate| if is_negative { -rate } else { rate }),
+        read => read.map(|rate| if magnitude == text { rate } else { -rate }),
     }
 }

@@ -312,8 +312,7 @@ impl<'a> Page<'a> {
         let mut known: BTreeSet<String> = anchors(self.view).into_iter().collect();
         known.extend(self.prose.anchors.iter().cloned());
         let dead = self.prose.links.iter().filter(|(anchor, _)| !known.contains(anchor));
-        let faults: Vec<String> =
-            dead.map(|(anchor, place)| format!("{place}: link `#{anchor}` leads nowhere")).collect();
+        let faults = dead.map(|(anchor, place)| format!("{place}: link `#{anchor}` leads nowhere"));
         self.prose.faults.extend(faults);
     }
 }

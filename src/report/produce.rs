@@ -233,21 +233,19 @@ impl Wanted {
     }
 
     fn figures(&self, outcome: &Outcome, apart: &Apart) -> Result<Vec<Figure>, ReportError> {
+        let other = |id: &String| apart.figures.iter().find(|one| one.id == *id);
         let shown = |id: &String| match figure_maker(id) {
             Some(maker) => Some((maker.id, maker.figure(outcome))),
-            None => {
-                apart.figures.iter().find(|one| one.id == *id).map(|one| (one.id.as_str(), Some(one.clone())))
-            }
+            None => other(id).map(|one| (one.id.as_str(), Some(one.clone()))),
         };
-        collect("figure", parallel::flat_map(&self.figures, shown).into_iter(), |_| None)
+        collect("figure", parallel::flat_map(&self.figures, shown), |_| None)
     }
 
     fn tables(&self, context: &Context, apart: &Apart) -> Result<Vec<Table>, ReportError> {
+        let other = |id: &String| apart.tables.iter().find(|one| one.id == *id);
         let shown = |id: &String| match table_maker(id) {
             Some(maker) => Some((maker.id, maker.table(context))),
-            None => {
-                apart.tables.iter().find(|one| one.id == *id).map(|one| (one.id.as_str(), Some(one.clone())))
-            }
+            None => other(id).map(|one| (one.id.as_str(), Some(one.clone()))),
         };
         let made = parallel::flat_map(&self.tables, shown);
         // A table that needs nothing computed is made of the paper's equations.
@@ -257,7 +255,7 @@ impl Wanted {
             let missing = if missing.is_empty() { "they have another form".to_owned() } else { missing };
             Some(format!("equations.toml: the table `{id}` needs other equations: {missing}"))
         };
-        collect("table", made.into_iter(), of_equations)
+        collect("table", made, of_equations)
     }
 }
 
@@ -273,7 +271,7 @@ fn roles_of(table: &str) -> &'static [Role] {
 /// All that could be made, or a fault for each that the scenes do not provide.
 fn collect<'i, T>(
     kind: &str,
-    made: impl Iterator<Item = (&'i str, Option<T>)>,
+    made: impl IntoIterator<Item = (&'i str, Option<T>)>,
     other_reason: impl Fn(&str) -> Option<String>,
 ) -> Result<Vec<T>, ReportError> {
     let mut faults = Vec::new();

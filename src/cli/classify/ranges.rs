@@ -79,14 +79,9 @@ fn in_hertz(range: ValueRange) -> ValueRange {
 /// Numbers of 64 bits that enclose a range.
 pub fn outward([least, greatest]: &[Rational; 2]) -> [f64; 2] {
     let (low, high) = (nearest_f64(least), nearest_f64(greatest));
-    let is_above =
-        |number: f64, value: &Rational| Rational::from_f64(number).is_some_and(|number| number > *value);
-    let is_below =
-        |number: f64, value: &Rational| Rational::from_f64(number).is_some_and(|number| number < *value);
-    [
-        if is_above(low, least) { low.next_down() } else { low },
-        if is_below(high, greatest) { high.next_up() } else { high },
-    ]
+    let is_above = Rational::from_f64(low).is_some_and(|low| low > *least);
+    let is_below = Rational::from_f64(high).is_some_and(|high| high < *greatest);
+    [if is_above { low.next_down() } else { low }, if is_below { high.next_up() } else { high }]
 }
 
 /// A range as it is typed as an input; empty where it is absent.

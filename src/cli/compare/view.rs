@@ -97,13 +97,11 @@ fn shown_value(value: Value, unit: &str) -> String {
         Value::Word(word) => word.into(),
         Value::None => "-".into(),
         Value::Number(Measured { value, relative_error }) => {
-            let number = round_digits(value, VALUE_DIGITS);
-            match relative_error {
-                error if error > 0.0 && error.is_finite() => {
-                    format!("{number} {unit} (within {} relative)", round_digits(error, ERROR_DIGITS))
-                }
-                _ => format!("{number} {unit}"),
+            let number = format!("{} {unit}", round_digits(value, VALUE_DIGITS));
+            if relative_error > 0.0 && relative_error.is_finite() {
+                return format!("{number} (within {} relative)", round_digits(relative_error, ERROR_DIGITS));
             }
+            number
         }
     }
 }

@@ -109,5 +109,5 @@ fn record_text(record: &StepRecord) -> String {
     };
     let samples = measured.times_s.iter().zip(load).zip(values.iter().zip(&measured.normal_stresses_pa));
     let rows = samples.map(|((time, load), (value, normal))| [*time, *load, *value, *normal]);
-    csv_of_numbers(["time_s", name, response, "normal_stress_pa"], rows)
+    csv_of_numbers(&format!("time_s,{name},{response},normal_stress_pa"), rows)
 }

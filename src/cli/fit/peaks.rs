@@ -1,18 +1,16 @@
 //! `fit --peaks`: its options, its answer and its rows.
 
-use std::fmt::Write;
-
 use clap::Args;
-use serde_json::{Value, json};
+use serde_json::json;
 use slipmode::csv::PeakTable;
 use slipmode::experiments::fit::estimate_words;
 use slipmode::fitting::{EFFECT_RATIOS, PeakComparison, PeakFit, PeakFits, PeakGiven, hidden_part};
 use slipmode::scene::{AllowedRange, Problem, Quantity, Uncertain, all_of, parse_value};
-use slipmode_core::number::format::{round_digits, shortest};
+use slipmode_core::number::format::round_digits;
 use slipmode_core::number::{Rational, nearest_f64};
 
 use super::Request;
-use crate::cli::answer::Answer;
+use crate::cli::answer::{Answer, csv_of_numbers};
 use crate::cli::failure::Failure;
 use crate::cli::options::{Arguments, option_of};
 
@@ -180,14 +178,11 @@ fn error_parts(fits: &PeakFits, known: &Known) -> Answer {
         ("model", "error of the peak law", best.over_loss.map(Some)),
         ("bandwidth", "error from the bandwidth", seen.map(Some)),
     ];
-    let mut answer = Answer::default();
-    let mut object = serde_json::Map::new();
-    for (key, name, ends) in parts {
+    let part = |part: Answer, (key, name, ends): (&str, &str, [Option<f64>; 2])| {
         let [_, range] = estimate_words(best.scale_m_per_s, best.standard_error, ends, "m/s");
-        answer = answer.named(name, &format!("{range} m/s"));
-        object.insert(key.into(), json!(ends));
-    }
-    answer.with("error_parts_m_per_s", Value::Object(object))
+        part.with(key, ends).named(name, &format!("{range} m/s"))
+    };
+    Answer::default().part("error_parts_m_per_s", parts.into_iter().fold(Answer::default(), part))
 }
 
 fn comparison_words(fits: &PeakFits, found: &PeakComparison) -> String {
@@ -241,12 +236,11 @@ fn remarks(table: &PeakTable, fits: &PeakFits, known: &Known) -> Vec<String> {
 
 /// The table with the peaks by the better law, as CSV.
 pub fn rows(table: &PeakTable, fits: &PeakFits) -> String {
-    let mut text =
-        "loading_velocity_m_per_s,peak_velocity_m_per_s,fitted_peak_velocity_m_per_s,residual_m_per_s\n"
-            .to_string();
-    for (row, fitted) in table.rows.iter().zip(&fits.laws[0].peaks_m_per_s) {
-        let cells = [row.load_m_per_s, row.peak_m_per_s, *fitted, row.peak_m_per_s - fitted].map(shortest);
-        let _ = writeln!(text, "{}", cells.join(","));
-    }
-    text
+    let names =
+        "loading_velocity_m_per_s,peak_velocity_m_per_s,fitted_peak_velocity_m_per_s,residual_m_per_s";
+    let rows = table.rows.iter().zip(&fits.laws[0].peaks_m_per_s).map(|(row, fitted)| {
+        let (load, peak) = (row.load_m_per_s, row.peak_m_per_s);
+        [load, peak, *fitted, peak - fitted]
+    });
+    csv_of_numbers(names, rows)
 }

@@ -87,7 +87,7 @@ fn modes(fit: &Fit, point: &OperatingPoint<Rational>) -> Answer {
 
 /// The record with the fitted friction, as CSV.
 pub fn rows(record: &StepRecord, fit: &Fit) -> String {
-    let names = ["time_s", "load_point_displacement_m", "friction", "fitted_friction", "residual"];
+    let names = "time_s,load_point_displacement_m,friction,fitted_friction,residual";
     let samples = record.measured.times_s.iter().zip(&record.displacements_m);
     let rows = samples.zip(record.frictions.iter().zip(fit.fitted(record)));
     csv_of_numbers(names, rows.map(|((t, way), (mu, fitted))| [*t, *way, *mu, fitted, mu - fitted]))

@@ -79,13 +79,10 @@ fn check_names(files: &Files) -> Result<(), Failure> {
     let mut by_folded: Vec<&String> = files.keys().collect();
     by_folded.sort_by_key(|name| name.to_ascii_lowercase());
     for name in by_folded {
-        if let Some(error) = name.split('/').find_map(|part| check_name(part).err()) {
-            return refuse(name, &error.to_string());
-        }
-        if let Some(other) = earlier.filter(|other| same_name(other, name)) {
+        name.split('/').try_for_each(check_name).or_else(|error| refuse(name, &error.to_string()))?;
+        if let Some(other) = earlier.replace(name).filter(|other| same_name(other, name)) {
             return refuse(name, &format!("the same as {other:?} when case is ignored"));
         }
-        earlier = Some(name);
     }
     Ok(())
 }

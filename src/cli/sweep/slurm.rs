@@ -43,13 +43,8 @@ pub fn write_scripts(
         shards = shards,
         out = script_out,
     );
-    let merge = format!(
-        include_str!("merge.sh"),
-        name = name,
-        program = program,
-        shards = shards,
-        out = script_out,
-    );
+    let merge =
+        format!(include_str!("merge.sh"), name = name, program = program, shards = shards, out = script_out,);
     let submit = format!(
         include_str!("submit.sh"),
         program = program,
