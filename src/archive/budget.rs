@@ -76,13 +76,10 @@ impl Budget {
     pub fn faults(&self, requests: &[Request]) -> Vec<String> {
         let work = sum_fault(requests, |work| work.core_seconds, self.core_seconds, "s of work on one core");
         let memory = sum_fault(requests, |work| work.memory_mib, self.memory_mib, "MiB of memory");
-        let digits =
-            requests.iter().find(|request| request.work.digits > self.result_digits).map(|request| {
-                format!(
-                    "{}: {} (budget: {} digits of a result)",
-                    request.place, request.work.what, self.result_digits
-                )
-            });
+        let long = requests.iter().find(|request| request.work.digits > self.result_digits);
+        let digits = long.map(|Request { place, work }| {
+            format!("{place}: {} (budget: {} digits of a result)", work.what, self.result_digits)
+        });
         [work, memory, digits].into_iter().flatten().collect()
     }
 

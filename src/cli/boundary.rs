@@ -338,11 +338,8 @@ fn too_many(points: u64, limit: u64, digits: u64) -> Option<Problem> {
     let available = available_memory();
     let gigabytes = |bytes: u64| format!("{:.1} GB", bytes as f64 / 1e9);
     (needed > available).then(|| {
-        Problem::Needs(format!(
-            "about {} of memory; {} are available",
-            gigabytes(needed),
-            gigabytes(available)
-        ))
+        let [needed, available] = [needed, available].map(gigabytes);
+        Problem::Needs(format!("about {needed} of memory; {available} are available"))
     })
 }
 

@@ -245,12 +245,8 @@ impl ThresholdOption {
         if is_allowed_over_box(&threshold) {
             return Some(threshold);
         }
-        let allowed = OVER_BOX.to_string();
-        arguments.fault(
-            "--inertial-threshold",
-            self.inertial_threshold.as_deref(),
-            Problem::OutOfRange { allowed },
-        )
+        let problem = Problem::OutOfRange { allowed: OVER_BOX.to_string() };
+        arguments.fault("--inertial-threshold", self.inertial_threshold.as_deref(), problem)
     }
 
     /// The threshold as an exact square.

@@ -141,8 +141,7 @@ pub fn verify(options: &VerifyOptions, progress: &Progress) -> Result<(), Failur
         return verify_planted_faults(&read_report(&options.folder, options.limit.limits()?)?, progress);
     }
     if let Some(id) = claim {
-        let folder = read_report(&options.folder, options.limit.limits()?)?;
-        return verify_claim(&folder, id, progress);
+        return verify_claim(&read_report(&options.folder, options.limit.limits()?)?, id, progress);
     }
     let junit_output = junit.as_deref().map(Output::create).transpose()?;
     let published = options.folder.join("published");

@@ -86,11 +86,8 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     arguments.refuse("--shard", computes_nothing && options.shard.is_some(), needs);
     let needs = "--plan or --slurm: a shard takes as long as it takes";
     arguments.refuse("--minutes", !computes_nothing && options.minutes.is_some(), needs);
-    arguments.refuse(
-        "--shards",
-        !computes_nothing && shards.is_some(),
-        "--plan or --slurm; `--shard I/N` computes one of N",
-    );
+    let needs = "--plan or --slurm; `--shard I/N` computes one of N";
+    arguments.refuse("--shards", !computes_nothing && shards.is_some(), needs);
     let needs = "no --shards: their number says how long each takes";
     arguments.refuse("--minutes", options.plan && shards.is_some() && options.minutes.is_some(), needs);
     arguments.refuse("--out", options.plan && options.out.is_some(), "no --plan, which writes nothing");

@@ -207,6 +207,7 @@ fn claim_view(entry: &Entry, ledger: &Ledger, certificates: &Certificates<'_>, f
         Some(DecidedFor::MiddleValues) => [None, Some(FOR_MIDDLE_VALUES)],
         None => [None, None],
     };
+    let remarks = finding.remarks.iter().map(String::as_str).chain(all).map(plain);
     ClaimView {
         id: entry.id.clone(),
         place: entry.place.clone(),
@@ -222,14 +223,7 @@ fn claim_view(entry: &Entry, ledger: &Ledger, certificates: &Certificates<'_>, f
         evidence: finding.evidence.iter().map(|one| evidence_view(one, entry, certificates)).collect(),
         counter_example_markdown: plain(finding.counter_example.as_deref().unwrap_or_default()),
         not_established_markdown: with_sentence(plain(&entry.not_established), middle),
-        remark_markdown: finding
-            .remarks
-            .iter()
-            .map(String::as_str)
-            .chain(all)
-            .map(plain)
-            .collect::<Vec<_>>()
-            .join("\n\n"),
+        remark_markdown: remarks.collect::<Vec<_>>().join("\n\n"),
         rests_on: entry.rests_on.iter().filter(|id| listed(id)).cloned().collect(),
         command: format!("slipmode verify {folder} --claim {}", entry.id),
     }
@@ -253,13 +247,11 @@ fn acceptance(entry: &Entry) -> String {
 }
 
 fn readings(entry: &Entry) -> Vec<ReadingView> {
-    let formulas: Vec<String> =
-        entry.stated.iter().flat_map(StatedClaim::parts).map(|(_, formula)| formula.markdown()).collect();
+    let stated: Vec<_> = entry.stated.iter().flat_map(StatedClaim::parts).collect();
     // A procedure that decides a whole claim may find readings and parts of its own.
     let parts = entry.finding.readings.iter().map(|reading| reading.parts.len()).sum::<usize>();
-    let mut formulas = formulas
-        .into_iter()
-        .filter(|_| entry.stated.as_ref().is_some_and(|stated| stated.parts().count() == parts));
+    let is_stated = stated.len() == parts;
+    let mut formulas = stated.iter().filter(|_| is_stated).map(|(_, formula)| formula.markdown());
     let mut part = |part: &Part| PartView {
         words_markdown: plain(&part.words),
         formula_markdown: formulas.next().unwrap_or_default(),
@@ -282,12 +274,8 @@ fn evidence_view(evidence: &Evidence, entry: &Entry, certificates: &Certificates
     let numbers = |kind: &str, numbers: Vec<FactView>| EvidenceView {
         kind: kind.into(),
         strength: evidence.strength().as_str().into(),
-        text_markdown: String::new(),
         numbers,
-        certificate: String::new(),
-        lines: Vec::new(),
-        theorem: String::new(),
-        certificate_at: String::new(),
+        ..EvidenceView::default()
     };
     match evidence {
         Evidence::Proof { proof } => {
@@ -305,14 +293,11 @@ fn evidence_view(evidence: &Evidence, entry: &Entry, certificates: &Certificates
         Evidence::Enclosure { quantity, value } => {
             numbers("Enclosure", vec![fact(&looked_at(quantity, entry), value)])
         }
-        Evidence::Simulation { quantity, value, error, runs } => numbers(
-            "Simulation",
-            vec![
-                fact(&looked_at(quantity, entry), value),
-                fact("largest error estimate", error),
-                fact("runs", &runs.to_string()),
-            ],
-        ),
+        Evidence::Simulation { quantity, value, error, runs } => {
+            let looked_at = fact(&looked_at(quantity, entry), value);
+            let error = fact("largest error estimate", error);
+            numbers("Simulation", vec![looked_at, error, fact("runs", &runs.to_string())])
+        }
         Evidence::Sample { quantity, value, points } => {
             let looked_at = fact(&looked_at(quantity, entry), value);
             numbers("Sample", vec![looked_at, fact("points checked", &points.to_string())])

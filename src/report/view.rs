@@ -205,7 +205,7 @@ impl PartView {
 }
 
 /// One piece of evidence.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct EvidenceView {
     /// `Proof`, `Enclosure` or `Simulation`.
     pub kind: String,

@@ -51,6 +51,12 @@ impl ClassifiedPoint {
         let ratio = (critical > 0).then(|| Rational::from(&parameters.slider.stiffness_pa_per_m / &critical));
         let without_ratio = if ratio.is_some() { "" } else { "(a >= b: no transition)" };
         let roots = print_roots(parameters, ROOT_DIGITS);
+        let in_groups = Answer::default()
+            .item("inertial_parameter", "eta, M V0^2/(sigma a D_c)", &groups.inertial_parameter)
+            .item("stiffness_group", "kappa, K D_c/(a sigma)", &groups.stiffness_group)
+            .item("effect_ratio", "beta, b/a", &groups.effect_ratio);
+        let [to_transition, to_boundary] =
+            [LogDistance::to_transition, LogDistance::to_boundary].map(|of| distance(&of(parameters)));
         Answer::to(inputs_json(parameters))
             .item("slip_mode", "slip mode", slip_mode_word(found))
             .note(mode_words(found))
@@ -75,24 +81,10 @@ impl ClassifiedPoint {
             .note(&cited("({transition})"))
             .item("stiffness_over_critical", "K / K_c", ratio.as_ref())
             .note(without_ratio)
-            .item(
-                "transition_distance",
-                "distance to K = K_c",
-                distance(&LogDistance::to_transition(parameters)),
-            )
-            .item(
-                "boundary_distance",
-                "distance to max Im(s) = 0",
-                distance(&LogDistance::to_boundary(parameters)),
-            )
+            .item("transition_distance", "distance to K = K_c", to_transition)
+            .item("boundary_distance", "distance to max Im(s) = 0", to_boundary)
             .text("\n")
-            .part(
-                "groups",
-                Answer::default()
-                    .item("inertial_parameter", "eta, M V0^2/(sigma a D_c)", &groups.inertial_parameter)
-                    .item("stiffness_group", "kappa, K D_c/(a sigma)", &groups.stiffness_group)
-                    .item("effect_ratio", "beta, b/a", &groups.effect_ratio),
-            )
+            .part("groups", in_groups)
             .item("rung", "decided by", found.precision_level.as_str())
             .list("roots", roots.iter().map(|root| PrintedRoot::answer(root).named("root s", &root.text())))
     }

@@ -69,11 +69,8 @@ impl Origin {
     /// How a block of this origin does not belong to another's sweep, if it does not.
     pub fn difference(&self, other: &Self) -> Option<String> {
         if self.scene != other.scene {
-            return Some(format!(
-                "belongs to another scene ({}, not {})",
-                short(&self.scene),
-                short(&other.scene)
-            ));
+            let [own, others] = [&self.scene, &other.scene].map(|digest| short(digest));
+            return Some(format!("belongs to another scene ({own}, not {others})"));
         }
         if self.version != other.version {
             return Some(format!("is of another program version ({}, not {})", self.version, other.version));
