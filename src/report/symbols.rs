@@ -158,9 +158,19 @@ fn sign(before: Option<char>, rest: &str) -> Set {
             Some((format!("−{set}"), 1 + length))
         }
         '-' if opens && after == '(' => Some(("−".into(), 1)),
+        '-' if opens && is_symbol(&rest[1..]) => {
+            let (set, length) = name(None, &rest[1..])?;
+            Some((format!("−{set}"), 1 + length))
+        }
         '*' if joins && (after.is_alphanumeric() || after == '(') => Some(("·".into(), 1)),
         _ => None,
     }
+}
+
+/// Whether the text begins with a letter that stands for itself, or the name of a Greek one.
+fn is_symbol(text: &str) -> bool {
+    let letters = run(text, |c| c.is_ascii_alphabetic());
+    letters.len() == 1 || GREEK.iter().any(|(spelled, _)| *spelled == letters)
 }
 
 /// The index that the text begins with: a comma belongs to it when more of the index follows at once.
@@ -220,6 +230,7 @@ mod tests {
             ("2^-52 of O(η^(1/3)) at 10^-5.5", "2<sup>−52</sup> of O(η<sup>1/3</sup>) at 10<sup>−5.5</sup>"),
             ("10⁻⁵·⁵ m/s, σ², x⁻¹·y", "10<sup>−5.5</sup> m/s, σ², x⁻¹·y"),
             ("-6.27e-5", "−6.27 × 10<sup>−5</sup>"),
+            ("-eta·ω² = -w + (-V_0), -ish", "−η·ω² = −w + (−V<sub>0</sub>), -ish"),
             ("-0.49 to 0.32, (-1/4), V*theta - D_c/V", "−0.49 to 0.32, (−1/4), V·θ − D<sub>c</sub>/V"),
             ("Delta_theta'*a -> sqrt(K/M) >= 0", "Δθ'·a → √(K/M) ≥ 0".replace('\'', "&#39;").as_str()),
         ] {
