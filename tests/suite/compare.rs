@@ -24,11 +24,16 @@ fn object(rows: &str, more: &[&str]) -> (Value, i32) {
 
 /// The trajectory of one run, by `simulate`, in a folder of its own with its runs file.
 fn simulated(point: [&str; 7], law: &str) -> Workplace {
+    simulated_with(point, law, &[])
+}
+
+/// As `simulated`, with more options of `simulate`.
+fn simulated_with(point: [&str; 7], law: &str, more: &[&str]) -> Workplace {
     let place = Workplace::new();
     let options = ["-a", "-b", "-d", "-k", "-m", "-s", "-v"];
     let point_options = options.iter().zip(&point).flat_map(|(option, value)| [*option, *value]);
     let arguments = ["simulate", "--law", law, "--trajectory", "t.csv"].into_iter().chain(point_options);
-    place.run(arguments).expect_success();
+    place.run(arguments.chain(more.iter().copied())).expect_success();
     place.write("runs.csv", format!("{HEADER},law,trajectory\n{},{law},t.csv\n", point.join(",")));
     place
 }
@@ -183,6 +188,41 @@ fn a_coarse_trajectory_decides_no_more_than_it_resolves() {
     // What it does resolve is within its own error of the truth.
     let error = peak["run"]["relative_error"].as_f64().unwrap();
     assert!(peak["difference"].as_f64().unwrap().abs() <= error && error < 0.5, "{peak}");
+}
+
+/// Deep stick-slip, K from 0.05 to 0.8 of K_c: at equal steps of time a slip lies between two samples.
+#[test]
+fn equal_steps_of_random_stick_slip_never_differ_from_itself() {
+    let mut state = 1_u64;
+    let mut random = |low: f64, high: f64| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        low + (high - low) * (state >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    let (mut compared, mut agreeing) = (0, 0);
+    for (index, samples) in ["2001", "5001", "10001", "20001", "50001"].iter().cycle().take(15).enumerate() {
+        let (law, a) = (["slip", "aging"][index % 2], random(0.004, 0.012));
+        let (b, mut power) = (a * random(1.2, 2.5), |low, high| libm::pow(10.0, random(low, high)));
+        let (d_c, v, sigma, m) = (power(-6.0, -4.5), power(-6.0, -3.0), power(5.5, 7.0), power(2.0, 4.0));
+        let k = (b - a) * sigma / d_c * power(-1.3, -0.1);
+        let point = [a, b, d_c, k, m, sigma, v].map(|value| format!("{value:.5e}"));
+        let point = point.each_ref().map(String::as_str);
+        let place = simulated_with(point, law, &["--tolerance", "1e-6", "--samples", samples]);
+        for tolerance in ["1e-2", "1e-3"] {
+            let ended = place.run(["compare", "--runs", "runs.csv", "--json", "--tolerance", tolerance]);
+            let found: Value = serde_json::from_str(&ended.stdout).unwrap();
+            for finding in found["rows"][0]["findings"].as_array().unwrap() {
+                assert_ne!(finding["verdict"], "differs", "{point:?} {law} {samples}: {finding}");
+                let drop = finding["observable"] == "stress_drop_pa";
+                if let (true, Some(off)) = (drop, finding["difference"].as_f64()) {
+                    let sides = ["run", "ours"].map(|side| finding[side]["relative_error"].as_f64().unwrap());
+                    assert!(off.abs() <= sides[0] + sides[1], "{point:?} {law} {samples}: {finding}");
+                    compared += 1;
+                    agreeing += usize::from(finding["verdict"] == "agrees");
+                }
+            }
+        }
+    }
+    assert!(compared >= 20 && agreeing >= 10, "{compared} {agreeing}");
 }
 
 #[test]

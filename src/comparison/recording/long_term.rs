@@ -49,6 +49,12 @@ const APPROACH: f64 = 3.0;
 const NEARLY_CONSTANT: f64 = 0.05;
 /// Changes of the swing below this part of it count as none.
 const STILL: f64 = 1e-6;
+/// ln(V/V_l) of deep stick-slip at its peak: 10^3. It reaches its cycle within few periods.
+const DEEP: f64 = 6.9;
+/// A cycle of deep stick-slip is known from changes within the errors of the samples, if these are below this part.
+const KNOWN: f64 = 2e-3;
+/// A peak whose ln V has a larger error lies between samples: how high it is, they do not tell.
+const SEEN: f64 = 0.1;
 
 impl Recording {
     /// The long-term behaviour about steady sliding at a velocity, of which its logarithm is given; cycles have so many returns.
@@ -75,6 +81,9 @@ impl Recording {
             let decay = decay_without_returns(self, log_level);
             return decay.map(RecordedBehaviour::Decay).ok_or(Undecided::FewCycles(cycles));
         }
+        if is_still(&reduced.whole) {
+            return Ok(reduced.cycle(self.stresses_pa.is_empty()));
+        }
         match limit_of_swing(&reduced.whole, largest) {
             Some(Limit::Zero) => Ok(RecordedBehaviour::Decay(decay_of_returns(&reduced))),
             Some(Limit::Cycle) => Ok(reduced.cycle(self.stresses_pa.is_empty())),
@@ -89,24 +98,25 @@ impl Recording {
 
 impl Reduced {
     fn cycle(&self, without_stress: bool) -> RecordedBehaviour {
-        let peak = self.last_value(|orbit| orbit.peak);
         let relative = |(value, error): (f64, f64)| Measured { value, relative_error: error / value.abs() };
-        let peak_ratio =
-            Measured { value: libm::exp(peak.0), relative_error: libm::expm1(peak.1.min(700.0)) };
-        let stress_drop_pa = (!without_stress).then(|| relative(self.last_value(Return::stress_drop_pa)));
+        let (peak, error) = self.last_value(|orbit| orbit.peak.value, |orbit| orbit.peak.error);
+        let error = if error <= SEEN { libm::expm1(error) } else { f64::INFINITY };
+        let drop = || self.last_value(Return::stress_drop_pa, Return::stress_drop_error_pa);
+        let duration = |orbit: &Return| orbit.duration_s;
         RecordedBehaviour::Cycle {
-            peak_ratio,
-            period_s: relative(self.last_value(|orbit| orbit.duration_s)),
-            stress_drop_pa,
+            peak_ratio: Measured { value: libm::exp(peak), relative_error: error },
+            period_s: relative(self.last_value(duration, |orbit| self.resolution(orbit, duration))),
+            stress_drop_pa: (!without_stress).then(|| relative(drop())),
         }
     }
 
-    /// The value of the last cycle and its error: the largest change by halving among the last cycles, and what they may still change.
-    fn last_value(&self, value: impl Fn(&Return) -> f64 + Copy) -> (f64, f64) {
+    /// The value of the last cycle and its error: the largest that the samples leave among the last cycles, and what they may still
+    /// change.
+    fn last_value(&self, value: impl Fn(&Return) -> f64, error: impl Fn(&Return) -> f64) -> (f64, f64) {
         let count = self.whole.len();
         let last_cycles = &self.whole[count.saturating_sub(4)..];
-        let resolution = last_cycles.iter().map(|orbit| self.resolution(orbit, value)).fold(0.0, f64::max);
-        let values = spaced(&self.whole).map(value);
+        let resolution = last_cycles.iter().map(error).fold(0.0, f64::max);
+        let values = spaced(&self.whole).map(&value);
         let last = value(&self.whole[count - 1]);
         let step = (last - value(&self.whole[count - 2])).abs();
         (last, resolution + APPROACH * step.max(remaining(values)))
@@ -125,6 +135,20 @@ fn remaining([first, second, third]: [f64; 3]) -> f64 {
     let (before, after) = (second - first, third - second);
     let ratio = after / before;
     if (0.0..1.0).contains(&ratio) { after.abs() * ratio / (1.0 - ratio) } else { after.abs() }
+}
+
+/// Whether cycles of deep stick-slip change by no more than the errors of their samples, in velocity or in stress.
+fn is_still(whole: &[Return]) -> bool {
+    let cycles = spaced(whole);
+    let within = |value: fn(&Return) -> f64, error: fn(&Return) -> f64| {
+        let [values, errors] = [cycles.map(value), cycles.map(error)];
+        let error = errors.into_iter().fold(0.0, f64::max);
+        let changes = [values[1] - values[0], values[2] - values[1], values[2] - values[0]];
+        error <= KNOWN * values[2] && changes.into_iter().all(|change| change.abs() <= 2.0 * error)
+    };
+    cycles.iter().all(|orbit| orbit.peak.value > DEEP)
+        && (within(Return::swing, |orbit| orbit.peak.error + orbit.trough.error)
+            || within(Return::stress_drop_pa, Return::stress_drop_error_pa))
 }
 
 enum Limit {

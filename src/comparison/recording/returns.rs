@@ -1,7 +1,7 @@
 //! Returns: what lies between two upward crossings of the loading velocity.
 
 use super::Recording;
-use super::interpolation::{crossing, vertex};
+use super::interpolation::{Extreme, crossing};
 
 /// An upward crossing.
 #[derive(Debug, Clone, Copy)]
@@ -20,33 +20,39 @@ pub struct Return {
     /// How long it is, s.
     pub duration_s: f64,
     /// Largest ln(V/V_l).
-    pub peak: f64,
+    pub peak: Extreme,
     /// Least ln(V/V_l).
-    pub trough: f64,
+    pub trough: Extreme,
     /// Largest and least stress, Pa; not numbers when none was recorded.
-    pub stresses_pa: [f64; 2],
+    pub stresses_pa: [Extreme; 2],
 }
 
 impl Return {
     /// From the least to the largest ln V.
     pub fn swing(&self) -> f64 {
-        self.peak - self.trough
+        self.peak.value - self.trough.value
     }
 
     /// Largest minus least stress, Pa.
     pub fn stress_drop_pa(&self) -> f64 {
-        self.stresses_pa[0] - self.stresses_pa[1]
+        self.stresses_pa[0].value - self.stresses_pa[1].value
+    }
+
+    /// The error that the samples leave of the stress drop, Pa.
+    pub fn stress_drop_error_pa(&self) -> f64 {
+        self.stresses_pa[0].error + self.stresses_pa[1].error
     }
 
     fn joined(self, next: Self) -> Self {
+        let [highest, lowest] = self.stresses_pa;
         Self {
             end_s: next.end_s,
             duration_s: self.duration_s + next.duration_s,
-            peak: self.peak.max(next.peak),
-            trough: self.trough.min(next.trough),
+            peak: self.peak.outermost(next.peak, 1.0),
+            trough: self.trough.outermost(next.trough, -1.0),
             stresses_pa: [
-                self.stresses_pa[0].max(next.stresses_pa[0]),
-                self.stresses_pa[1].min(next.stresses_pa[1]),
+                highest.outermost(next.stresses_pa[0], 1.0),
+                lowest.outermost(next.stresses_pa[1], -1.0),
             ],
         }
     }
@@ -71,25 +77,44 @@ pub fn returns(recording: &Recording, log_level: f64, per_cycle: usize) -> Vec<R
 }
 
 fn orbit(recording: &Recording, log_level: f64, pair: &[UpwardCrossing]) -> Return {
+    let Recording { times_s, log_velocities, stresses_pa } = recording;
     let samples = pair[0].sample + 1..pair[1].sample + 1;
-    let times = &recording.times_s;
-    let highest = |values: &[f64]| {
-        let best = samples.clone().max_by(|one, other| values[*one].total_cmp(&values[*other]));
-        best.map_or(f64::NAN, |index| vertex(times, values, index, 1.0))
+    let near = |values: &[f64], sign: f64| {
+        let order = |one: &usize, other: &usize| (sign * values[*one]).total_cmp(&(sign * values[*other]));
+        let best = samples.clone().max_by(order);
+        best.map(|index| (values[index], Extreme::near(times_s, values, index, sign)))
     };
-    let lowest = |values: &[f64]| {
-        let low = samples.clone().min_by(|one, other| values[*one].total_cmp(&values[*other]));
-        low.map_or(f64::NAN, |index| vertex(times, values, index, -1.0))
+    let of_velocity = |sign| match near(log_velocities, sign) {
+        Some((_, Extreme { value, error })) => Extreme { value: value - log_level, error },
+        None => Extreme::NONE,
     };
-    let stresses = &recording.stresses_pa;
-    let extremes = if stresses.is_empty() { [f64::NAN; 2] } else { [highest(stresses), lowest(stresses)] };
+    let trough = of_velocity(-1.0);
+    let of_stress = |sign| match near(stresses_pa, sign) {
+        Some((sample, near)) => near.within(sample, reach(recording, pair, trough.value, sign)),
+        None => Extreme::NONE,
+    };
     Return {
         end_s: pair[1].time_s,
         duration_s: pair[1].time_s - pair[0].time_s,
-        peak: highest(&recording.log_velocities) - log_level,
-        trough: lowest(&recording.log_velocities) - log_level,
-        stresses_pa: extremes,
+        peak: of_velocity(1.0),
+        trough,
+        stresses_pa: if stresses_pa.is_empty() { [Extreme::NONE; 2] } else { [1.0, -1.0].map(of_stress) },
     }
+}
+
+/// The largest (`sign` 1) or least stress that the spring can have had between samples: nothing loads it faster than a slider at
+/// rest, and the least ln(V/V_l) tells how much slower the fastest step was.
+fn reach(recording: &Recording, pair: &[UpwardCrossing], trough: f64, sign: f64) -> f64 {
+    let (times, stresses) = (&recording.times_s, &recording.stresses_pa);
+    let steps = pair[0].sample..pair[1].sample + 1;
+    let duration = |at: usize| times[at + 1] - times[at];
+    let rates = steps.clone().map(|at| (stresses[at + 1] - stresses[at]) / duration(at));
+    let at_rest = rates.fold(0.0, f64::max) / -libm::expm1(trough);
+    let ends = steps.map(|at| match sign > 0.0 {
+        true => stresses[at] + at_rest * duration(at),
+        false => at_rest * duration(at) - stresses[at + 1],
+    });
+    sign * ends.fold(f64::NEG_INFINITY, f64::max)
 }
 
 /// Cycles from all samples, and from each half of them.
