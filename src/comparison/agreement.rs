@@ -154,32 +154,32 @@ impl Finding {
         Self { ours: Value::Word(ours), ..Self::because(subject, Value::Word(run), verdict, "") }
     }
 
-    /// A finding about numbers: they differ beyond tolerance and errors; they agree within them, provided that no error exceeds the
-    /// tolerance, for else the agreement would only say how little is known.
+    /// A finding about numbers: within tolerance and errors they agree, beyond them they differ. With an error above the tolerance
+    /// they are not compared, whatever they are: an agreement would only say how little is known, and a difference rest on an estimate.
     pub(crate) fn of_numbers(subject: Subject, [run, ours]: [Measured; 2], tolerance: f64) -> Self {
         let difference = run.value / ours.value - 1.0;
         let allowed = tolerance + run.relative_error + ours.relative_error;
-        // Not so for an error that is no number.
-        let resolves = |side: Measured| side.relative_error <= tolerance;
-        let unresolved = |whose: &str, Measured { relative_error: error, .. }| {
-            let shown = if error.is_finite() { format!("only to {error:.1e}") } else { "not at all".into() };
-            (
-                Agreement::NotCompared,
-                format!("{whose} resolves it {shown}, coarser than the tolerance {tolerance:.1e}"),
-            )
-        };
-        let (verdict, why) = match () {
-            () if difference.abs() > allowed => (Agreement::Differs, String::new()),
-            () if !resolves(run) => unresolved("the trajectory", run),
-            () if !resolves(ours) => unresolved("our simulation", ours),
-            () => (Agreement::Agrees, String::new()),
+        let unresolved = unresolved("the trajectory", run, tolerance)
+            .or_else(|| unresolved("our simulation", ours, tolerance));
+        let verdict = match unresolved {
+            Some(_) => Agreement::NotCompared,
+            None if difference.abs() > allowed => Agreement::Differs,
+            None => Agreement::Agrees,
         };
         Self {
             ours: Value::Number(ours),
             difference: Some(difference),
             allowed: Some(allowed),
-            ..Self::because(subject, Value::Number(run), verdict, &why)
+            ..Self::because(subject, Value::Number(run), verdict, &unresolved.unwrap_or_default())
         }
+    }
+
+    /// A number of a run that oscillates, where the reference does not for a reason in words.
+    #[must_use]
+    pub fn without_counterpart(subject: Subject, run: Measured, tolerance: f64, why: &str) -> Self {
+        let unresolved = unresolved("the trajectory", run, tolerance);
+        let verdict = if unresolved.is_some() { Agreement::NotCompared } else { Agreement::Differs };
+        Self::because(subject, Value::Number(run), verdict, unresolved.as_deref().unwrap_or(why))
     }
 
     /// A finding with a verdict for a reason in words.
@@ -205,6 +205,18 @@ impl Finding {
     }
 }
 
+/// Why a number decides nothing, if its error exceeds the tolerance or is no number.
+fn unresolved(
+    whose: &str,
+    Measured { relative_error: error, .. }: Measured,
+    tolerance: f64,
+) -> Option<String> {
+    let shown = if error.is_finite() { format!("only to {error:.1e}") } else { "not at all".into() };
+    let reason = || format!("{whose} resolves it {shown}, coarser than the tolerance {tolerance:.1e}");
+    let resolves = error <= tolerance;
+    (!resolves).then(reason)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -224,11 +236,11 @@ mod tests {
     }
 
     #[test]
-    fn an_error_beyond_the_tolerance_is_no_agreement() {
+    fn an_error_beyond_the_tolerance_is_no_verdict() {
         assert_eq!(verdict((1.0, 0.02), (1.0, 0.0), 0.01), Agreement::NotCompared);
         assert_eq!(verdict((1.0, f64::INFINITY), (1.0, 0.0), 0.01), Agreement::NotCompared);
         assert_eq!(verdict((1.0, 0.0), (1.0, 0.02), 0.01), Agreement::NotCompared);
-        // Far apart is far apart, however coarse.
-        assert_eq!(verdict((2.0, 0.02), (1.0, 0.0), 0.01), Agreement::Differs);
+        assert_eq!(verdict((2.0, 0.02), (1.0, 0.0), 0.01), Agreement::NotCompared);
+        assert_eq!(verdict((2.0, 0.01), (1.0, 0.0), 0.01), Agreement::Differs);
     }
 }

@@ -145,7 +145,7 @@ impl Side<'_> {
             Ok(ours) => match (open(ours.behaviour), simulated(ours, observable)) {
                 (Some(why), _) => because(Agreement::NotCompared, why),
                 (None, Some(ours)) => Finding::of_numbers(subject, [run, ours], self.run.tolerance),
-                (None, None) => because(Agreement::Differs, STILL),
+                (None, None) => Finding::without_counterpart(subject, run, self.run.tolerance, STILL),
             },
         });
     }
@@ -164,7 +164,7 @@ impl Side<'_> {
                 let ours = Measured { value, relative_error: THEORY_ERROR };
                 Finding::of_numbers(subject, [run, ours], self.run.tolerance)
             }
-            None => Finding::because(subject, Value::Number(run), Agreement::Differs, NO_PAIR),
+            None => Finding::without_counterpart(subject, run, self.run.tolerance, NO_PAIR),
         });
     }
 
