@@ -85,21 +85,14 @@ fn apply_to_observables(other: &mut StatedRun, of: Observable, factor: f64) -> O
     let index = Observable::STATED.iter().position(|known| *known == of)?;
     let stated = other.values[index].as_mut();
     let is_stated = stated.map(|value| *value *= factor).is_some();
-    let recording = other.recording.as_mut();
-    let rescaled = recording.as_ref().and_then(|recording| match of {
-        Observable::PeakVelocity => Some(recording.with_velocities_times(factor)),
-        Observable::StressDrop if !recording.stresses_pa.is_empty() => {
-            Some(recording.with_stresses_times(factor))
-        }
-        _ => None,
-    });
-    match (recording, rescaled) {
-        (Some(recording), Some(rescaled)) => {
-            *recording = rescaled.into();
-            Some(())
-        }
-        _ => is_stated.then_some(()),
-    }
+    let factors = match (of, &other.recording) {
+        (Observable::PeakVelocity, Some(_)) => [1.0, factor, 1.0],
+        (Observable::Period, Some(_)) => [factor, 1.0, 1.0],
+        (Observable::StressDrop, Some(recording)) if !recording.stresses_pa.is_empty() => [1.0, 1.0, factor],
+        _ => return is_stated.then_some(()),
+    };
+    other.recording.iter_mut().for_each(|recording| *recording = recording.scaled(factors).into());
+    Some(())
 }
 
 fn power_of_ten(power: i32) -> Rational {

@@ -20,6 +20,8 @@ const COLUMNS: [Wanted; 3] = [
 /// What a column of errors would need.
 const NEEDS_FOR_ERRORS: &str =
     "no errors: remove it; the column tolerance of the runs states the error of a run";
+/// What a stress of the wrong sign is.
+const REVERSED: &str = "the stress falls below V0 and rises above it, so the sign convention seems reversed: multiply the column by -1";
 /// Most samples of a trajectory: 240 MB of numbers.
 const MOST_SAMPLES: usize = 10_000_000;
 
@@ -71,6 +73,10 @@ impl Read {
         if found < LEAST_SAMPLES {
             let problem = CsvProblem::TooFewSamples { found, wanted: LEAST_SAMPLES };
             return Some(Fault::of(file, "", problem));
+        }
+        if self.recording.has_reversed_stress(log_level) {
+            let problem = CsvProblem::Record(REVERSED.into());
+            return Some(fault(file, None, "column shear_stress_pa", problem.into()));
         }
         let gap = self.recording.gap(log_level)?;
         let (step, usual) = (format!("{:.4e}", gap.step_s), format!("{:.4e}", gap.usual_s));

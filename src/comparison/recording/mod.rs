@@ -1,7 +1,8 @@
 //! A trajectory that another program recorded: samples of time and velocity, reduced to its long-term behaviour.
 //!
-//! Only the samples are there, so every observable carries an error made from them: the same reduction on every second
-//! sample shows what the sampling leaves open, and how the last cycles differ shows how far the run still was from its limit.
+//! Only the samples are there, so every observable carries an error made from them. For largest and least values it is the next term
+//! of an interpolation or, between samples, what the loading of the spring allows; for times and rates, the change when every second
+//! sample is left out. How the last cycles differ shows how far the run still was from its limit.
 
 mod decay;
 mod gaps;
@@ -45,6 +46,9 @@ pub struct Recording {
 /// The least number of samples that shows a long-term behaviour.
 pub const LEAST_SAMPLES: usize = 8;
 
+/// What is most of the time: noise of a sensor makes the stress rise and fall for half of it each.
+const MOST_TIME: f64 = 0.75;
+
 impl Recording {
     /// Every second sample, beginning with the first (`phase` 0) or the second (`phase` 1).
     fn every_second(&self, phase: usize) -> Self {
@@ -56,16 +60,34 @@ impl Recording {
         }
     }
 
-    /// The recording with its velocities multiplied by a factor, for a guess at another unit.
-    pub(crate) fn with_velocities_times(&self, factor: f64) -> Self {
-        let shift = libm::log(factor);
-        let log_velocities = self.log_velocities.iter().map(|log| log + shift).collect();
-        Self { log_velocities, ..self.clone() }
+    /// The recording with its times, velocities and stresses multiplied by factors, for a guess at another unit.
+    pub(crate) fn scaled(&self, [time, velocity, stress]: [f64; 3]) -> Self {
+        let times = |values: &[f64], factor: f64| values.iter().map(|value| value * factor).collect();
+        let shift = libm::log(velocity);
+        Self {
+            times_s: times(&self.times_s, time),
+            log_velocities: self.log_velocities.iter().map(|log| log + shift).collect(),
+            stresses_pa: times(&self.stresses_pa, stress),
+        }
     }
 
-    /// The recording with its stresses multiplied by a factor, for a guess at another unit.
-    pub(crate) fn with_stresses_times(&self, factor: f64) -> Self {
-        Self { stresses_pa: self.stresses_pa.iter().map(|stress| stress * factor).collect(), ..self.clone() }
+    /// Whether the stress falls for most of the time below the velocity of the load point, and rises above it: no spring is loaded so.
+    pub(crate) fn has_reversed_stress(&self, log_level: f64) -> bool {
+        if self.stresses_pa.is_empty() {
+            return false;
+        }
+        // Below and above: the time in which the stress falls, and the time in which it rises.
+        let mut times_s = [[0.0; 2]; 2];
+        for at in 1..self.times_s.len() {
+            let [before, after] = [at - 1, at].map(|at| usize::from(self.log_velocities[at] > log_level));
+            let rise = self.stresses_pa[at] - self.stresses_pa[at - 1];
+            if before == after && rise != 0.0 {
+                times_s[before][usize::from(rise > 0.0)] += self.times_s[at] - self.times_s[at - 1];
+            }
+        }
+        let [[falls_below, rises_below], [falls_above, rises_above]] = times_s;
+        falls_below > MOST_TIME * (falls_below + rises_below)
+            && rises_above > MOST_TIME * (falls_above + rises_above)
     }
 
     /// Times (s) at which the velocity passes the level upwards, by interpolation between samples.
