@@ -163,21 +163,17 @@ fn ambiguous(readings: &[(usize, Reading)], wanted: &[Wanted]) -> CsvProblem {
     CsvProblem::Ambiguous { readings: readings.join(" or "), allowed: allowed.join(", ") }
 }
 
-/// Where the values of what is wanted stand; its name in SI comes before any other.
+/// Where the values of what is wanted stand.
 fn place(
     names: &[String],
     meanings: &[Meaning],
     index: usize,
     wanted: &Wanted,
 ) -> Result<Option<ColumnPlace>, ColumnFault> {
-    let is_in_si = |place: &ColumnPlace| is_named(&names[place.0], wanted.key);
-    let mut places = of_meaning(meanings, |meaning| match meaning {
+    let places = of_meaning(meanings, |meaning| match meaning {
         Meaning::Values(of, unit) if *of == index => Some(unit.clone()),
         _ => None,
     });
-    if places.iter().any(is_in_si) {
-        places.retain(is_in_si);
-    }
     let place = only(places, names, wanted.key.into())?;
     if place.is_some() {
         return Ok(place);
@@ -258,12 +254,20 @@ fn unknown_errors<'n>(
     unknown.map(move |(name, _)| (name, CsvProblem::UnknownError { allowed: allowed.clone() }))
 }
 
-/// A column that gives a value of SI in a unit of its own or in none.
+/// A column that gives a value of SI in a unit of its own or in none; where the value has its column, one that gives it again.
 pub fn misnamed(key: &'static str, names: &[String]) -> Option<(String, CsvProblem)> {
     let wanted = Wanted { key, symbols: &[], is_optional: false };
-    let is_meant = |name: &&String| readings(&words(name), &wanted).iter().any(|reading| !reading.is_error);
-    let name = names.iter().find(is_meant)?;
-    Some((name.clone(), CsvProblem::UnknownUnit { wanted: key }))
+    let first = names.iter().find(|name| is_named(name, key));
+    let is_meant =
+        |reading: &Reading| !reading.is_error && (first.is_none() || matches!(reading.unit, Unit::Size(_)));
+    let is_other =
+        |name: &&String| !is_named(name, key) && readings(&words(name), &wanted).iter().any(is_meant);
+    let name = names.iter().find(is_other)?;
+    let problem = match first {
+        Some(first) => CsvProblem::SecondColumn { first: first.clone(), wanted: key.into() },
+        None => CsvProblem::UnknownUnit { wanted: key },
+    };
+    Some((name.clone(), problem))
 }
 
 #[cfg(test)]
@@ -306,12 +310,22 @@ mod tests {
     }
 
     #[test]
-    fn the_name_in_si_comes_before_all_others_and_two_others_are_refused() {
-        assert_eq!(place(Quantity::MassPerArea, &["m", "mass_per_area_kg_per_m2", "M"]), Ok((1, None)));
-        let (name, problem) = place(Quantity::MassPerArea, &["m", "mass_per_area_kg_per_cm2"]).unwrap_err();
-        assert_eq!(name, "mass_per_area_kg_per_cm2");
-        assert!(problem.to_string().contains("`m` gives"), "{problem}");
+    fn two_columns_of_one_quantity_are_refused_in_any_unit_and_spelling() {
+        for [first, second] in [
+            ["m", "mass_per_area_kg_per_cm2"],
+            ["m", "mass_per_area_kg_per_m2"],
+            ["mass_per_area_kg_per_m2", "M"],
+            ["mass_per_area_kg_per_m2", "mass_per_area_kg_per_cm2"],
+            ["m", "M"],
+        ] {
+            let (name, problem) = place(Quantity::MassPerArea, &[first, "id", second]).unwrap_err();
+            assert_eq!(name, second);
+            assert!(problem.to_string().contains(&format!("`{first}` gives")), "{problem}");
+        }
         assert!(place(Quantity::DirectEffect, &["direct_effect", "Direct_Effect"]).is_err());
+        let names = ["period_s", "period_ms"].map(String::from);
+        assert_eq!(misnamed("period_s", &names).map(|(name, _)| name), Some("period_ms".into()));
+        assert_eq!(misnamed("period_s", &["period_s", "period_count"].map(String::from)), None);
     }
 
     #[test]

@@ -37,6 +37,13 @@ fn the_header_is_a_contract() {
         &["runs.csv:1: header, column period_ms: unknown unit (allowed: `period_s`, in SI)"],
     );
     refuse_runs(
+        &format!("{HEADER},peak_velocity_m_per_s,peak_velocity_mm_per_s\n{ROW},0.009,77\n"),
+        &[],
+        &[
+            "column peak_velocity_mm_per_s: `peak_velocity_m_per_s` gives peak_velocity_m_per_s too; keep one of them",
+        ],
+    );
+    refuse_runs(
         &format!("{HEADER},freqency_hz,mode\n{ROW},1,periodic\n"),
         &[],
         &["column frequency_hz: missing column; did you mean it by `freqency_hz`?"],
@@ -108,6 +115,23 @@ fn a_trajectory_has_to_be_one() {
         &[
             "t.csv:1: header, column velocity_mm: mm is a length; velocity is m/s (allowed: velocity_m_per_s;",
             "t.csv:1: header, column shear_stress_mm: mm is a length; stress is Pa (allowed: shear_stress_pa;",
+        ],
+    );
+    refuse_trajectory(
+        &wave((0..4000).map(|i| f64::from(i) * 1e-3))
+            .replace(NAMES, "time_s,velocity_m_per_s,velocity_mm_per_s"),
+        &[
+            "t.csv:1: header, column velocity_mm_per_s: `velocity_m_per_s` gives velocity_m_per_s too; keep one of them",
+        ],
+    );
+    let reversed = |i: usize| {
+        let angle = i as f64 * 0.1;
+        format!("{angle},{},{}\n", 1e-3 * libm::exp(libm::sin(angle)), libm::cos(angle) * -1e3)
+    };
+    refuse_trajectory(
+        &format!("{NAMES},shear_stress_pa\n{}", (0..400).map(reversed).collect::<String>()),
+        &[
+            "t.csv: column shear_stress_pa: the stress falls below V0 and rises above it, so the sign convention seems reversed",
         ],
     );
     refuse_trajectory(
@@ -232,7 +256,18 @@ fn a_velocity_scale_is_told_from_a_trajectory() {
     let point = ["-s", "1e5", "-v", "1e-3", "--law", "slip", "--trajectory", "t.csv"];
     place.run(["simulate"].iter().chain(&crate::harness::SLIDER).chain(&point).copied()).expect_success();
     place.write("runs.csv", format!("{HEADER},trajectory\n{},t.csv\n", ROW.replace(",1e-3", ",1")));
-    let ended = place.run(["compare", "--runs", "runs.csv"]);
-    assert_eq!(ended.code, 1);
-    assert!(ended.stdout.contains("loading velocity looks like mm/s (wanted: m/s)"), "{}", ended.stdout);
+    let looks = |wanted: &str| {
+        let ended = place.run(["compare", "--runs", "runs.csv"]);
+        assert_eq!(ended.code, 1);
+        assert!(ended.stdout.contains(wanted), "{}", ended.stdout);
+    };
+    looks("loading velocity looks like mm/s (wanted: m/s)");
+    // Times in ms.
+    place.write("runs.csv", format!("{HEADER},trajectory\n{ROW},t.csv\n"));
+    let slower = |line: &str| {
+        let (time, rest) = line.split_once(',').unwrap();
+        time.parse().map_or(line.into(), |time: f64| format!("{},{rest}", 1e3 * time))
+    };
+    place.write("t.csv", place.read("t.csv").lines().map(slower).collect::<Vec<String>>().join("\n") + "\n");
+    looks("period looks like ms (wanted: s)");
 }

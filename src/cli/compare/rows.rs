@@ -89,10 +89,11 @@ impl RowWork for CompareRows {
             let problem = Problem::Needs("no --law together with it: the column chooses the law".into());
             faults.push((LAW_COLUMN.to_string(), problem));
         }
-        for key in Observable::STATED.map(Observable::as_str).into_iter().filter(|key| !has(key)) {
+        for key in Observable::STATED.map(Observable::as_str) {
+            let missing = || nearest(key, unknown.iter().copied()).filter(|_| !has(key));
             if let Some((name, problem)) = misnamed(key, names) {
                 faults.push((name, problem.into()));
-            } else if let Some(near) = nearest(key, unknown.iter().copied()) {
+            } else if let Some(near) = missing() {
                 let problem =
                     CsvProblem::MissingColumn { nearest: Some(near.to_string()), allowed: key.into() };
                 faults.push((key.to_string(), problem.into()));
