@@ -174,7 +174,8 @@ fn read_claim(
     seen: &mut Vec<String>,
 ) -> Option<ClaimEntry> {
     let stated = read_stated(section, known);
-    let sentence = Sentence::read(section);
+    let is_exact = matches!(&stated, Some(Some(stated)) if stated.parts().all(|(_, one)| one.is_equation()));
+    let sentence = Sentence::read(section, is_exact);
     let reason = section.optional("reason");
     let is_stated = !matches!(stated, Some(None)) || reason.is_some();
     let id = section.read("id", "the id of a claim", |entry| read_id(entry, is_stated, seen));

@@ -74,9 +74,15 @@ pub struct Change {
 }
 
 impl Sentence {
-    /// The keys of a claim; none for a claim without any of them.
-    pub(super) fn read(section: &mut Section<'_>) -> Option<Self> {
-        let kind = section.optionally("kind", |entry| entry.word(&Kind::ALL, Kind::as_str));
+    /// The keys of a claim; none for a claim without any of them. What formulas say exactly is not approximate.
+    pub(super) fn read(section: &mut Section<'_>, is_exact: bool) -> Option<Self> {
+        let kind = section.optionally("kind", |entry| match entry.word(&Kind::ALL, Kind::as_str)? {
+            Kind::Approximate if is_exact => entry.needs(
+                "`is near` over rows, or a formula that states the tolerance, such as \
+                 `x > 0.9*y and x < 1.1*y`: an equation is decided exactly",
+            ),
+            kind => Some(kind),
+        });
         let source = section.optionally("source", |entry| entry.word(&Source::ALL, Source::as_str));
         let quote = section.optionally("quote", Entry::text);
         let same_as = section.optionally("same_as", Entry::text);

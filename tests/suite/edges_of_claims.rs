@@ -156,3 +156,12 @@ fn a_limit_of_a_premise_limits_the_claim() {
         "{said}"
     );
 }
+
+#[test]
+fn an_approximate_sentence_states_its_tolerance() {
+    let approximate = "kind = \"approximate\"\nbox = { x = [\"1/100\", \"1/20\"] }";
+    decides(&[("exp(x) < 1.1*(1 + x) and exp(x) > 0.9*(1 + x)", approximate, "holds")]);
+    let place = Workplace::new();
+    place.write("c.toml", EQUATIONS.to_owned() + &claim("C1", "exp(x) = 1 + x", approximate));
+    place.run(["check", "c.toml"]).expect_refusal(&["c.toml:12", "kind", "an equation is decided exactly"]);
+}

@@ -267,6 +267,13 @@ impl ClaimFormula {
         self.rows.is_some() || self.computed().is_some_and(|computed| computed.check.is_some())
     }
 
+    /// Whether it compares by `=` only: it states no tolerance.
+    pub(in crate::scene) fn is_equation(&self) -> bool {
+        let atoms = self.statement.atoms();
+        let is_equal = |atom: &&Formula| matches!(atom, Formula::Compare(_, Comparison::Equal, _));
+        !atoms.is_empty() && atoms.iter().all(is_equal)
+    }
+
     fn checked(self, equations: &Equations) -> Result<Self, String> {
         within_budget(STEPS, || self.checked_all(equations))
             .unwrap_or_else(|exhausted| Err(exhausted.to_string()))
