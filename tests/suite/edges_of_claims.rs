@@ -165,3 +165,26 @@ fn an_approximate_sentence_states_its_tolerance() {
     place.write("c.toml", EQUATIONS.to_owned() + &claim("C1", "exp(x) = 1 + x", approximate));
     place.run(["check", "c.toml"]).expect_refusal(&["c.toml:12", "kind", "an equation is decided exactly"]);
 }
+
+#[test]
+fn a_wrong_witness_is_named_and_one_that_is_no_allowed_value_is_refused() {
+    let witness =
+        |name: &str, value: &str| format!("there_is = [\"{name}\"]\nwitness = {{ {name} = \"{value}\" }}");
+    decides(&[
+        ("x > 5", &witness("x", "1"), "holds exact"),
+        ("x > 5", &witness("x", "6"), "holds exact"),
+        ("p > 5", &witness("p", "-1"), "holds exact"),
+        ("x > y", &witness("x", "y/2"), "not-checked"),
+        ("x > y", &witness("x", "y + 1"), "holds exact"),
+    ]);
+    let place = Workplace::new();
+    for (name, value, needle) in
+        [("x", "x", "contains x"), ("p", "1 - p", "contains p"), ("x", "-1", "not positive")]
+    {
+        place.write(
+            "c.toml",
+            EQUATIONS.to_owned() + &claim("C1", &format!("{name} = 1"), &witness(name, value)),
+        );
+        place.run(["check", "c.toml"]).expect_refusal(&["c.toml:11", "the witness", needle]);
+    }
+}

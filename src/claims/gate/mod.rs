@@ -247,21 +247,24 @@ impl Claim {
         }
     }
 
-    /// Whether the values of the variables of `there_is` at a point, or those of the witness there, do.
-    fn does(&self, said: &Said, place: &mut AtPoint) -> number::Tried<bool> {
+    /// Whether the values of the variables of `there_is` that the witness has at a point do.
+    fn witness_does(&self, said: &Said, place: &mut AtPoint) -> number::Tried<bool> {
         let values = self.witness.iter().map(|(variable, value)| Ok((*variable, place.value(value)?)));
         for (variable, value) in values.collect::<number::Tried<Vec<_>>>()? {
             place.set(variable, value);
         }
+        self.does(said, place)
+    }
+
+    /// Whether the values of the variables of `there_is` at a point do.
+    fn does(&self, said: &Said, place: &mut AtPoint) -> number::Tried<bool> {
         truth::all([self.allows_inner(place), said.truth(place)].into_iter())
     }
 
-    /// For all values of the other variables there is one that does: the witness, or without other variables the point.
+    /// For all values of the other variables there is one that does: without other variables the point that was found, else the
+    /// witness.
     fn somewhere(&self, said: &Said, points: &[Base]) -> Outcome {
-        if self.witness.is_empty() {
-            let Some(base) = points.first() else {
-                return Outcome::Unconfirmed("The proof names no point.".into());
-            };
+        if let Some(base) = points.first() {
             return match self.at(base, &|place: &mut AtPoint| self.does(said, place)) {
                 At::Says(true) => Outcome::Passed { points: 1, open: 0 },
                 At::Says(false) | At::NoValue => {
@@ -272,8 +275,11 @@ impl Claim {
                 }
             };
         }
+        if self.witness.is_empty() {
+            return Outcome::Unconfirmed("The proof names no point.".into());
+        }
         let mut tally = Tally::default();
-        let ask = |place: &mut AtPoint| self.does(said, place);
+        let ask = |place: &mut AtPoint| self.witness_does(said, place);
         let found = self.answers(&ask).take(POINTS).find_map(|(base, at)| tally.add(self, base, at));
         found.unwrap_or(Outcome::Passed { points: tally.tried, open: tally.open })
     }

@@ -162,6 +162,26 @@ pub struct Crossing {
     pub frequency: Expression,
 }
 
+impl Scope {
+    /// Refuses a witness that is no value of the other variables, or of a sign that is not allowed.
+    fn check_witness(&self, names: &Names, premises: &Premises) -> Result<(), String> {
+        self.witness.iter().try_for_each(|(name, value)| {
+            let resolved = premises.put_in(&names.resolved(value));
+            let mut own = resolved.variables().into_iter().filter(|one| self.there_is.contains(one));
+            let sign = premises.domain().sign(&resolved).ok().flatten();
+            match own.next() {
+                Some(own) => {
+                    Err(format!("the witness {name} = {value} contains {own}, which is in `there_is`"))
+                }
+                None if premises.positive.contains(name) && sign.is_some_and(|sign| sign <= 0) => {
+                    Err(format!("the witness {name} = {value} is not positive, and {name} is assumed to be"))
+                }
+                None => Ok(()),
+            }
+        })
+    }
+}
+
 /// A condition: two sides that compare so.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct FormulaCondition {
@@ -284,6 +304,7 @@ impl ClaimFormula {
         let premises = formula.premises(equations)?;
         let mut compared = formula.scope.given.iter().map(|condition| &condition.sides);
         compared.try_for_each(|[left, right]| names.same_units(left, right))?;
+        formula.scope.check_witness(&names, &premises)?;
         formula.statement.check_units(&names)?;
         formula.statement.atoms().into_iter().try_for_each(|atom| check_atom(atom, &names, &premises))?;
         if let Some(name) = formula.statement.variable() {
