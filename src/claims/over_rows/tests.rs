@@ -114,6 +114,23 @@ fn a_run_that_contradicts_its_certificate_or_has_no_result_leaves_every_statemen
 }
 
 #[test]
+fn an_empty_word_is_no_other_word_unless_the_row_has_failed() {
+    for text in [
+        "for every row: failure = '' and failure != 'x' and not failure = 'x'",
+        "count where failure = 'x' = 0",
+        "for every row: word_proved != 'none'",
+        "count where word_proved = word = 4",
+        "for every row: word_proved = '' iff law = 'aging'",
+    ] {
+        assert_eq!(found(&GRID, text).0, Verdict::Holds, "{text}");
+    }
+    assert_eq!(found(&GRID, "for every row: word_proved = 'cycle'").0, Verdict::Fails);
+    let failed = altered(4, 9, "no result");
+    assert_eq!(found(&failed, "for every row: word_proved != 'none'").0, Verdict::NotChecked);
+    assert_eq!(found(&failed, "count where failure = 'x' = 0").0, Verdict::Holds);
+}
+
+#[test]
 fn neighbours_are_next_to_each_other_on_the_grid_and_both_meet_the_condition() {
     let found = |text: &str| found_on(&GRID, text, Kind::Universal);
     let along_x = "between neighbours along x at each law, y where word = 'cycle': value_m";
@@ -249,7 +266,10 @@ fn numbers_are_rounded_to_their_side_and_left_out_where_they_are_open() {
     assert_eq!((&numbers["most"][..], &numbers["cycles"][..], &numbers["count"][..]), ("40", "7", "8"));
     assert_eq!(found_on(&altered(3, 4, ""), "count = 8", Kind::Universal).numbers["most"], "40");
     let open = found_on(&altered(5, 7, ""), "count = 8", Kind::Universal).numbers;
-    assert_eq!(open.get("cycles"), None);
+    assert_eq!(open["cycles"], "6");
+    let mut failed = altered(5, 7, "");
+    failed[5][9] = "no result";
+    assert_eq!(found_on(&failed, "count = 8", Kind::Universal).numbers.get("cycles"), None);
 }
 
 const SCENE: &str = "name = \"s\"\ntitle = \"S\"\n[parameters]\ndirect_effect = 0.004\nevolution_effect = 0.006\n\

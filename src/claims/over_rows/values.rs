@@ -13,7 +13,7 @@ use crate::claims::Strength;
 /// A row: what is known of each column.
 #[derive(Debug, Clone)]
 pub(super) struct Row {
-    /// The value of each column that has one, as wide as its error; words are numbered.
+    /// The value of each column that has one, as wide as its error; words are numbered, the empty one too.
     pub values: BTreeMap<Symbol, Ball>,
     /// How sure each value is.
     pub strengths: BTreeMap<Symbol, Strength>,
@@ -111,7 +111,12 @@ pub(super) fn rows(table: &Table, statement: &RowStatement) -> Result<Vec<Row>, 
                 Kind::Number => number(cell, &beside[*at], cells),
             };
             let found = found.ok_or_else(|| contradiction(table, cells))?;
-            let Some((value, strength)) = found else { continue };
+            let Some((value, strength)) = found else {
+                if column.kind == Kind::Text && !row.has_failed {
+                    row.values.insert(name.clone(), numbered("", &mut words));
+                }
+                continue;
+            };
             let strength = if *at < table.names { Strength::Certified } else { strength };
             row.estimated.extend((strength == Strength::Converged).then(|| name.clone()));
             row.values.insert(name.clone(), value);
