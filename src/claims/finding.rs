@@ -255,18 +255,25 @@ impl Finding {
         self
     }
 
-    /// A claim that holds only inside a limit; one that fails already stays failed.
+    /// A claim that holds only inside a limit, and inside those that it has already; one that fails already stays failed.
     pub(super) fn limited(mut self, limit: String) -> Self {
+        self.limit = Some(match self.limit.filter(|_| self.verdict == Verdict::HoldsWithin) {
+            Some(known) if known.split("; ").any(|one| one == limit) => known,
+            Some(known) => format!("{known}; {limit}"),
+            None => limit,
+        });
         if self.verdict == Verdict::Holds {
             self.verdict = Verdict::HoldsWithin;
         }
-        self.limit = Some(limit);
         self
     }
 
     /// A claim about more than these things: it holds within them.
     pub(super) fn decided_for(self, things: &str) -> Self {
-        if self.verdict == Verdict::Holds { self.limited(things.to_owned()) } else { self }
+        match self.verdict {
+            Verdict::Holds | Verdict::HoldsWithin => self.limited(things.to_owned()),
+            _ => self,
+        }
     }
 
     /// The points that a universal statement was looked at on, or how far a statement goes; the verdict stays.

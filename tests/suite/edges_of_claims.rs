@@ -146,6 +146,16 @@ fn claims_refer_to_claims_that_are_there() {
 
 #[test]
 fn a_limit_of_a_premise_limits_the_claim() {
+    let within = "given = [\"x > y\"]\nlimit = \"x > y only\"\ndecided_for = \"the slip law\"\n\
+        outside = { words = \"Else not.\", formula = \"x <= y\", given = [\"x <= y\"] }";
+    let premises = |list: &str| claim("C1", "x > 0", "").replace("formula = \"x > 0\"", list);
+    let text = EQUATIONS.to_owned()
+        + &claim("C2", "x > y", within)
+        + &claim("C3", "x > 0", "decided_for = \"one state\"")
+        + &premises("premises = [\"C2\", \"C3\"]\ndecided_for = \"the slip law\"");
+    let said = checked(&text);
+    assert_eq!(said.matches("x > y only; the slip law").count(), 2, "{said}");
+    assert!(said.contains("x > y only; the slip law; one state\n"), "{said}");
     let text = EQUATIONS.to_owned()
         + &claim("C1", "x > 0", "decided_for = \"the slip law\"")
         + &claim("C2", "x > 0", "").replace("formula = \"x > 0\"", "premises = [\"C1\"]");
