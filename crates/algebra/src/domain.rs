@@ -346,13 +346,16 @@ impl Domain {
         values.next().is_none() && !self.is_assumed(name)
     }
 
-    /// Does a limit in this variable leave every assumption and every other quantity as it is?
+    /// May this variable be any positive number, whatever the others are?
     pub(super) fn leaves_free(&self, name: &Symbol) -> bool {
-        let listed = self.positive.contains(name);
-        let given = self.given.iter().map(|condition| &condition.expression);
-        let bound = given.chain(self.squares.iter().chain(&self.parameters).map(|(_, value)| value));
+        self.moves_alone(name) && self.given.iter().all(|condition| !condition.expression.contains(name))
+    }
+
+    /// The same but for the conditions, which may contain it.
+    pub(super) fn moves_alone(&self, name: &Symbol) -> bool {
+        let mut bound = self.squares.iter().chain(&self.parameters);
         let substituted = self.substitutions.iter().any(|(known, _)| known == name);
-        listed && !substituted && bound.into_iter().all(|value| !value.variables().contains(name))
+        self.positive.contains(name) && !substituted && bound.all(|(_, value)| !value.contains(name))
     }
 }
 

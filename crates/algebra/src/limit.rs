@@ -10,7 +10,7 @@ use std::cell::Cell;
 use std::fmt;
 
 use super::conversion::{Converter, split_by_parity};
-use super::{Domain, Expression, Function, Polynomial, RationalFunction, Symbol};
+use super::{Condition, Domain, Expression, Function, Polynomial, RationalFunction, Relation, Symbol};
 
 /// How often a quotient is differentiated, and how many parts are looked at.
 const MOST_SLOPES: usize = 6;
@@ -54,11 +54,16 @@ impl Domain {
     /// # Errors
     /// When the variable is not free to go there alone, or the rules do not decide it for all values of the others.
     pub fn end(&self, expression: &Expression, variable: &Symbol, toward: Toward) -> Result<End, String> {
-        if !self.leaves_free(variable) {
+        if !self.moves_alone(variable) {
             return Err(format!("{variable} is not free to move alone: an assumption contains it"));
         }
-        let function = self.rational_function(expression).map_err(|error| error.to_string())?;
         let search = Search { domain: self, variable, toward, left: Cell::new(MOST_PARTS) };
+        if let Some(open) = self.conditions().iter().find(|condition| !search.allows(condition)) {
+            return Err(format!(
+                "{variable} may not be free to go to {toward}: nothing says that {open} there"
+            ));
+        }
+        let function = self.rational_function(expression).map_err(|error| error.to_string())?;
         let written = self.substituted(expression);
         let found = search.quotient(&function, MOST_SLOPES).or_else(|| search.end(&written, MOST_SLOPES));
         found.ok_or_else(|| format!("{} has no certified limit in {variable}", Expression::from(&function)))
@@ -189,21 +194,40 @@ impl Search<'_> {
             .or_else(|| self.by_turned_factor(function, slopes))
     }
 
-    /// The terms that decide: the lowest powers of the variable as it goes to zero, the highest ones as it goes to infinity.
-    fn of_powers(&self, function: &RationalFunction) -> Option<End> {
-        let deciding = |polynomial: &Polynomial| -> Option<(i64, Polynomial)> {
-            let parts = polynomial.coefficients(self.variable).into_iter().zip(0_i64..);
-            let mut parts = parts.filter(|(part, _)| !part.is_zero());
-            let (part, power) = match self.toward {
-                Toward::Zero => parts.next()?,
-                Toward::Infinity => parts.last()?,
-            };
-            Some((power, part))
+    /// Whether a condition that is met somewhere is met from some value of the variable on: the term that decides makes it true.
+    fn allows(&self, condition: &Condition) -> bool {
+        let Ok(function) = self.domain.rational_function(&condition.expression) else {
+            return !condition.expression.contains(self.variable);
         };
-        let (below, divisor) = deciding(function.denominator())?;
+        if !function.variables().contains(self.variable) {
+            return true;
+        }
+        let sign = |polynomial| {
+            let (_, term) = self.deciding(polynomial).filter(|_| function.hides(self.variable).is_none())?;
+            self.domain.sign_of(&RationalFunction::from(term))
+        };
+        let sign = sign(function.numerator()).zip(sign(function.denominator()));
+        sign.is_some_and(|(above, below)| above == below || condition.relation == Relation::NonZero)
+    }
+
+    /// The term that decides, as the power of the variable and its factor: of the lowest power as the variable goes to zero, of the
+    /// highest one as it goes to infinity.
+    fn deciding(&self, polynomial: &Polynomial) -> Option<(i64, Polynomial)> {
+        let parts = polynomial.coefficients(self.variable).into_iter().zip(0_i64..);
+        let mut parts = parts.filter(|(part, _)| !part.is_zero());
+        let (part, power) = match self.toward {
+            Toward::Zero => parts.next()?,
+            Toward::Infinity => parts.last()?,
+        };
+        Some((power, part))
+    }
+
+    /// The end from the terms that decide.
+    fn of_powers(&self, function: &RationalFunction) -> Option<End> {
+        let (below, divisor) = self.deciding(function.denominator())?;
         let divisor = RationalFunction::from(divisor);
         let sign = self.domain.sign_of(&divisor)?;
-        let Some((above, leading)) = deciding(function.numerator()) else {
+        let Some((above, leading)) = self.deciding(function.numerator()) else {
             return Some(End::Finite(Expression::integer(0)));
         };
         let larger = if self.toward == Toward::Zero { below - above } else { above - below };
@@ -298,7 +322,7 @@ mod tests {
     use crate::number::{Ball, Field};
 
     /// What the parts of an expression are, and how four of them are joined.
-    const PARTS: [&str; 28] = [
+    const PARTS: [&str; 30] = [
         "1",
         "a",
         "-b",
@@ -327,7 +351,11 @@ mod tests {
         "p^2 + x",
         "(p - a)^2",
         "(p + b)^2*x",
+        "1/(a - x)",
+        "sqrt(x - b)",
     ];
+    /// What is positive besides x, a and b.
+    const GIVEN: [&str; 7] = ["a", "a - x", "b - a*x^2", "x - b", "a*x - p", "b - 1 - x", "x*(p + x)"];
     const JOINS: [&str; 7] = [
         "(u + v)/(w + z)",
         "u*v - w*z",
@@ -346,6 +374,7 @@ mod tests {
         fn values_go_where_the_end_is(
             parts in prop::array::uniform4(0..PARTS.len()),
             joined in 0..JOINS.len(),
+            given in 0..GIVEN.len(),
             up in any::<bool>(),
             (a, b, p) in (1_i32..20, 1_i32..20, 0..4_usize),
         ) {
@@ -361,9 +390,15 @@ mod tests {
                 expression.enclosed(&at.into(), 400)
             };
             let is_below = |one: Ball, other: Ball| (one - other).sign() == Some(Ordering::Less);
+            let given = parse(GIVEN[given]);
+            let is_met = |exponent| value(&given, exponent).and_then(|value| value.sign()) == Some(Ordering::Greater);
+            if ![12, 20].into_iter().all(is_met) {
+                return Ok(());
+            }
+            let domain = Domain::positive("x a b").given(given, Relation::Positive);
             // A divisor may be zero at one of the points.
             let [Some(near), Some(far)] = [12, 20].map(|exponent| value(&whole, exponent)) else { return Ok(()) };
-            let refuted = match Domain::positive("x a b").end(&whole, &"x".into(), toward) {
+            let refuted = match domain.end(&whole, &"x".into(), toward) {
                 Ok(End::Finite(end)) => {
                     let end = value(&end, 20).expect("all have numbers");
                     let [near, far] = [near, far].map(|one| (one - &end).square());
@@ -375,7 +410,7 @@ mod tests {
                 }
                 Err(_) => false,
             };
-            prop_assert!(!refuted, "{} does not go there as x -> {}: {:?}", whole, toward, Domain::positive("x a b").end(&whole, &"x".into(), toward));
+            prop_assert!(!refuted, "{} does not go there as x -> {} where {}: {:?}", whole, toward, domain, domain.end(&whole, &"x".into(), toward));
         }
     }
 
@@ -392,6 +427,39 @@ mod tests {
         let value: Expression = value.parse().expect("in the grammar");
         matches!(end(text, toward), Some(End::Finite(found))
             if Domain::positive("x a b").difference(&found, &value).expect("rational").is_zero())
+    }
+
+    #[test]
+    fn a_condition_that_is_met_near_the_end_binds_nothing_and_another_one_is_named() {
+        use Toward::{Infinity, Zero};
+        for (given, text, toward, wanted) in [
+            ("b - x", "(b - x)/a", Zero, Some("b/a")),
+            ("b - x", "1/(b - x)", Zero, Some("1/b")),
+            ("b - x^2", "x/(b - x^2)", Zero, Some("0")),
+            ("x - a - b", "x/(x - a - b)", Infinity, Some("1")),
+            ("1/x - a", "x", Zero, Some("0")),
+            ("b - x", "1/x", Infinity, None),
+            ("x - b", "x", Zero, None),
+            ("a - b - x", "x", Zero, None),
+            ("a - exp(x)", "x", Zero, None),
+        ] {
+            let domain = Domain::positive("x a b").given(parse(given), Relation::Positive);
+            match (domain.end(&parse(text), &"x".into(), toward), wanted) {
+                (Ok(End::Finite(end)), Some(wanted)) => {
+                    assert!(
+                        domain.difference(&end, &parse(wanted)).expect("rational").is_zero(),
+                        "{text}: {end}"
+                    );
+                }
+                (Err(why), None) => {
+                    assert!(why.contains(&format!("nothing says that {} > 0 there", parse(given))), "{why}")
+                }
+                (found, _) => panic!("{given}: {text}: {found:?}"),
+            }
+        }
+        let moved = Domain::positive("x a b").given(parse("a - b"), Relation::Positive);
+        let moved = moved.given(parse("a - b - x"), Relation::Positive).end(&parse("x"), &"x".into(), Zero);
+        assert_eq!(moved, Ok(End::Finite(Expression::integer(0))));
     }
 
     #[test]

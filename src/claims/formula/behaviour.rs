@@ -187,11 +187,16 @@ impl Attempt<'_> {
             Some((words, point, is_rational)) => {
                 Finding::failing(words).enclosed_unless(is_rational).seen_at([self.named(&point)])
             }
-            None => Finding::not_checked(format!(
-                "Not decided: the limit was not found to be {end} in {} forms of the conditions, and {} points do not refute it.",
-                self.domains.len(),
-                Points::MOST
-            )),
+            None => {
+                let first = self.domains.first();
+                let why = first.and_then(|domain| domain.end(expression, variable, toward).err());
+                Finding::not_checked(format!(
+                    "Not decided: the limit was not found to be {end} in {} forms of the conditions, and {} points do not refute it{}.",
+                    self.domains.len(),
+                    Points::MOST,
+                    why.map_or_else(String::new, |why| format!(": {why}"))
+                ))
+            }
         })
     }
 

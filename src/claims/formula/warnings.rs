@@ -161,7 +161,14 @@ fn forgotten_edges(formula: &ClaimFormula, stated: &StatedClaim, equations: &Equ
     // What holds for every claim of the report is not this formula's to say.
     let is_own = |one: &FormulaCondition| !equations.conditions().iter().any(|text| text.trim() == one.text);
     let given = formula.scope.given.iter().enumerate();
-    let given = given.filter(|(_, one)| is_strict(one.comparison) && is_own(one));
+    // A variable that goes to a limit does not stay on an edge.
+    let moving = formula.statement.variable().filter(|_| matches!(formula.statement, Statement::Limit(..)));
+    let names = Names::of(equations);
+    let stays = |one: &FormulaCondition| {
+        let mut variables = one.sides.iter().flat_map(|side| names.resolved(side).variables());
+        variables.all(|name| Some(&name) != moving)
+    };
+    let given = given.filter(|(_, one)| is_strict(one.comparison) && is_own(one) && stays(one));
     let given = given.map(|(at, condition)| {
         let mut edge = formula.clone();
         edge.scope.given[at].comparison = Comparison::Equal;
