@@ -254,4 +254,23 @@ mod tests {
         mixed.rates[0] = softer.rates[0].clone();
         assert!(prove(&mixed, "w", &domain(small, "1/100")).is_err());
     }
+
+    #[test]
+    fn a_frequency_may_be_a_root() {
+        let oscillator = ThreeStates {
+            state: ["y", "z", "h"].map(Symbol::from),
+            rates: ["z", "(-k*y - q*z^3)/m", "-A*h"].map(formula),
+            steady: ["0", "0", "0"].map(formula),
+        };
+        let prove = |frequency: &str, sign: &str| {
+            let said = LyapunovSign::Of(formula(sign));
+            let domains = [Domain::positive("k m A")];
+            oscillator.lyapunov_sign(Proof::new("weak", "Weak."), &said, &formula(frequency), &domains)
+        };
+        for frequency in ["sqrt(k/m)", "sqrt(k)/sqrt(m)"] {
+            assert_eq!(prove(frequency, "-q").unwrap().recheck(), Ok(()), "{frequency}");
+            assert!(prove(frequency, "q").is_err(), "{frequency}");
+        }
+        assert!(prove("2*sqrt(k/m)", "-q").is_err());
+    }
 }

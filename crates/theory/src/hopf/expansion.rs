@@ -53,7 +53,14 @@ pub(crate) fn solve(
     }
     let unknowns: Vec<Symbol> = conditions.unknowns.iter().copied().map(Symbol::from).collect();
     let rows = parts.iter().filter(|part| !part.is_zero()).map(|part| row(part, &unknowns)).collect();
-    let values = eliminate(rows, unknowns.len())
+    // Two forms of one number, such as w^2*m and k with a root w, are one number in the rows.
+    let reduced = |entry: RationalFunction| {
+        let above = Expression::from(entry.numerator());
+        let above = above.has_root().then(|| domain.rational_function(&above).ok()).flatten();
+        let below = RationalFunction::from(entry.denominator().clone());
+        above.and_then(|above| above.checked_div(&below)).unwrap_or(entry)
+    };
+    let values = eliminate(rows, unknowns.len(), reduced)
         .map_err(|rest| proof.refute("unknown coefficients can be found", equations, rest))?;
     let values = unknowns.iter().zip(values.iter().map(Expression::from));
     Ok(values.fold(domain, |domain, (name, value)| domain.with(name, value)))
@@ -68,7 +75,11 @@ fn row(part: &Polynomial, unknowns: &[Symbol]) -> Vec<RationalFunction> {
 }
 
 /// Gauss and Jordan: the unknowns for which every row vanishes, or what cannot vanish.
-fn eliminate(mut rows: Vec<Vec<RationalFunction>>, count: usize) -> Result<Vec<RationalFunction>, String> {
+fn eliminate(
+    mut rows: Vec<Vec<RationalFunction>>,
+    count: usize,
+    reduced: impl Fn(RationalFunction) -> RationalFunction,
+) -> Result<Vec<RationalFunction>, String> {
     let mut solved: Vec<Option<Vec<RationalFunction>>> = vec![None; count];
     loop {
         rows.retain(|row| row.iter().any(|entry| !entry.is_zero()));
@@ -86,7 +97,8 @@ fn eliminate(mut rows: Vec<Vec<RationalFunction>>, count: usize) -> Result<Vec<R
         for other in rows.iter_mut().chain(solved.iter_mut().flatten()) {
             let factor = other[column].clone();
             if !factor.is_zero() {
-                *other = other.iter().zip(&unit).map(|(entry, part)| entry - &(&factor * part)).collect();
+                let less = |(entry, part): (&RationalFunction, _)| reduced(entry - &(&factor * part));
+                *other = other.iter().zip(&unit).map(less).collect();
             }
         }
         solved[column] = Some(unit);
