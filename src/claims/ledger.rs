@@ -256,11 +256,14 @@ fn decide_one(text: &ClaimEntry, context: &Context) -> Entry {
     }
 }
 
-/// Says of every verdict for which values it was decided.
+/// Says of every verdict for which values it was decided. Formulas about the equations use no values.
 fn state_values(claims: &mut [Entry]) {
+    let is_pure =
+        |(_, formula): &(String, ClaimFormula)| formula.rows.is_none() && formula.computed().is_none();
     let is_proved = |entry: &&Entry| {
         let Finding { strength, evidence, .. } = &entry.finding;
-        *strength <= Strength::Argued && evidence.iter().any(|one| one.proof().is_some())
+        entry.stated.as_ref().is_some_and(|stated| stated.parts().all(is_pure))
+            || *strength <= Strength::Argued && evidence.iter().any(|one| one.proof().is_some())
     };
     let ids = |entries: Vec<&Entry>| -> BTreeSet<String> {
         entries.into_iter().map(|entry| entry.id.clone()).collect()
@@ -277,7 +280,7 @@ fn state_values(claims: &mut [Entry]) {
         }
         proved = kept;
     }
-    for entry in claims {
+    for entry in claims.iter_mut().filter(|entry| entry.finding.verdict != Verdict::NotChecked) {
         let is_proved = proved.contains(&entry.id);
         entry.error_bars = Some(if is_proved { DecidedFor::AllValues } else { DecidedFor::MiddleValues });
     }

@@ -194,9 +194,19 @@ const FOR_ALL_VALUES: &str = "Error bars: the verdict holds for all values withi
 const FOR_MIDDLE_VALUES: &str =
     "Other values within the error bars: the verdict was decided for the middle values.";
 
-/// A text with a sentence behind it.
-fn with_sentence(text: String, sentence: Option<&str>) -> String {
-    [text.as_str(), sentence.unwrap_or_default()].join(" ").trim().to_owned()
+/// What is not established: what the formulas leave out, with a sentence behind it. That they leave out nothing says something of a
+/// verdict only.
+fn not_established(entry: &Entry, sentence: Option<&str>) -> String {
+    let left_out = plain(&entry.not_established);
+    let is_nothing = left_out.trim_end_matches('.').eq_ignore_ascii_case("nothing");
+    match sentence {
+        _ if is_nothing && (sentence.is_some() || entry.finding.verdict == Verdict::NotChecked) => {
+            sentence.unwrap_or_default().to_owned()
+        }
+        Some(sentence) if left_out.is_empty() => sentence.to_owned(),
+        Some(sentence) => format!("{}. {sentence}", left_out.trim_end_matches('.')),
+        None => left_out,
+    }
 }
 
 fn claim_view(entry: &Entry, ledger: &Ledger, certificates: &Certificates<'_>, folder: &str) -> ClaimView {
@@ -222,7 +232,7 @@ fn claim_view(entry: &Entry, ledger: &Ledger, certificates: &Certificates<'_>, f
         readings: readings(entry),
         evidence: finding.evidence.iter().map(|one| evidence_view(one, entry, certificates)).collect(),
         counter_example_markdown: plain(finding.counter_example.as_deref().unwrap_or_default()),
-        not_established_markdown: with_sentence(plain(&entry.not_established), middle),
+        not_established_markdown: not_established(entry, middle),
         remark_markdown: remarks.collect::<Vec<_>>().join("\n\n"),
         rests_on: entry.rests_on.iter().filter(|id| listed(id)).cloned().collect(),
         command: format!("slipmode verify {folder} --claim {}", entry.id),

@@ -45,6 +45,9 @@ fn claim(entry: &Entry, drift: &[String]) -> Value {
         "name": format!("{} {}", entry.id, entry.words),
         "failure": (!faults.is_empty()).then(|| faults.join("; ")),
         "skipped": is_skipped.then(|| finding.verdict.as_str()),
-        "said": format!("{}, {}", finding.verdict.as_str(), finding.strength.as_str()),
+        "said": match finding.verdict {
+            Verdict::NotChecked => finding.verdict.as_str().to_owned(),
+            verdict => format!("{}, {}", verdict.as_str(), finding.strength.as_str()),
+        },
     })
 }

@@ -159,7 +159,7 @@ pub struct ClaimView {
     pub counter_example_markdown: String,
     /// What the verdict does not establish.
     pub not_established_markdown: String,
-    /// Remark on the paper's words (ambiguous, contradicting a caption …); may be empty.
+    /// Remarks: ambiguous words, captions that disagree, why it is not decided; may be empty.
     pub remark_markdown: String,
     /// Ids of claims that this one rests on.
     pub rests_on: Vec<String>,

@@ -57,7 +57,7 @@ const ROWS: &[(&str, &str, &str, &str)] = &[
     ),
     ("count where behaviour = 'periodic' >= 1", "holds", "converged", "of 12 rows"),
     ("count where law = 'aging' = 0", "holds", "certified", "0 of 12 rows"),
-    ("count = 11", "fails", "sampled", "there are 12"),
+    ("count = 11", "fails", "certified", "there are 12"),
     // The error of a peak is far above a part in 10^15.
     (
         "peak_velocity_m_per_s agrees with peak_velocity_m_per_s*(1 + 1/10^15) within 1e-16",

@@ -139,6 +139,10 @@ pub(super) fn decide_part(id: &str, words: &str, formula: &ClaimFormula, context
             let found = outside.evidence.into_iter().fold(found, Finding::with_evidence);
             found.within(Region { inside: limit.words.clone(), outside: words.clone() })
         }
+        Verdict::Fails => Finding::not_checked(format!(
+            "What `outside` says is false: {words} ({})",
+            outside.counter_example.unwrap_or_default()
+        )),
         _ => Finding {
             contradictions: outside.contradictions,
             ..Finding::not_checked(format!("Not decided whether it holds outside its limit: {words}"))

@@ -151,8 +151,7 @@ impl All<'_> {
         if truths.len() > 1 {
             return self.open(&every);
         }
-        let strength = every.iter().map(|(_, truth)| truth.strength).max();
-        let strength = strength.filter(|_| !self.used.is_empty()).unwrap_or(Strength::Sampled);
+        let strength = every.iter().map(|(_, truth)| truth.strength).max().unwrap_or(Strength::Sampled);
         let found = self.finding(strength, format!("{certain} of {} rows", every.len()), every.len());
         let found = found.number("count", certain.to_string());
         found.require(truths.contains(&true), || format!("there are {certain}"))
