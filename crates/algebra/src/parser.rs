@@ -294,7 +294,13 @@ impl Parser<'_> {
 
     fn number(&mut self) -> Result<Expression, ParseError> {
         let start = self.position;
-        let digits = self.take_while(|c| c.is_ascii_digit() || c == '.');
+        let mut digits = self.take_while(|c| c.is_ascii_digit() || c == '.');
+        if let ['e' | 'E', '+' | '-', '0'..='9', ..] | ['e' | 'E', '0'..='9', ..] = self.text[self.position..]
+        {
+            digits.extend(&self.text[self.position..self.position + 2]);
+            self.position += 2;
+            digits += &self.take_while(|c| c.is_ascii_digit());
+        }
         parse_decimal(&digits)
             .map(Expression::Number)
             .map_err(|error| ParseError { column: start + 1, message: format!("'{digits}' is {error}") })
@@ -404,6 +410,14 @@ mod tests {
         assert_eq!(message("a b"), "column 3: unexpected 'b'");
         assert_eq!(message("f(x)"), "column 2: 'f' is not a function (write * for products)");
         assert_eq!(message("x^y"), "column 3: expected a whole exponent up to 64");
+        assert_eq!(message("1e"), "column 2: unexpected 'e'");
+        assert_eq!(message("2e3x"), "column 4: unexpected 'x'");
+        assert!(message("1e99999").starts_with("column 1: '1e99999' is "));
+        for (text, plain) in
+            [("1e3", "1000"), ("2.5E-3*x", "0.0025*x"), ("1e+2 - 1e-2", "100 - 0.01"), ("1e0", "1")]
+        {
+            assert_eq!(text.parse::<Expression>(), plain.parse(), "{text}");
+        }
         assert!(message("1.2.3").starts_with("column 1: '1.2.3' is not a decimal number"));
     }
 

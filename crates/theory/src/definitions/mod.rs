@@ -217,7 +217,10 @@ impl<'r> Reader<'r> {
 
     fn unknown(&self, name: &str, known: &BTreeSet<Symbol>) -> String {
         let near = nearest(name, known.iter().map(Symbol::as_str));
-        let near = near.map(|near| format!("; did you mean `{near}`?")).unwrap_or_default();
+        let near = near.map_or_else(
+            || "; `positive` and `free` of [assumptions] list the variables".to_owned(),
+            |near| format!("; did you mean `{near}`?"),
+        );
         format!("'{name}' is no variable and no defined name of equations.toml{near}")
     }
 
@@ -229,10 +232,12 @@ impl<'r> Reader<'r> {
         known: &BTreeSet<Symbol>,
         systems: &BTreeMap<String, System>,
     ) {
+        let others: BTreeSet<Symbol> =
+            known.iter().filter(|name| name.as_str() != text.name).cloned().collect();
         let mut messages: Vec<String> = used
             .iter()
             .filter(|name| !known.contains(*name))
-            .map(|name| self.unknown(name.as_str(), known))
+            .map(|name| self.unknown(name.as_str(), &others))
             .collect();
         if let Some(name) =
             form.system.as_ref().filter(|name| !self.rest.systems.iter().any(|one| one.name == **name))
@@ -243,10 +248,11 @@ impl<'r> Reader<'r> {
         }
         let variables = form.variables.iter().chain(form.values.iter().map(|(name, _)| name));
         for name in variables.filter(|name| !self.names.variables.contains(*name)) {
-            messages.push(match known.contains(name) {
-                true => format!("'{name}' has a meaning of its own and is no variable"),
-                false => self.unknown(name.as_str(), known),
-            });
+            if !known.contains(name) && !used.contains(name) {
+                messages.push(self.unknown(name.as_str(), &others));
+            } else if known.contains(name) {
+                messages.push(format!("'{name}' has a meaning of its own and is no variable"));
+            }
         }
         if !messages.is_empty() {
             self.fault(&key_of(text), messages.join("; "));
