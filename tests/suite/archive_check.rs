@@ -174,6 +174,29 @@ fn a_sentence_that_assumes_or_changes_how_others_are_read_is_refused_wherever_it
     }
 }
 
+/// The names of the lemmas that the program writes beside the theorems of a report are those that the check allows.
+#[test]
+fn lemmas_of_a_report_have_names_that_hide_nothing() {
+    let source = include_str!("../../crates/algebra/src/coq/sign.rs");
+    let names = source.split("Lemma ").skip(1).map(|rest| rest.split(' ').next().unwrap());
+    let mut names: Vec<&str> = names.collect();
+    names.sort_unstable();
+    let check = include_str!("../../proofs/check.sh");
+    let own = check.split_once("\nown='").unwrap().1.split_once('\'').unwrap().0;
+    let mut allowed: Vec<&str> = own.split(' ').collect();
+    allowed.sort_unstable();
+    assert_eq!(names, allowed);
+    let with = |word: &str, name: &str| {
+        let text = format!("{word} {name} : True. Proof. exact I. Qed.");
+        Theorems::new().altered(CLAIM_FILE, "(** S1, formula-s1 *)", &text).with_files().with_accepted()
+    };
+    for name in names {
+        let (code, said) = with("Lemma", name).check(&[]);
+        assert_eq!(code, if has_coq() { 0 } else { 2 }, "{said}");
+        with("Theorem", name).expect_refusal(&[CLAIM_FILE, name, "may hide another one"]);
+    }
+}
+
 #[test]
 fn a_file_that_is_missing_added_or_listed_otherwise_is_refused_by_name() {
     let removed = Theorems::new();
@@ -212,6 +235,12 @@ fn coq_has_the_last_word_on_proofs_and_assumptions() {
     }
     let wrong = Theorems::new().altered(CLAIM_FILE, "rewrite twice; lra", "exact I");
     wrong.with_files().with_accepted().expect_refusal(&[CLAIM_FILE, "Coq does not accept it"]);
+    // A file at fault does not end the check: all are listed at its end.
+    let both = Theorems::new().altered(LIBRARY_FILE, "Proof. ring. Qed.", "Proof. exact I. Qed.");
+    let (code, said) = both.with_files().with_accepted().check(&[]);
+    let list = [LIBRARY_FILE, CLAIM_FILE].map(|file| format!("check.sh: {file}: Coq does not accept it\n"));
+    let list = format!("check.sh: 2 of 2 files are refused:\n{}", list.concat());
+    assert!(code == 1 && said.ends_with(&list) && !said.contains("Coq accepts all"), "{said}");
     // A variable outside of a section is an axiom; the file's own list of assumptions is about something else.
     let library =
         format!("{LIBRARY}Variable bad : False.\nTheorem other : 0 = 1.\nProof. destruct bad. Qed.\n");
