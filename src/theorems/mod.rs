@@ -234,7 +234,8 @@ impl Files {
         let all = names.join(", ");
         let assumptions = format!("Definition all_theorems := ({all}).\nPrint Assumptions all_theorems.\n");
         // The lemmas on signs are no part of the files that do without them, whose record stays.
-        let module = if text.contains("by_signs") { "Signs" } else { "Claims" };
+        let module =
+            if ["by_signs", "; met."].iter().any(|used| text.contains(used)) { "Signs" } else { "Claims" };
         let head = format!("From Slipmode Require Import {module}.\n{LIMIT}");
         self.texts.insert(format!("{place}.v"), format!("{head}{text}{assumptions}"));
         self.texts.insert(format!("{place}_faults.v"), format!("{head}{faults}"));

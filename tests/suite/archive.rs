@@ -16,6 +16,16 @@ const CLAIMS: &str = "[[claim]]\nid = \"S1\"\nplace = \"eq 9\"\nwords = \"W\"\ne
 const SCENE: &str = "name = \"a\"\ntitle = \"A\"\n[parameters]\ndirect_effect = 0.004\nevolution_effect = 0.006\n\
     critical_slip_distance_m = 1e-5\nstiffness_pa_per_m = 1e7\nmass_per_area_kg_per_m2 = 1000\n\
     [boundary]\npoints = 8\ndigits = 30\n";
+/// A growth with a second variable, and of a function that ends left of 0; a sum of roots; exponentials; a limit that Coq cannot follow.
+const KINDS_OF_THEOREMS: [[&str; 2]; 7] = [
+    ["G1", "ln(1 + A*x) < A*x"],
+    ["G2", "1 + x + x^2/2 < exp(x)"],
+    ["G3", "sqrt(1 + x) < 1 + x/2"],
+    ["P1", "sqrt(A + B) < sqrt(A) + sqrt(B)"],
+    ["E1", "exp(-x/A) falls with x"],
+    ["E2", "A*(B - A*exp(-x/A))^2 < 4*B*A iff (B - A*exp(-x/A))^2 < 4*B"],
+    ["L1", "exp(-x/A) -> 1 as x -> 0"],
+];
 const EQUATIONS: &str = include_str!("../../reports/im-avouac/equations.toml");
 
 pub fn small_report() -> Workplace {
@@ -79,17 +89,34 @@ fn archives_have_the_same_bytes_on_any_number_of_threads() {
 #[test]
 fn an_archive_has_its_theorems_with_their_library_and_coq_accepts_them_without_this_program() {
     let place = archived();
-    let files = unpack(&fs::read(place.path("small.zip")).unwrap(), &Caps::default()).unwrap().0;
-    let text = |path: &str| String::from_utf8(files[&format!("theorems/{path}")].clone()).unwrap();
-    for path in files.keys().filter_map(|path| path.strip_prefix("theorems/")) {
-        place.write(&format!("theorems/{path}"), text(path));
+    place.write("own/report.toml", PLAN.replace("small", "own").replace("scenes = [\"a\"]\n", ""));
+    let claims = KINDS_OF_THEOREMS.map(|[id, formula]| {
+        format!("[[claim]]\nid = \"{id}\"\nplace = \"p\"\nwords = \"W\"\nexpected = \"holds\"\nleaves_out = \"nothing\"\nformula = \"{formula}\"\n")
+    });
+    place.write("own/claims.toml", claims.concat());
+    place.write("own/equations.toml", "[assumptions]\npositive = [\"A\", \"B\", \"x\"]\n");
+    place.write("own/prose/c.md", "Words.\n");
+    place.run(["archive", "own", "-o", "own.zip"]).expect_success();
+    let unpacked = |zip: &str| unpack(&fs::read(place.path(zip)).unwrap(), &Caps::default()).unwrap().0;
+    let (files, own) = (unpacked("small.zip"), unpacked("own.zip"));
+    for (folder, files) in [("of-small", &files), ("of-own", &own)] {
+        for (path, bytes) in files.iter().filter(|(path, _)| path.starts_with("theorems/")) {
+            place.write(&format!("{folder}/{path}"), bytes);
+        }
+        // Files and statements agree with the lists; then the script asks for Coq, which takes minutes.
+        let check = place.path(&format!("{folder}/theorems/check.sh"));
+        let output = Command::new("/bin/sh").arg(check).env("PATH", without_coq(&place)).output().unwrap();
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert_eq!((output.status.code(), said.as_ref()), (Some(2), "check.sh: coqc is not installed\n"));
     }
-    let check = "theorems/check.sh";
-    // Files and statements agree with the lists; then the script asks for Coq, which takes minutes.
-    let output =
-        Command::new("/bin/sh").arg(place.path(check)).env("PATH", without_coq(&place)).output().unwrap();
-    let said = String::from_utf8_lossy(&output.stderr);
-    assert_eq!((output.status.code(), said.as_ref()), (Some(2), "check.sh: coqc is not installed\n"));
+    let text = |path: &str| {
+        let path = format!("theorems/{path}");
+        String::from_utf8(files.get(&path).unwrap_or_else(|| &own[&path]).clone()).unwrap()
+    };
+    // What Coq cannot follow is no theorem.
+    let left_out = String::from_utf8(own["theorems/left-out.txt"].clone()).unwrap();
+    let limit = "L1, formula-l1, whole: no tactic for a limit with exp(x/A), which moves with x\n";
+    assert!(left_out.contains(limit) && !own.contains_key("theorems/own/claim_L1.v"), "{left_out}");
     assert!(
         text("small/claim_S2_whole.v").contains("Theorem formula_"),
         "{}",
@@ -114,7 +141,16 @@ fn an_archive_has_its_theorems_with_their_library_and_coq_accepts_them_without_t
         "library/HalfPlane.v",
         "library/Signs.v",
         "small/claim_S2_whole.v",
+        "own/claim_G1.v",
+        "own/claim_G1_whole.v",
+        "own/claim_G2_whole.v",
+        "own/claim_G3.v",
+        "own/claim_P1_whole.v",
+        "own/claim_E1_whole.v",
+        "own/claim_E2.v",
     ];
+    let roots = text("own/claim_P1_whole.v");
+    assert!(roots.contains("apply (root_part_") && text("own/claim_G1.v").contains("apply (growth_right "));
     let compile = |path: &str| {
         place.write(path, text(path));
         let mut coqc = Command::new("coqc");

@@ -2,7 +2,7 @@
 //! its characteristic polynomial is det(s − J). Coq differentiates the rates by itself.
 
 use super::Obstacle;
-use super::statement::{Piece, Statement, altered_side, term, text};
+use super::statement::{Piece, Statement, altered_side, derivative_of, term, text};
 use super::tactic::Tactics;
 use super::term::{name, real};
 use crate::{Domain, Expression, Linearisation, Symbol};
@@ -40,7 +40,8 @@ impl Statement {
             pieces.extend([term(&system.steady[by]), text(" "), term(&slope), text(" /\\ ")]);
             let [raw, slope] = [&raw, &slope].map(written);
             let equal = tactics.equal(&raw, &slope)?;
-            proofs.push(format!("apply (derivative_as _ _ {} _); [ {equal} | derivative ]", real(&raw)));
+            let derivative = derivative_of(&system.along(rate, by));
+            proofs.push(format!("apply (derivative_as _ _ {} _); [ {equal} | {derivative} ]", real(&raw)));
         }
         let determinant = system.determinant(variable);
         proofs.push(tactics.equal(&written(&determinant), &written(polynomial))?);

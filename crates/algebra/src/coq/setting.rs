@@ -12,6 +12,9 @@ use super::term::{complex, condition, name, outer_calls, real};
 use crate::number::Rational;
 use crate::{Domain, Expression, Function, Symbol};
 
+/// Computes an enclosure for each hypothesis, with a tactic of `proofs/Signs.v`.
+const ENCLOSURE: &str = "repeat match goal with |- _ /\\ _ => split end; met";
+
 /// The domain of a theorem, and which of its variables are complex.
 pub(super) struct Setting<'d> {
     pub domain: &'d Domain,
@@ -320,7 +323,7 @@ impl Setting<'_> {
                 None => proof += "eexists; ",
             }
         }
-        let (rational, others) = self.roots_at_the_example();
+        let (rational, others, close) = self.calls_at_the_example();
         for root in rational {
             let _ = write!(proof, "try root_is {}; ", real(&Expression::Number(root)));
         }
@@ -338,17 +341,18 @@ impl Setting<'_> {
             original.variables.iter().map(|(symbol, kind)| format!("({} : {kind})", name(symbol))).collect();
         let statements: Vec<&str> = original.hypotheses.iter().map(|(_, text)| text.as_str()).collect();
         let text = format!(
-            "Lemma {label} :\n  exists {}, {}.\nProof. {proof}possible. Qed.\n",
+            "Lemma {label} :\n  exists {}, {}.\nProof. {proof}{close}. Qed.\n",
             names.join(" "),
             statements.join(" /\\ ")
         );
         Some(Block { name: label, text })
     }
 
-    /// The rational values that square roots of the conditions have at the example, inner roots first, and bounds of the others.
-    fn roots_at_the_example(&self) -> (Vec<Rational>, Vec<[Rational; 2]>) {
+    /// The rational values that square roots of the conditions have at the example, inner roots first, and bounds of the others. Then
+    /// the tactic for the conditions there: with an exponential or a logarithm that is no rational number it computes enclosures.
+    fn calls_at_the_example(&self) -> (Vec<Rational>, Vec<[Rational; 2]>, &'static str) {
         let domain = self.domain.original();
-        let (mut values, mut others) = (Vec::new(), Vec::new());
+        let (mut values, mut others, mut close) = (Vec::new(), Vec::new(), "possible");
         let mut waiting: Vec<Expression> =
             domain.conditions().iter().map(|given| given.expression.clone()).collect();
         while let Some(next) = waiting.pop() {
@@ -364,12 +368,13 @@ impl Setting<'_> {
                     (Function::Sqrt, None) => {
                         others.extend(inner.rational_value(&point).and_then(root_bounds))
                     }
+                    (Function::Exp | Function::Ln, None) => close = ENCLOSURE,
                     _ => {}
                 }
             }
         }
         values.reverse();
-        (values, others)
+        (values, others, close)
     }
 }
 

@@ -1,4 +1,5 @@
-//! Signs that rest on more than positive terms: squares, variables that are not negative, and the two parts of a sum with a root.
+//! Signs that rest on more than positive terms: squares, variables that are not negative, and the two parts of a sum with a root; and
+//! the lemmas that files have besides those of the library.
 
 use super::Block;
 use super::tactic::Tactics;
@@ -12,6 +13,9 @@ const MOST_DEPTH: usize = 4;
 
 /// What the names of the lemmas begin with that proofs of such signs use.
 const ROOT_LEMMA: &str = "root_part";
+
+/// The lemma on growth where the function need not go on left of 0, or where there are other variables.
+pub(super) const GROWTH_LEMMA: &str = "growth_right";
 
 /// Where e and the difference of the squares of both parts have a sign, or o and the opposite difference.
 const ROOT_LEMMAS: &str = "Lemma root_part_lt (e o t : R) : 0 <= t -> 0 < e -> 0 < e ^ 2 - o ^ 2 * t -> 0 < e + o * sqrt t.
@@ -33,9 +37,30 @@ Proof.
 Qed.
 ";
 
-/// The lemmas, if a text uses one of them.
-pub(super) fn lemmas_for(text: &str) -> Option<Block> {
-    text.contains(ROOT_LEMMA).then(|| Block { name: ROOT_LEMMA.to_owned(), text: ROOT_LEMMAS.to_owned() })
+/// What vanishes at 0, is continuous there, and has a positive slope right of 0.
+const GROWTH_LEMMAS: &str = "Lemma growth_right (f g : R -> R) (x : R) :
+  continuous f 0 -> (forall y, 0 < y -> is_derive f y (g y)) -> f 0 = 0 -> (forall y, 0 < y -> 0 < g y) -> 0 < x -> 0 < f x.
+Proof.
+  intros C D Z G X.
+  assert (M : forall s t, 0 < s -> s < t -> f s < f t)
+    by (intros s t S T; apply (rises f g); [ intros; apply D; lra | intros; apply G; lra | exact T ]).
+  destruct (Rle_lt_dec 0 (f (x / 2))) as [P|N]; [ pose proof (M (x / 2) x ltac:(lra) ltac:(lra)); lra | exfalso ].
+  destruct (C (fun v => f (x / 2) < v)) as [e E].
+  - exists (mkposreal (- f (x / 2)) ltac:(lra)); intros v B.
+    rewrite Z in B; apply Rabs_def2 in B; cbn in B; unfold minus, plus, opp in B; cbn in B; lra.
+  - pose proof (cond_pos e); set (t := Rmin (x / 4) (e / 2)).
+    assert (0 < t) by (unfold t; apply Rmin_glb_lt; lra).
+    assert (t <= x / 4 /\\ t <= e / 2) by (unfold t; split; [ apply Rmin_l | apply Rmin_r ]).
+    assert (f (x / 2) < f t) by (apply E; apply Rabs_def1; unfold minus, plus, opp; cbn; lra).
+    pose proof (M t (x / 2) ltac:(lra) ltac:(lra)); lra.
+Qed.
+";
+
+/// The lemmas of which a text uses one. `proofs/check.sh` has their names.
+pub(super) fn lemmas_for(text: &str) -> impl Iterator<Item = Block> {
+    let all = [(ROOT_LEMMA, ROOT_LEMMAS), (GROWTH_LEMMA, GROWTH_LEMMAS)];
+    let used = all.into_iter().filter(|(name, _)| text.contains(name));
+    used.map(|(name, text)| Block { name: name.to_owned(), text: text.to_owned() })
 }
 
 /// A form of a value, and the tactics that prove its sign.

@@ -1,13 +1,14 @@
 //! What a certificate says, as a statement with the tactics that prove it.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::Obstacle;
+use super::sign::GROWTH_LEMMA;
 use super::tactic::Tactics;
-use super::term::{name, real};
+use super::term::{name, outer_calls, real};
 use crate::{
-    Certificate, Condition, Domain, Expression, Polynomial, RationalFunction, Relation, Series, Symbol,
-    Toward,
+    Certificate, Condition, Domain, Expression, Function, Polynomial, RationalFunction, Relation, Series,
+    Symbol, Toward,
 };
 
 /// A piece of a statement.
@@ -158,6 +159,9 @@ impl Statement {
             side.iter().map(|coefficient| tactics.expression_of(coefficient)).collect()
         };
         let [above, below] = [coefficients(&sides[0])?, coefficients(&sides[1])?];
+        if let Some(moving) = above.iter().chain(&below).find(|one| one.variables().contains(symbol)) {
+            return Err(Obstacle(format!("no tactic for a limit with {moving}, which moves with {symbol}")));
+        }
         let equal = tactics.equal(&inner, &quotient(horner(&above, &point), horner(&below, &point)))?;
         let first = |list: &[Expression]| list.first().cloned().unwrap_or_else(|| Expression::integer(0));
         let ends = tactics.equal(&limit, &quotient(first(&above), first(&below)))?;
@@ -206,7 +210,7 @@ impl Statement {
             (true, value) => pieces(&value),
             (false, _) => pieces(&(value.clone() + Expression::integer(1))),
         };
-        Ok(Self::plain(pieces(value), altered, "derivative".to_owned()))
+        Ok(Self::plain(pieces(value), altered, derivative_of(expression).to_owned()))
     }
 
     fn root(
@@ -330,13 +334,29 @@ impl Statement {
         let x = name(variable);
         let slope = expression.derivative(variable);
         let zero = expression.replaced(&[(variable.clone(), Expression::integer(0))].into());
+        let [f, g] = [expression, &slope].map(|part| format!("(fun {x} : R => {})", real(part)));
+        let vanishes = tactics.equal(&zero, &Expression::integer(0))?;
+        let grows = Self::growth_from(&slope, variable, order - 1, domain)?;
+        // A function of one variable that has a derivative everywhere; any other one is looked at from 0 on.
+        let (lemma, clear, derivative) = if domain.conditions().is_empty() && is_entire(expression, variable)
+        {
+            (
+                "growth",
+                "clear".to_owned(),
+                format!("clear; intros {x}; auto_derive; [ repeat split | field ]"),
+            )
+        } else {
+            let clear = format!("clear dependent {x}");
+            let at_zero = "auto_derive; repeat split; rewrite ?Rmult_0_r, ?Rmult_0_l, ?Rplus_0_r, ?Rplus_0_l; \
+                           first [ exact I | pos | lra | divisor ]";
+            let differentiate = derivative_of(expression);
+            let derivative = format!(
+                "apply (ex_derive_continuous {f}); {at_zero} | {clear}; intros {x} {x}'pos; {differentiate}"
+            );
+            (GROWTH_LEMMA, clear, derivative)
+        };
         Ok(format!(
-            "apply (growth (fun {x} : R => {}) (fun {x} : R => {}) {x}); [ clear; intros {x}; auto_derive; \
-             [ repeat split | field ] | {} | clear; intros {x} {x}'pos; {} | assumption ]",
-            real(expression),
-            real(&slope),
-            tactics.equal(&zero, &Expression::integer(0))?,
-            Self::growth_from(&slope, variable, order - 1, domain)?
+            "apply ({lemma} {f} {g} {x}); [ {derivative} | {vanishes} | {clear}; intros {x} {x}'pos; {grows} | assumption ]"
         ))
     }
 
@@ -358,6 +378,31 @@ impl Statement {
         });
         let text: String = words.collect();
         if self.is_complex { format!("({text})%C") } else { text }
+    }
+}
+
+/// The tactic that differentiates. Coq writes differences and quotients inside of calls in its own way.
+pub(super) fn derivative_of(expression: &Expression) -> &'static str {
+    let mut calls = BTreeMap::new();
+    outer_calls(expression, &mut calls);
+    let is_written_anew = |text: &String| text.contains(" - ") && text.contains(" / ");
+    match calls.keys().any(is_written_anew) {
+        true => "first [ derivative | unfold Rminus, Rdiv; derivative ]",
+        false => "derivative",
+    }
+}
+
+/// Whether an expression has only this variable and a derivative at every value of it.
+fn is_entire(expression: &Expression, variable: &Symbol) -> bool {
+    let is_entire = |part: &Expression| is_entire(part, variable);
+    match expression {
+        Expression::Number(_) => true,
+        Expression::Variable(name) => name == variable,
+        Expression::Sum(parts) | Expression::Product(parts) => parts.iter().all(is_entire),
+        Expression::Quotient(above, below) => is_entire(above) && below.variables().is_empty(),
+        Expression::Negation(inner) | Expression::Call(Function::Exp, inner) => is_entire(inner),
+        Expression::Power(inner, exponent) => *exponent >= 0 && is_entire(inner),
+        Expression::Call(..) | Expression::Generic(..) => false,
     }
 }
 

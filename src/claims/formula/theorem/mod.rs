@@ -405,9 +405,11 @@ impl Steps<'_> {
                 let fact = self.fact(&[(variable.clone(), "t'".to_owned())], |one| {
                     matches!(one, Certificate::Sign { expression, sign: 1, .. } if *expression == rising)
                 })?;
+                // Coq writes a quotient in an exponent in its own way.
+                let differentiate = if coq::text(&side).contains("(exp ") { "derivative" } else { "slope" };
                 format!(
                     "intros; apply ({} (fun {moving} : R => {}) (fun {moving} : R => {})); \
-                     [ intros t' range'; {positive}cbn beta; slope \
+                     [ intros t' range'; {positive}cbn beta; {differentiate} \
                      | intros t' range'; {positive}cbn beta; {fact}stated h' | assumption ]",
                     if falls { "falls" } else { "rises" },
                     coq::text(&side),

@@ -317,7 +317,9 @@ impl Steps<'_> {
         let mut found: Vec<Certificate> = Vec::new();
         for certificate in self.proof.steps.iter().filter_map(|step| step.certificate.as_ref()) {
             let is_fact = match certificate {
-                Certificate::Sign { expression, .. } => of_statement(expression),
+                Certificate::Sign { expression, .. } | Certificate::Growth { expression, .. } => {
+                    of_statement(expression)
+                }
                 Certificate::Identity { left, right, .. } => of_statement(left) && of_statement(right),
                 _ => false,
             };
