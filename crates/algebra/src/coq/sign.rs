@@ -18,43 +18,10 @@ const ROOT_LEMMA: &str = "root_part";
 pub(super) const GROWTH_LEMMA: &str = "growth_right";
 
 /// Where e and the difference of the squares of both parts have a sign, or o and the opposite difference.
-const ROOT_LEMMAS: &str = "Lemma root_part_lt (e o t : R) : 0 <= t -> 0 < e -> 0 < e ^ 2 - o ^ 2 * t -> 0 < e + o * sqrt t.
-Proof. intros T E N; pose proof (sqrt_sqrt t T); destruct (Rlt_or_le 0 (e + o * sqrt t)); [assumption | nra]. Qed.
-
-Lemma root_part_le (e o t : R) : 0 <= t -> 0 <= e -> 0 <= e ^ 2 - o ^ 2 * t -> 0 <= e + o * sqrt t.
-Proof. intros T E N; pose proof (sqrt_sqrt t T); destruct (Rle_or_lt 0 (e + o * sqrt t)); [assumption | nra]. Qed.
-
-Lemma root_part_other_lt (e o t : R) : 0 <= t -> 0 < o -> 0 < o ^ 2 * t - e ^ 2 -> 0 < e + o * sqrt t.
-Proof.
-  intros T O N; pose proof (sqrt_sqrt t T); pose proof (sqrt_pos t); pose proof (Rmult_le_pos o (sqrt t) ltac:(lra) ltac:(assumption)).
-  destruct (Rlt_or_le 0 (e + o * sqrt t)); [assumption | nra].
-Qed.
-
-Lemma root_part_other_le (e o t : R) : 0 <= t -> 0 <= o -> 0 <= o ^ 2 * t - e ^ 2 -> 0 <= e + o * sqrt t.
-Proof.
-  intros T O N; pose proof (sqrt_sqrt t T); pose proof (sqrt_pos t); pose proof (Rmult_le_pos o (sqrt t) O ltac:(assumption)).
-  destruct (Rle_or_lt 0 (e + o * sqrt t)); [assumption | nra].
-Qed.
-";
+const ROOT_LEMMAS: &str = include_str!("root_part.v");
 
 /// What vanishes at 0, is continuous there, and has a positive slope right of 0.
-const GROWTH_LEMMAS: &str = "Lemma growth_right (f g : R -> R) (x : R) :
-  continuous f 0 -> (forall y, 0 < y -> is_derive f y (g y)) -> f 0 = 0 -> (forall y, 0 < y -> 0 < g y) -> 0 < x -> 0 < f x.
-Proof.
-  intros C D Z G X.
-  assert (M : forall s t, 0 < s -> s < t -> f s < f t)
-    by (intros s t S T; apply (rises f g); [ intros; apply D; lra | intros; apply G; lra | exact T ]).
-  destruct (Rle_lt_dec 0 (f (x / 2))) as [P|N]; [ pose proof (M (x / 2) x ltac:(lra) ltac:(lra)); lra | exfalso ].
-  destruct (C (fun v => f (x / 2) < v)) as [e E].
-  - exists (mkposreal (- f (x / 2)) ltac:(lra)); intros v B.
-    rewrite Z in B; apply Rabs_def2 in B; cbn in B; unfold minus, plus, opp in B; cbn in B; lra.
-  - pose proof (cond_pos e); set (t := Rmin (x / 4) (e / 2)).
-    assert (0 < t) by (unfold t; apply Rmin_glb_lt; lra).
-    assert (t <= x / 4 /\\ t <= e / 2) by (unfold t; split; [ apply Rmin_l | apply Rmin_r ]).
-    assert (f (x / 2) < f t) by (apply E; apply Rabs_def1; unfold minus, plus, opp; cbn; lra).
-    pose proof (M t (x / 2) ltac:(lra) ltac:(lra)); lra.
-Qed.
-";
+const GROWTH_LEMMAS: &str = include_str!("growth_right.v");
 
 /// The lemmas of which a text uses one. `proofs/check.sh` has their names.
 pub(super) fn lemmas_for(text: &str) -> impl Iterator<Item = Block> {
