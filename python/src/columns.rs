@@ -11,6 +11,7 @@ use slipmode::scene::{AllowedRange, Fault, Faults, Problem, Quantity, Uncertain,
 use slipmode_core::friction::Parameters;
 use slipmode_core::number::{Dd, Rational, parse_decimal_to_dd};
 
+use crate::call::on_own_threads;
 use crate::{fault, input_error};
 
 /// Rows of a part, the unit of parallel work: that of `classify --points`.
@@ -228,10 +229,10 @@ pub fn fill<'py, const N: usize>(
             false => work(index * PART, cells),
             true => Ok(()),
         };
-        let all = || -> Vec<Result<(), Faults>> { parts.into_par_iter().enumerate().map(part).collect() };
+        let all = || on_own_threads(|| parts.into_par_iter().enumerate().map(part).collect::<Vec<_>>());
         let found = if length <= PART { py.detach(all) } else { watched(py, &is_cancelled, all)? };
         // The first fault, whatever the order in which parts were done.
-        found.into_iter().collect::<Result<(), Faults>>().map_err(|faults| input_error(&faults))
+        found?.into_iter().collect::<Result<(), Faults>>().map_err(|faults| input_error(&faults))
     })
 }
 

@@ -12,6 +12,7 @@ use pyo3::prelude::*;
 use slipmode::scene::{Fault, Faults, Problem, first_lines};
 use slipmode_core::stability::{InertialThreshold, SlipMode, SpectralClass};
 
+pyo3::import_exception!(slipmode._errors, CheckFailed);
 pyo3::import_exception!(slipmode._errors, InputError);
 
 /// The native part of the package `slipmode`.
@@ -34,6 +35,7 @@ mod _slipmode {
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        std::sync::LazyLock::force(&super::call::LOADED_BY);
         module.add("SLIP_MODES", modes())?;
         module.add("SPECTRAL_CLASSES", classes())?;
         module.add("VERSION", env!("CARGO_PKG_VERSION"))

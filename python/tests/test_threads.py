@@ -1,11 +1,14 @@
 """Several threads of Python at once: the same answers, and no lock of Python where the interpreter has none."""
 
+import os
+import subprocess
 import sys
 import sysconfig
 from concurrent.futures import ThreadPoolExecutor
 from threading import Barrier
 
 import numpy as np
+import pytest
 import slipmode
 
 THREADS = 4
@@ -37,3 +40,29 @@ def test_threads_that_ask_at_once_get_the_same_answers():
 def test_the_module_does_not_bring_the_lock_of_python_back():
     if sysconfig.get_config_var("Py_GIL_DISABLED"):
         assert not sys._is_gil_enabled()
+
+
+#: A parent that has used all threads, and a child that asks the same questions.
+FORKED = """
+import os, sys
+sys.path.insert(0, sys.argv[1])
+from test_threads import answers, grid
+before, ours = grid(), answers()
+child = os.fork()
+if child == 0:
+    os._exit(0 if (grid(), answers()) == (before, ours) else 3)
+sys.exit(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
+"""
+
+
+def grid():
+    """Ask questions that use all threads: a map, a range over error bars, and rows with errors."""
+    cells = SLIDER.map(("10kPa", "100MPa", 60), ("1um/s", "1cm/s", 60)).growth_rate.tobytes()
+    wide = SLIDER.replace(a="0.009±0.0001").simulate("5MPa", "10um/s", law="slip", rtol="1e-3").ranges
+    return cells, wide
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="needs processes that fork")
+def test_a_forked_child_has_the_answers_of_its_parent():
+    program = [sys.executable, "-W", "ignore", "-c", FORKED, os.path.dirname(__file__)]
+    assert subprocess.run(program, timeout=120).returncode == 0
