@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from slipmode import _slipmode
 from slipmode._exact import exact
 from slipmode._frames import Categories, filled
-from slipmode._table import Table, axes, html_table, pandas_column, series
+from slipmode._table import Table, axes, fixed, html_table, pandas_column, series
 
 if TYPE_CHECKING:
     import pandas
@@ -138,6 +138,10 @@ class Classifications(Sequence["Classification | None"]):
     _threshold: str | None
     _part: NDArray[np.int64] | None = None
 
+    def __post_init__(self) -> None:
+        for name in ("transition_sign", "boundary_sign", *NUMBERS):
+            object.__setattr__(self, name, fixed(getattr(self, name)))
+
     @cached_property
     def _places(self) -> NDArray[np.int64]:
         """The rows of the call that the points are."""
@@ -149,7 +153,7 @@ class Classifications(Sequence["Classification | None"]):
         inputs = self._rows.inputs()
         if self._part is None:
             return inputs
-        return {name: array.ravel()[self._part] for name, array in inputs.items()}
+        return {name: fixed(array.ravel()[self._part]) for name, array in inputs.items()}
 
     @property
     def normal_stress(self) -> NDArray[Any]:
@@ -185,15 +189,8 @@ class Classifications(Sequence["Classification | None"]):
 
     def results(self) -> dict[str, Any]:
         """Return the results by the names of the command line."""
-        return {
-            "transition_sign": self.transition_sign,
-            "boundary_sign": self.boundary_sign,
-            "spectral_class": self.spectral_class,
-            "slip_mode": self.slip_mode,
-            "max_real_per_s": self.growth_rate,
-            "max_imaginary_per_s": self.angular_frequency,
-            "frequency_hz": self.frequency,
-        }
+        found, _ = computed(self._rows, self._threshold, True)
+        return found if self._part is None else {name: column.ravel()[self._part] for name, column in found.items()}
 
     def to_pandas(self) -> pandas.DataFrame:
         """Return a row for each point, with the column names of the command line; words are categories."""
@@ -259,6 +256,38 @@ class Map(Classifications):
 
     def _repr_svg_(self) -> str:
         return self.svg
+
+
+def computed(rows: Rows, threshold: str | None, is_whole: bool) -> tuple[dict[str, Any], str]:
+    """Return the results by the names of the command line, and a warning or nothing; not all results unless ``is_whole``."""
+    buffer, warning = _slipmode.classify_points(rows.native, rows.size, threshold, is_whole)
+    count, names = (6, OF_A_POINT) if is_whole else (3, OF_A_POINT[:6] + OF_A_POINT[7:8])
+    numbers = np.frombuffer(buffer, "<f8", count * rows.size).reshape(count, *rows.shape)
+    kinds = len(names) - count
+    codes = np.frombuffer(buffer, np.int8, kinds * rows.size, numbers.nbytes).reshape(kinds, *rows.shape)
+    missing = codes[3] < 0
+    signs = [np.ma.array(sign, mask=missing) if missing.any() else sign for sign in codes[:2]]
+    words = map(Categories, codes[2:], WORDS)
+    columns = [*signs, next(words), next(words), *numbers[:2], *words, *numbers[2:]]
+    return dict(zip(names, columns)), warning
+
+
+#: The results of points by the names of the command line, in its order.
+OF_A_POINT = (
+    "transition_sign",
+    "boundary_sign",
+    "spectral_class",
+    "slip_mode",
+    "max_real_per_s",
+    "max_imaginary_per_s",
+    "rung",
+    "frequency_hz",
+    "critical_stiffness_pa_per_m",
+    "stiffness_over_critical",
+    "frequency_over_natural",
+)
+#: The words of spectral classes, slip modes and precision levels.
+WORDS = (tuple(_slipmode.SPECTRAL_CLASSES), tuple(_slipmode.SLIP_MODES), tuple(_slipmode.PRECISION_LEVELS))
 
 
 def first_along(values: NDArray[Any], axis: int) -> NDArray[Any]:

@@ -73,11 +73,11 @@ def boundary(
     frame gives such a frame of its package; pandas repeats the index of the slider.
     """
     values = chosen({"a": a, "b": b, "d_c": d_c, "k": k, "m": m}, OF_THE_SLIDER, frame)
-    asked = [f"--points={n}"] + ([] if frequency_ratio is None else [f"--frequency-ratio={exact(frequency_ratio)}"])
+    asked = [f"--points={n}"] + ([] if frequency_ratio is None else [f"--frequency-ratio={exact(frequency_ratio, 'frequency_ratio')}"])
     if single(values, frame):
         with tempfile.TemporaryDirectory() as folder:
             picture = Path(folder, "boundary.svg")
-            texts = {name: exact(value) for name, value in values.items()}
+            texts = {name: exact(value, name) for name, value in values.items()}
             found = boundary_points(texts, [*asked, f"--svg={picture}"], digits, None)
             return BoundaryTable(Table.of_rows(found), picture.read_text())
     return table_of(frame, values, "boundary", lambda texts, warned: boundary_points(texts, asked, digits, warned))
@@ -129,16 +129,17 @@ def tolerance(
     d_c: Any = None,
     k: Any = None,
     m: Any = None,
-    errors: Sequence[Number] = (),
+    errors: Any = (),
 ) -> Any:
     """Compute where each formula of the paper may be used, for these relative ``errors``; 0.1, 0.01 and 0.001 without any.
 
     The arguments are those of :func:`boundary`, and arrays and frames give what they give there.
     """
     values = chosen({"a": a, "b": b, "d_c": d_c, "k": k, "m": m}, OF_THE_SLIDER, frame)
-    asked = [f"--relative-error={exact(error)}" for error in errors]
+    listed = [errors] if isinstance(errors, str) or np.ndim(errors) == 0 else errors
+    asked = [f"--relative-error={exact(error, 'errors')}" for error in listed]
     if single(values, frame):
-        texts = {name: exact(value) for name, value in values.items()}
+        texts = {name: exact(value, name) for name, value in values.items()}
         return Table.of_rows(tolerances(texts, asked, None))
     return table_of(frame, values, "tolerance", lambda texts, warned: tolerances(texts, asked, warned))
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-import re
 import tempfile
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -15,8 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipmode import _slipmode
-from slipmode._exact import Number, exact
-from slipmode._run import remark
+from slipmode._exact import Number, exact, flag
+from slipmode._run import in_records, remark
 from slipmode._simulated import Observable
 from slipmode._slider import Slider
 from slipmode._errors import InputError
@@ -140,7 +139,7 @@ class Fit:
             points_per_slip_distance=found["points_per_slip_distance"],
             law_comparison=None if comparison is None else LawComparison(**comparison),
             slip_modes=None if modes is None else {each["mode"]: each["share"] for each in modes},
-            remarks=tuple(in_python(remark) for remark in found["remarks"]),
+            remarks=tuple(in_records(remark, "record") for remark in found["remarks"]),
             fitted=fitted,
             svg=svg,
             _found=found,
@@ -236,13 +235,13 @@ def fit(
     if loading_velocity_m_per_s is not None and mass_per_area_kg_per_m2 is None:
         raise InputError("loading_velocity_m_per_s is for slip modes, which need mass_per_area_kg_per_m2")
     numbers = {
-        "--normal-stress-pa": normal_stress_pa,
-        "--stiffness-pa-per-m": stiffness_pa_per_m,
-        "--mass-per-area-kg-per-m2": mass_per_area_kg_per_m2,
-        "--loading-velocity-m-per-s": loading_velocity_m_per_s,
+        "normal_stress_pa": normal_stress_pa,
+        "stiffness_pa_per_m": stiffness_pa_per_m,
+        "mass_per_area_kg_per_m2": mass_per_area_kg_per_m2,
+        "loading_velocity_m_per_s": loading_velocity_m_per_s,
     }
-    options = [f"--law={law}"] + [f"{name}={exact(number)}" for name, number in numbers.items() if number is not None]
-    options += ["--drift"] if drift else []
+    options = [f"--law={law}"] + [f"--{name.replace('_', '-')}={exact(number, name)}" for name, number in numbers.items() if number is not None]
+    options += ["--drift"] if flag(drift, "drift") else []
     with tempfile.TemporaryDirectory() as folder:
         curve, picture = Path(folder, "fitted.csv"), Path(folder, "fitted.svg")
         found = printed(folder, record, [*options, f"--output={curve}", f"--svg={picture}"])
@@ -291,7 +290,7 @@ class PeakFit:
             error_parts_m_per_s={name: (ends[0], ends[1]) for name, ends in found["error_parts_m_per_s"].items()},
             laws={law: one for law, one in laws.items() if one is not None},
             distinguishes_laws=None if comparison is None else comparison["tells_apart"],
-            remarks=tuple(in_python(remark) for remark in found["remarks"]),
+            remarks=tuple(in_records(remark, "record") for remark in found["remarks"]),
             _found=found,
         )
 
@@ -328,14 +327,14 @@ def fit_peaks(
     ``stiffness_pa_per_m`` (Pa/m) and ``mass_per_area_kg_per_m2`` (kg/m²).
     """
     numbers = {
-        "--effect-ratio": effect_ratio,
-        "--normal-stress-pa": normal_stress_pa,
-        "--stiffness-pa-per-m": stiffness_pa_per_m,
-        "--mass-per-area-kg-per-m2": mass_per_area_kg_per_m2,
-        "--critical-slip-distance-m": critical_slip_distance_m,
-        "--bandwidth-hz": bandwidth_hz,
+        "effect_ratio": effect_ratio,
+        "normal_stress_pa": normal_stress_pa,
+        "stiffness_pa_per_m": stiffness_pa_per_m,
+        "mass_per_area_kg_per_m2": mass_per_area_kg_per_m2,
+        "critical_slip_distance_m": critical_slip_distance_m,
+        "bandwidth_hz": bandwidth_hz,
     }
-    options = [f"--law={law}"] + [f"{name}={exact(number)}" for name, number in numbers.items() if number is not None]
+    options = [f"--law={law}"] + [f"--{name.replace('_', '-')}={exact(number, name)}" for name, number in numbers.items() if number is not None]
     with tempfile.TemporaryDirectory() as folder:
         return PeakFit.of(printed(folder, table, ["--peaks", *options]))
 
@@ -350,17 +349,6 @@ def printed(folder: str, record: Record, options: list[str]) -> dict[str, Any]:
         file = of_frame = str(Path(folder, "record.csv"))
         write_csv(Path(file), record)
     code, output, messages = _slipmode.call(("fit", "--json", *options, "--", file))
-    remark(code, in_python(messages, of_frame))
+    remark(code, in_records(messages, "record", of_frame))
     found: dict[str, Any] = json.loads(output)
     return found
-
-
-def in_python(text: str, file: str | None = None) -> str:
-    """Return a message with arguments, and rows of a frame that was written to a file, as Python names them."""
-    if file is not None:
-        name = re.escape(file)
-        text = re.sub(rf"{name}:\d+: (?=row |header)", "record: ", text)
-        text = re.sub(rf"{name}:(\d+): ", lambda line: f"record: row {int(line[1]) - 1}: ", text)
-        text = text.replace(file, "record")
-    text = text.replace("command line: ", "")
-    return re.sub(r"--([a-z]+(?:-[a-z0-9]+)*)", lambda option: "argument " + option[1].replace("-", "_"), text)

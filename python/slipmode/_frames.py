@@ -13,9 +13,11 @@ from numpy.typing import NDArray
 
 from slipmode._errors import InputError
 from slipmode._exact import exact, is_of
-from slipmode._table import Table, column, pandas_column
+from slipmode._table import Table, column, fixed, pandas_column
 
 PACKAGES = ("pandas", "polars", "xarray", "pyarrow")
+#: Up to here, every integer is a 64-bit number.
+EXACT_INTEGERS = 2**53
 
 
 @dataclass(frozen=True)
@@ -24,6 +26,9 @@ class Categories:
 
     codes: NDArray[np.int8]
     categories: tuple[str, ...]
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "codes", fixed(self.codes))
 
     def __array__(self, dtype: Any = None, copy: Any = None) -> NDArray[Any]:
         # The code -1 is the last place.
@@ -43,6 +48,10 @@ class Categories:
 
     def __len__(self) -> int:
         return len(self.codes)
+
+    def ravel(self) -> Categories:
+        """Return the words along one axis."""
+        return Categories(self.codes.ravel(), self.categories)
 
     def to_pandas(self) -> Any:
         """Return the words as a categorical of pandas."""
@@ -74,7 +83,7 @@ class Kind:
         if self.package == "xarray":
             import xarray
 
-            return xarray.Dataset({name: ("point", column) for name, column in table.items()})
+            return xarray.Dataset({name: ("point", filled(column)) for name, column in table.items()})
         # The columns alone, as if no frame had been given.
         return getattr(Kind(self.package), f"_{self.package}")(dict(table))
 
@@ -82,7 +91,7 @@ class Kind:
         if not self.is_frame:
             return Table(columns)
         shape = next(iter(columns.values())).shape
-        given = {name: cells_of(values, shape) for name, values in self.example.items()}
+        given = {name: np.array(cells_of(values, shape), subok=True) for name, values in self.example.items()}
         return Table({**given, **columns})
 
     def _pandas(self, columns: dict[str, Any]) -> Any:
@@ -144,7 +153,7 @@ def filled(column: Any) -> NDArray[Any]:
     """Return an array without a mask: integers become floats, with NaN, where a value is missing."""
     if np.ma.isMA(column):
         return np.where(np.ma.getmaskarray(column), np.nan, column.data)
-    return np.asarray(column)
+    return np.array(column)
 
 
 def listed(column: Any) -> list[Any]:
@@ -182,7 +191,7 @@ def columns_of(frame: Any) -> dict[str, Any]:
     elif hasattr(frame, "columns") or hasattr(frame, "column_names"):
         names = list(getattr(frame, "column_names", None) or frame.columns)
     else:
-        raise TypeError(f"a {type(frame).__name__} is no frame and no mapping of columns")
+        raise InputError(f"a {type(frame).__name__} is no frame and no mapping of columns")
     if wrong := [name for name in names if not isinstance(name, str)]:
         raise InputError(f"names of columns are texts, and {wrong[0]!r} is none")
     return {name: frame[name] for name in names}
@@ -208,35 +217,65 @@ def aligned(values: dict[str, Any]) -> tuple[dict[str, Any], Kind]:
     return values, Kind(package, example)
 
 
-def array_of(values: Any) -> NDArray[Any]:
-    """Return an array of 64-bit numbers, NaN where a value is missing; or of exact texts, empty where one is missing."""
-    if isinstance(values, (list, tuple)):
-        array = np.empty(len(values), dtype=object)
-        array[:] = values
-        if len(values) and isinstance(values[0], (list, np.ndarray)) or all(isinstance(each, float) for each in values):
-            array = np.asarray(values)
-    else:
-        array = values if isinstance(values, np.ma.MaskedArray) else np.asarray(values)
+def array_of(values: Any, name: str) -> NDArray[Any]:
+    """Return an array of 64-bit numbers, NaN where a value is missing; or of exact texts, empty where one is missing.
+
+    Values that 64-bit numbers would round are texts. Messages have the name.
+    """
+    array = cells_array(values, name)
     mask = np.ma.getmaskarray(array) if isinstance(array, np.ma.MaskedArray) else None
     plain = np.asarray(array)
     if plain.dtype.kind in "fiu":
-        floats = plain.astype(np.float64)
-        if plain.dtype.kind == "f" or np.array_equal(floats, plain):
+        with np.errstate(over="ignore"):
+            floats = plain.astype(np.float64)
+        if has_all(floats, plain):
             return floats if mask is None else np.where(mask, np.nan, floats)
     elif plain.dtype.kind not in "OUST":
-        raise TypeError(f"an array of {plain.dtype} has no numbers")
+        raise InputError(f"{name}: an array of {plain.dtype} has no numbers")
     texts = np.empty(plain.shape, dtype=object)
     cells = plain.astype(object).ravel().tolist()
     hidden = [False] * len(cells) if mask is None else mask.ravel().tolist()
-    if all(isinstance(cell, float) or is_missing(cell) for cell in cells):
-        numbers = [np.nan if out or is_missing(cell) else cell for cell, out in zip(cells, hidden)]
+    missing = [out or is_missing(cell) for cell, out in zip(cells, hidden)]
+    if all(out or isinstance(cell, float) for cell, out in zip(cells, missing)):
+        numbers = [np.nan if out else cell for cell, out in zip(cells, missing)]
         return np.array(numbers, dtype=np.float64).reshape(plain.shape)
-    texts.ravel()[:] = ["" if out or is_missing(cell) else exact(cell) for cell, out in zip(cells, hidden)]
+    each = enumerate(zip(cells, missing))
+    texts.ravel()[:] = ["" if out else exact(cell, f"{name}[{row}]") for row, (cell, out) in each]
     return texts
+
+
+def cells_array(values: Any, name: str) -> NDArray[Any]:
+    """Return values as an array that NumPy does not round: of objects where the values have different types."""
+    if not isinstance(values, (list, tuple)):
+        array: NDArray[Any] = values if isinstance(values, np.ma.MaskedArray) else np.asarray(values)
+        kind = str(getattr(values, "dtype", None) or getattr(values, "type", "")).lower()
+        if array.dtype.kind != "f" or "int" not in kind or not (np.abs(array) >= EXACT_INTEGERS).any():
+            return array
+        # Missing values have made floats of integers.
+        values = (getattr(values, "to_list", None) or values.to_pylist)()
+    try:
+        if all(isinstance(each, float) or isinstance(each, np.ndarray) and each.dtype == np.float64 for each in values):
+            return np.asarray(values, dtype=np.float64)
+        if isinstance(values[0], (list, np.ndarray)):
+            return np.array(values, dtype=object)
+    except ValueError:
+        raise InputError(f"{name}: the rows have different lengths") from None
+    array = np.empty(len(values), dtype=object)
+    for place, cell in enumerate(values):
+        array[place] = cell
+    return array
+
+
+def has_all(floats: NDArray[np.float64], plain: NDArray[Any]) -> bool:
+    """Return whether 64-bit numbers are the values of an array."""
+    if plain.dtype.kind == "f":
+        return plain.dtype.itemsize <= 8 or np.array_equal(floats, plain, equal_nan=True)
+    ends = (plain.min(), plain.max()) if plain.size and plain.dtype.itemsize == 8 else ()
+    return all(abs(int(end)) <= EXACT_INTEGERS for end in ends)
 
 
 def is_missing(cell: Any) -> bool:
     """Return whether a cell of a column has no value."""
-    if cell is None or isinstance(cell, float) and cell != cell:
+    if cell is None or isinstance(cell, (float, np.floating)) and cell != cell:
         return True
     return is_of("pandas", cell, "__bool__") and cell is sys.modules["pandas"].NA

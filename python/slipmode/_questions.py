@@ -13,10 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipmode import _slipmode
-from slipmode._classified import Classification, Classifications, Possibilities
+from slipmode._classified import WORDS, Classification, Classifications, Possibilities, computed
 from slipmode._errors import CheckFailed, InputError
-from slipmode._exact import Number, exact, given
-from slipmode._frames import Categories
+from slipmode._exact import Number, exact, fault, flag, given
 from slipmode._rows import KEYS, NAMES, FrameColumn, Rows, Value, is_number
 from slipmode._run import call_json, each, in_python, remark, warn
 from slipmode._simulated import Failed, Simulation, Simulations
@@ -172,26 +171,29 @@ def classify(
     """
     given_values = {"a": a, "b": b, "d_c": d_c, "k": k, "m": m, "sigma": sigma, "v": v}
     values = chosen(given_values, NAMES, frame)
-    threshold = None if inertial_threshold is None else exact(inertial_threshold)
+    threshold = None if inertial_threshold is None else exact(inertial_threshold, "inertial_threshold")
     if single(values, frame):
-        return classify_point({name: given(value) for name, value in values.items()}, threshold)
+        return classify_point({name: given(value, name) for name, value in values.items()}, threshold)
     rows = Rows.of(frame, values)
     if rows.is_uncertain:
         return classify_uncertain(rows, threshold)
-    found = classify_rows(rows, threshold)
-    return rows.wrap(found.results()) if rows.is_framed else found
+    if not rows.is_framed:
+        return classify_rows(rows, threshold)
+    columns, warning = computed(rows, threshold, True)
+    warn(in_python(warning))
+    return rows.wrap(columns)
 
 
 def classify_point(values: Mapping[str, str | float], threshold: str | None) -> Classification | Possibilities:
     """Classify the point of seven values."""
     answer = _slipmode.classify_point([(name, value, None) for name, value in values.items()], threshold)
     if answer is None:
-        texts = {name: exact(value) for name, value in values.items()}
+        texts = {name: exact(value, name) for name, value in values.items()}
         return Possibilities.of(possible(texts, threshold, None))
-    (transition, boundary, spectral_class, mode, growth, angular, hertz), warnings = answer
+    ((growth, angular, hertz, *_), (transition, boundary, spectral_class, mode, _)), warnings = answer
     if warnings:
         warn(in_python(warnings))
-    words = _slipmode.SPECTRAL_CLASSES[spectral_class], _slipmode.SLIP_MODES[mode]
+    words = WORDS[0][spectral_class], WORDS[1][mode]
     return Classification(transition, boundary, *words, growth, angular, hertz, (tuple(values.values()), threshold))
 
 
@@ -204,20 +206,10 @@ def possible(texts: Texts, threshold: str | None, warned: Warned | None) -> dict
 
 def classify_rows(rows: Rows, threshold: str | None) -> Classifications:
     """Classify rows without error bars."""
-    buffer, warning = _slipmode.classify_points(rows.native, rows.size, threshold)
+    columns, warning = computed(rows, threshold, False)
     warn(in_python(warning))
-    size, at = rows.size, 24 * rows.size
-    numbers = np.frombuffer(buffer, "<f8", 3 * size).reshape(3, *rows.shape)
-    codes = np.frombuffer(buffer, np.int8, 4 * size, at).reshape(4, *rows.shape)
-    missing = codes[3] < 0
-    signs = [np.ma.array(sign, mask=missing) if missing.any() else sign for sign in codes[:2]]
-    words = (Categories(codes[2], WORDS[0]), Categories(codes[3], WORDS[1]))
-    fields: list[Any] = [*signs, *words, *numbers, rows, threshold]
+    fields: list[Any] = [*columns.values(), rows, threshold]
     return Classifications(*fields)
-
-
-#: The words of spectral classes and of slip modes.
-WORDS = (tuple(_slipmode.SPECTRAL_CLASSES), tuple(_slipmode.SLIP_MODES))
 
 
 def classify_uncertain(rows: Rows, threshold: str | None) -> Any:
@@ -301,7 +293,7 @@ def roots(
     """
     values = chosen({"a": a, "b": b, "d_c": d_c, "k": k, "m": m, "sigma": sigma, "v": v}, NAMES, frame)
     if single(values, frame):
-        texts = [exact(values[name]) for name in NAMES]
+        texts = [exact(values[name], name) for name in NAMES]
         code, messages, answer = _slipmode.roots_of_point(texts, str(digits))
         remark(code, in_python(messages))
         found = json.loads(answer or "[]")
@@ -366,7 +358,7 @@ def distance(
         return {f"{place}_{part}": ends[f"log10_{part}"] for place, ends in places for part in parts}
 
     if single(values, frame):
-        return Distance(**one({name: exact(value) for name, value in values.items()}, None))
+        return Distance(**one({name: exact(value, name) for name, value in values.items()}, None))
     rows = Rows.of(frame, values)
     return rows.wrap(columns_of_rows(each(rows.texts(), one), rows.shape))
 
@@ -431,30 +423,42 @@ def solve(
 
     One of the targets is given: a ``frequency`` (Hz), an ``angular_frequency`` or a ``growth_rate`` (1/s), a ``frequency_ratio``
     ω/ω_n, the ``transition`` or the ``boundary``. The other arguments are those of :func:`classify`; the unknown's own value is not used. Numbers give
-    a list of :class:`Solution`, arrays and frames columns ``solutions`` (their number), ``solution_1`` to ``solution_4``, and with
-    errors the ends of ranges.
+    a list of :class:`Solution`, arrays and frames columns ``solutions`` (their number), ``solution_1`` to ``solution_4``, with
+    errors the ends of ranges, and ``status``: ``solved``, ``none``, or why a row is not decided.
     """
-    argument = next((name for name, word in UNKNOWNS.items() if unknown.replace("_", "-") in (name, word)), None)
+    argument = next((name for name, word in UNKNOWNS.items() if str(unknown).replace("_", "-") in (name, word)), None)
     if argument is None:
-        raise InputError(f"unknown = {unknown}: not allowed (allowed: normal_stress, loading_velocity, stiffness, mass)")
+        raise fault("unknown", unknown, "not allowed (allowed: normal_stress, loading_velocity, stiffness, mass)")
     needed = [name for name in NAMES if name != argument]
     values = chosen({"a": a, "b": b, "d_c": d_c, "k": k, "m": m, "sigma": sigma, "v": v}, needed, frame)
-    targets = {"frequency": frequency, "angular-frequency": angular_frequency}
-    targets |= {"growth-rate": growth_rate, "frequency-ratio": frequency_ratio}
+    numbers = {"frequency": frequency, "angular_frequency": angular_frequency}
+    numbers |= {"growth_rate": growth_rate, "frequency_ratio": frequency_ratio}
+    targets = {name: f"={exact(number, name)}" for name, number in numbers.items() if number is not None}
+    flags = {"transition": transition, "boundary": boundary}
+    targets |= {name: "" for name, is_given in flags.items() if flag(is_given, name)}
+    if len(targets) != 1:
+        given_ones = f"{', '.join(targets)}: more than one target" if targets else "the target is missing"
+        raise InputError(f"{given_ones} (allowed: one of {', '.join([*numbers, *flags])})")
     asked = [f"--for={UNKNOWNS[argument]}", f"--digits={digits}"]
-    asked += [f"--{name}={exact(number)}" for name, number in targets.items() if number is not None]
-    asked += [name for name, is_given in (("--transition", transition), ("--boundary", boundary)) if is_given]
+    asked += [f"--{name.replace('_', '-')}{value}" for name, value in targets.items()]
 
     def one(texts: Texts, warned: Warned | None) -> list[dict[str, Any]]:
         found: list[dict[str, Any]] = call_json("solve", *options(texts), *asked, warned=warned)["solutions"]
         return found
 
     if single(values, frame):
-        found = one({name: exact(value) for name, value in values.items()}, None)
+        found = one({name: exact(value, name) for name, value in values.items()}, None)
         refuse_error_bars("solve", any("range" in each for each in found))
         return [Solution(Decimal(x["value"]), x["is_exact"], x["transition_sign"], x["kind"]) for x in found]
     rows = Rows.of(frame, values, [argument])
-    return rows.wrap(columns_of_rows(each(rows.texts(), lambda texts, warned: solutions(one(texts, warned))), rows.shape))
+
+    def row(texts: Texts, warned: Warned) -> dict[str, Any]:
+        try:
+            return solutions(one(texts, warned))
+        except CheckFailed as failure:
+            return solutions(()) | {"solutions": None, "status": str(failure)}
+
+    return rows.wrap(columns_of_rows(each(rows.texts(), row), rows.shape))
 
 
 def solutions(found: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
@@ -467,7 +471,7 @@ def solutions(found: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
             row |= {f"solution_{place + 1}_low": low, f"solution_{place + 1}_high": high}
         else:
             row[f"solution_{place + 1}"] = float(one["value"]) if one else None
-    return row
+    return row | {"status": "solved" if found else "none"}
 
 
 @overload
@@ -520,7 +524,7 @@ def simulate(
     :class:`Failed`, and frames further columns. With errors, the run is that of the middle values, and ranges are sampled.
     """
     values = chosen({"a": a, "b": b, "d_c": d_c, "k": k, "m": m, "sigma": sigma, "v": v}, NAMES, frame)
-    common = [f"--tolerance={exact(rtol)}", f"--start={start}"]
+    common = [f"--tolerance={exact(rtol, 'rtol')}", f"--start={start}"]
     if single(values, frame):
         return simulate_point(values, law, common, None)
     rows = Rows.of(frame, values)
@@ -545,5 +549,5 @@ def simulate_point(
     """Simulate the point of seven values."""
     if law is None:
         raise InputError("law: missing (allowed: slip, aging)")
-    arguments = (*options({name: exact(value) for name, value in values.items()}), f"--law={law}", *common)
+    arguments = (*options({name: exact(value, name) for name, value in values.items()}), f"--law={law}", *common)
     return Simulation.of(call_json("simulate", *arguments, warned=warned), arguments)

@@ -11,7 +11,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Union
 
 from slipmode._exact import Number, exact
-from slipmode._run import run
+from slipmode._errors import CheckFailed
+from slipmode._run import in_records, run
 from slipmode._table import html_table, write_csv
 
 if TYPE_CHECKING:
@@ -91,15 +92,20 @@ def compare(
     column names. ``report`` is a folder for pages with figures.
     """
     options = [] if law is None else [f"--law={law}"]
-    options += [] if tolerance is None else [f"--tolerance={exact(tolerance)}"]
+    options += [] if tolerance is None else [f"--tolerance={exact(tolerance, 'tolerance')}"]
     options += [] if report is None else [f"--report={os.fspath(report)}"]
     with tempfile.TemporaryDirectory() as folder:
         if isinstance(runs, (str, os.PathLike)):
-            file = Path(runs)
+            file, written = Path(runs), None
         else:
             file = Path(folder, "runs.csv")
+            written = str(file)
             write_csv(file, runs)
-        agrees, text = run("compare", f"--runs={file}", "--json", *options, may_differ=True)
+
+        def reworded(text: str) -> str:
+            return in_records(text, "runs", written)
+
+        agrees, text = run("compare", f"--runs={file}", "--json", *options, may_differ=True, reworded=reworded)
     # Where runs disagree, a line of words follows the object.
     found, _ = json.JSONDecoder().raw_decode(text)
     return Comparison(agrees, found["rows"])

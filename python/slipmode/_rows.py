@@ -181,11 +181,15 @@ def is_number(value: Any) -> bool:
 def of_value(name: str, value: Any) -> Column:
     """Return the column of an argument."""
     if is_number(value):
-        return Column(name, given(value))
+        return Column(name, given(value, name))
     if is_of("pint", value, "magnitude"):
         (size,) = _slipmode.exact_values([name], [f"1 {unit(value)}".rstrip()], NAMES.index(name))
-        return Column(name, array_of(value.magnitude), size)
-    return Column(name, array_of(value))
+        array = array_of(value.magnitude, name)
+        if array.dtype != object:
+            return Column(name, array, size)
+        in_si = [text and exact(Fraction(text) * Fraction(size)) for text in array.ravel().tolist()]
+        return Column(name, np.array(in_si, dtype=object).reshape(array.shape))
+    return Column(name, array_of(value, name))
 
 
 def of_frame(frame: Any, values: Mapping[str, Any], unused: Sequence[str]) -> dict[str, Column]:
@@ -201,9 +205,9 @@ def of_frame(frame: Any, values: Mapping[str, Any], unused: Sequence[str]) -> di
         if position is not None:
             values_of = found[names[position]]
             single = is_number(values_of)
-            columns[name] = Column(names[position], given(values_of) if single else array_of(values_of), size)
+            columns[name] = Column(names[position], given(values_of, names[position]) if single else array_of(values_of, names[position]), size)
     is_text = any(c.unit and isinstance(c.values, np.ndarray) and c.values.dtype == object for c in columns.values())
-    return read_rows(columns, {names[i]: array_of(found[names[i]]) for i in errors}, keys) if errors or is_text else columns
+    return read_rows(columns, {names[i]: array_of(found[names[i]], names[i]) for i in errors}, keys) if errors or is_text else columns
 
 
 def read_rows(columns: dict[str, Column], errors: dict[str, NDArray[Any]], keys: Sequence[str]) -> dict[str, Column]:

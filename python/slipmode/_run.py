@@ -58,12 +58,23 @@ def in_python(messages: str) -> str:
         key = found[1].replace("-", "_")
         return ARGUMENTS.get(key, key)
 
-    text = messages.replace("command line: ", "").partition("\n\nFor more information")[0]
+    text = re.split(r"\n\n(?:Usage: |For more information)", messages.replace("command line: ", ""))[0]
     text = re.sub(r"--([a-z]+(?:-[a-z0-9]+)*)", name, text)
     return re.sub(r"(?<!column )\b([a-z]+_[a-z0-9_]+)(?= = )", name, text)
 
 
-def run(*arguments: str, may_differ: bool = False) -> tuple[bool, str]:
+def in_records(text: str, name: str, file: str | None = None) -> str:
+    """Return a message with arguments, and rows of a table that was written to a file, as Python names them."""
+    if file is not None:
+        path = re.escape(file)
+        text = re.sub(rf"{path}:\d+: (?=row |header)", f"{name}: ", text)
+        text = re.sub(rf"{path}:(\d+): ", lambda line: f"{name}: row {int(line[1]) - 1}: ", text)
+        text = text.replace(file, name)
+    text = text.replace("command line: ", "")
+    return re.sub(r"--([a-z]+(?:-[a-z0-9]+)*)", lambda option: "argument " + option[1].replace("-", "_"), text)
+
+
+def run(*arguments: str, may_differ: bool = False, reworded: Callable[[str], str] = str) -> tuple[bool, str]:
     """Run a command as a process of its own, which Ctrl-C ends; return whether its check passed, and what it prints."""
     command = [sys.executable, "-m", "slipmode", *arguments, "--quiet"]
     process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
@@ -75,7 +86,7 @@ def run(*arguments: str, may_differ: bool = False) -> tuple[bool, str]:
         raise
     code = process.returncode
     if not (code == 1 and may_differ):
-        remark(code, messages.decode())
+        remark(code, reworded(messages.decode()))
     return code == 0, output.decode() + (messages.decode() if code == 1 else "")
 
 

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from slipmode._exact import Number, exact
 from slipmode._run import call
-from slipmode._table import Table, axes, columns_of_csv, html_table, series
+from slipmode._table import Table, axes, columns_of_csv, fixed, html_table, series
 
 if TYPE_CHECKING:
     import pandas
@@ -105,7 +105,7 @@ class Simulation:
         ``duration`` is in seconds; without it, ten periods. ``samples`` are at equal steps of time; without it, eight in each step
         of the integrator.
         """
-        extent = () if duration is None else ("--duration-s", exact(duration))
+        extent = () if duration is None else ("--duration-s", exact(duration, "duration"))
         with tempfile.TemporaryDirectory() as folder:
             picture = Path(folder, "trajectory.svg")
             sampled = () if samples is None else ("--samples", str(samples))
@@ -168,7 +168,7 @@ class Simulations(Sequence["Simulation | Failed"]):
     def __init__(self, runs: Sequence[Simulation | Failed], inputs: Mapping[str, NDArray[Any]]) -> None:
         self._runs = tuple(runs)
         #: The inputs, by the names of the command line.
-        self.inputs = dict(inputs)
+        self.inputs = {name: fixed(array) for name, array in inputs.items()}
 
     @overload
     def __getitem__(self, index: int) -> Simulation | Failed: ...

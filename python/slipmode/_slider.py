@@ -13,7 +13,7 @@ from slipmode import _slipmode
 from slipmode import _curves as curves
 from slipmode import _questions as questions
 from slipmode._classified import BoundaryTable, Classification, Classifications, Map, Possibilities
-from slipmode._exact import Number, exact, given
+from slipmode._exact import Number, exact, fault, given
 from slipmode._frames import array_of
 from slipmode._questions import Distance, Root, Solution
 from slipmode._rows import NAMES, Arrays, Rows, Value
@@ -33,8 +33,8 @@ class Frozen:
     _exact: tuple[str, ...]
 
     def _set(self, values: dict[str, Number]) -> None:
-        kept = {name: given(value) for name, value in values.items()}
-        texts = [exact(value) for value in kept.values()]
+        kept = {name: given(value, name) for name, value in values.items()}
+        texts = [exact(value, name) for name, value in kept.items()]
         found = _slipmode.exact_values(list(kept), texts, NAMES.index(self._names[0]))
         object.__setattr__(self, "_values", kept)
         object.__setattr__(self, "_exact", tuple(found))
@@ -178,8 +178,12 @@ class Slider(Frozen):
         inertial_threshold: Number | None = None,
     ) -> Map:
         """Classify a grid with equal logarithmic steps, each axis given as (from, to, number of coordinates), and draw it."""
-        axes = [f"{exact(low)}:{exact(high)}:{points}" for low, high, points in (v, sigma)]
-        threshold = None if inertial_threshold is None else exact(inertial_threshold)
+        axes = []
+        for name, axis in (("v", v), ("sigma", sigma)):
+            if not isinstance(axis, (tuple, list)) or len(axis) != 3:
+                raise fault(name, repr(axis), "not allowed (allowed: from, to, and the number of coordinates)")
+            axes.append(f"{exact(axis[0], name)}:{exact(axis[1], name)}:{axis[2]}")
+        threshold = None if inertial_threshold is None else exact(inertial_threshold, "inertial_threshold")
         texts = [exact(value) for value in self]
         code, messages, grid = _slipmode.draw_grid(texts, axes, threshold)
         remark(code, in_python(messages))
@@ -228,11 +232,11 @@ class Slider(Frozen):
         if v is None:
             velocity = self.boundary(n=2)["loading_velocity_m_per_s"].astype(np.float64)
             v = np.geomspace(velocity.min(), velocity.max(), 200)
-        velocities = array_of(np.atleast_1d(v)).ravel()
+        velocities = array_of(np.atleast_1d(v), "v").ravel()
         # With its unit, no velocity of the curve looks like another unit's.
         texts = np.array([f"{exact(each)}m/s" for each in velocities.tolist()], dtype=object)
         found = questions.solve("sigma", **self._values, v=texts, transition=True)
-        known = found["solutions"].astype(int) > 0
+        known = found["solutions"] > 0
         return Table({"loading_velocity_m_per_s": velocities[known], "normal_stress_pa": found["solution_1"][known]})
 
     def tolerance(self, *errors: Number) -> Table:

@@ -2,6 +2,7 @@ from collections.abc import Sequence
 from typing import Final
 
 __all__ = [
+    "PRECISION_LEVELS",
     "SLIP_MODES",
     "SPECTRAL_CLASSES",
     "VERSION",
@@ -20,6 +21,7 @@ __all__ = [
     "table_rows",
 ]
 
+PRECISION_LEVELS: Final[list[str]]
 SLIP_MODES: Final[list[str]]
 SPECTRAL_CLASSES: Final[list[str]]
 VERSION: Final[str]
@@ -30,18 +32,19 @@ def exact_values(names: Sequence[str], texts: Sequence[str], first: int) -> list
 def has_error_bar(text: str) -> bool: ...
 def classify_point(
     columns: Sequence[tuple[str, str | float, str | None]], inertial_threshold: str | None = None
-) -> tuple[tuple[int, int, int, int, float, float, float], str] | None: ...
+) -> tuple[tuple[list[float], list[int]], str] | None: ...
 def classify_points(
     columns: Sequence[tuple[str, str | float | bytes | list[str], str | None]],
     length: int,
-    inertial_threshold: str | None = None,
-) -> tuple[bytearray, str]: ...
+    inertial_threshold: str | None,
+    is_whole: bool,
+) -> tuple[bytes, str]: ...
 def roots_of_point(values: Sequence[str], digits: str) -> tuple[int, str, str | None]: ...
-def roots_of_points(columns: Sequence[tuple[str, str | float | bytes | list[str], str | None]], length: int) -> bytearray: ...
+def roots_of_points(columns: Sequence[tuple[str, str | float | bytes | list[str], str | None]], length: int) -> bytes: ...
 def describe_point(values: Sequence[str], inertial_threshold: str | None = None) -> str: ...
 def draw_grid(
     slider: Sequence[str], axes: Sequence[str], inertial_threshold: str | None = None
-) -> tuple[int, str, tuple[bytearray, bytearray, str] | None]: ...
+) -> tuple[int, str, tuple[bytes, bytes, str] | None]: ...
 def fitted_words(value: float, error: float, low: float | None, high: float | None, unit: str) -> tuple[str, str]: ...
 def table_columns(
     header: bytes, unused: Sequence[str]

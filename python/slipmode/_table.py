@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -26,7 +26,7 @@ class Table(Mapping[str, NDArray[Any]]):
     """Columns by name; every column is an array."""
 
     def __init__(self, columns: Mapping[str, Any]) -> None:
-        self._columns: dict[str, NDArray[Any]] = {name: np.asanyarray(column) for name, column in columns.items()}
+        self._columns: dict[str, NDArray[Any]] = {name: fixed(np.asanyarray(column)) for name, column in columns.items()}
 
     @classmethod
     def of_rows(cls, rows: list[dict[str, Any]]) -> Table:
@@ -80,6 +80,15 @@ class Record:
 
     def _repr_html_(self) -> str:
         return html_table(["name", "value"], [[name, str(value)] for name, value in vars(self).items()])
+
+
+def fixed(array: NDArray[Any]) -> NDArray[Any]:
+    """Return an array with the same values that cannot be changed."""
+    array = array.copy() if np.ma.isMA(array) else np.asarray(array).view()
+    for part in (array, np.ma.getmask(array)):
+        if part is not np.ma.nomask:
+            part.flags.writeable = False
+    return array
 
 
 def pandas_column(column: Any) -> Any:
@@ -147,15 +156,18 @@ def write_csv(file: Path, table: Any) -> None:
         table.write_csv(file)
         return
     if isinstance(table, Mapping):
-        columns = {name: np.atleast_1d(np.asarray(column)) for name, column in table.items()}
+        columns = {name: np.atleast_1d(np.asarray(column, dtype=object)) for name, column in table.items()}
         lengths = {name: len(array) for name, array in columns.items()}
         if len(set(lengths.values())) > 1:
             listed = ", ".join(f"{name} has {length}" for name, length in lengths.items())
             raise InputError(f"the columns have different numbers of rows: {listed}")
         rows = [dict(zip(columns, row)) for row in zip(*columns.values())]
     else:
-        columns, rows = {}, list(table)
+        columns, rows = {}, list(table) if isinstance(table, Iterable) else [table]
+        if wrong := [row for row in rows if not isinstance(row, Mapping)]:
+            raise InputError(f"{wrong[0]!r} is no table (wanted: a data frame, columns by name, or rows with names)")
+    names = list(columns or dict.fromkeys(name for row in rows for name in row))
     with file.open("w", newline="") as stream:
-        writer = csv.DictWriter(stream, fieldnames=list(columns or (rows[0] if rows else ())))
+        writer = csv.DictWriter(stream, fieldnames=names)
         writer.writeheader()
         writer.writerows(rows)

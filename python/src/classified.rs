@@ -1,13 +1,13 @@
 //! All that `classify` states of a point, its roots, and the coordinates and picture of a grid, as functions without a command line.
 
 use pyo3::prelude::*;
-use pyo3::types::PyByteArray;
+use pyo3::types::PyBytes;
 use slipmode::cli::{Captured, capture_grid, capture_point, capture_roots};
 
 use crate::call::in_background;
 
 /// Loading velocities and normal stresses as little-endian 64-bit numbers, and the picture as SVG.
-type Grid<'py> = (Bound<'py, PyByteArray>, Bound<'py, PyByteArray>, String);
+type Grid<'py> = (Bound<'py, PyBytes>, Bound<'py, PyBytes>, String);
 /// The exit code and the messages of the command, and its result unless it fails.
 pub type Answer<T> = (u8, String, Option<T>);
 
@@ -46,7 +46,7 @@ pub fn draw_grid(
     };
     let (grid, captured) = in_background(py, work)?;
     let bytes = |numbers: &[f64]| {
-        PyByteArray::new(py, &numbers.iter().flat_map(|number| number.to_le_bytes()).collect::<Vec<u8>>())
+        PyBytes::new(py, &numbers.iter().flat_map(|number| number.to_le_bytes()).collect::<Vec<u8>>())
     };
     let columns =
         grid.map(|grid| (bytes(&grid.loading_velocity_m_per_s), bytes(&grid.normal_stress_pa), grid.svg));

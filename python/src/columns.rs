@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
-use pyo3::types::{PyByteArray, PyBytes, PyFloat, PyString};
+use pyo3::types::{PyBytes, PyFloat, PyString};
 use rayon::prelude::*;
 use slipmode::scene::{AllowedRange, Fault, Faults, Problem, Quantity, Uncertain, parse_value, with_unit};
 use slipmode_core::friction::Parameters;
@@ -49,16 +49,17 @@ struct Column {
 /// The rows of a call.
 pub struct Rows {
     columns: [Column; 7],
-    length: usize,
+    /// The number of rows.
+    pub length: usize,
 }
 
 impl Rows {
     /// Reads what is the same for all rows.
     pub fn new(given: [Given; 7], length: usize) -> PyResult<Self> {
         let mut faults = Faults::new();
-        let mut given = given.into_iter();
-        let columns = Quantity::ALL.map(|quantity| {
-            let (name, values, unit) = given.next().unwrap_or_default();
+        let mut quantities = Quantity::ALL.into_iter();
+        let columns = given.map(|(name, values, unit)| {
+            let quantity = quantities.next().unwrap_or(Quantity::ALL[0]);
             let unit = unit.map(|size| AllowedRange::PHYSICAL.parse(&size).unwrap_or_default());
             let mut column = Column { name, quantity, unit, values, constant: None };
             if column.is_constant() {
@@ -72,11 +73,6 @@ impl Rows {
         if faults.is_empty() { Ok(Self { columns, length }) } else { Err(input_error(&faults)) }
     }
 
-    /// The number of rows.
-    pub const fn length(&self) -> usize {
-        self.length
-    }
-
     /// A row in double-double; none where a value is missing.
     pub fn doubled(&self, row: usize) -> Result<Option<Parameters<Dd>>, Faults> {
         let mut values = [Dd::from(0.0); 7];
@@ -84,7 +80,9 @@ impl Rows {
             match column.doubled(row) {
                 Ok(Some(found)) => *value = found,
                 Ok(None) => return Ok(None),
-                Err(_) => return Err(self.faults(row)),
+                Err(_) => {
+                    return Err(self.columns.iter().filter_map(|column| column.exact(row).err()).collect());
+                }
             }
         }
         Ok(Some(Parameters::from(values)))
@@ -117,10 +115,6 @@ impl Rows {
         };
         self.columns.iter().filter(has_unit).map(|column| column.quantity).collect()
     }
-
-    fn faults(&self, row: usize) -> Faults {
-        self.columns.iter().filter_map(|column| column.exact(row).err()).collect()
-    }
 }
 
 impl Column {
@@ -145,27 +139,19 @@ impl Column {
     }
 
     fn exact(&self, row: usize) -> Result<Option<Rational>, Fault> {
-        match &self.values {
-            Values::Float(value) => {
-                self.binary(*value).map(Some).map_err(|problem| (format!("{value:e}"), problem))
-            }
-            Values::Text(text) => {
-                parse_value(self.quantity, text).map(Some).map_err(|problem| (text.clone(), problem))
-            }
-            Values::Floats(bytes) => {
-                let value = float(bytes, row);
-                let exact = (!value.is_nan()).then(|| self.binary(value)).transpose();
-                exact.map_err(|problem| (format!("{value:e}"), problem))
-            }
-            Values::Texts(texts) => {
-                let text = texts.get(row).map_or("", String::as_str);
-                let exact = (!text.is_empty()).then(|| parse_value(self.quantity, text)).transpose();
-                exact.map_err(|problem| (text.to_string(), problem))
-            }
+        let given = match &self.values {
+            Values::Float(value) => Err(*value),
+            Values::Floats(bytes) => Err(float(bytes, row)),
+            Values::Text(text) => Ok(text.as_str()),
+            Values::Texts(texts) => Ok(texts.get(row).map_or("", String::as_str)),
+        };
+        if !self.is_constant() && given.map_or_else(f64::is_nan, str::is_empty) {
+            return Ok(None);
         }
-        .map_err(|(value, problem)| {
+        let exact = given.map_or_else(|value| self.binary(value), |text| parse_value(self.quantity, text));
+        exact.map(Some).map_err(|problem| {
             let key = if self.is_constant() { self.name.clone() } else { format!("{}[{row}]", self.name) };
-            fault(key, value, problem)
+            fault(key, given.map_or_else(|value| format!("{value:e}"), str::to_string), problem)
         })
     }
 
@@ -202,18 +188,12 @@ impl Values {
     }
 }
 
-impl Default for Values {
-    fn default() -> Self {
-        Self::Text(String::new())
-    }
-}
-
 fn float(bytes: &[u8], row: usize) -> f64 {
     let (words, _) = bytes.as_chunks::<WIDTH>();
     words.get(row).map_or(f64::NAN, |word| f64::from_le_bytes(*word))
 }
 
-/// Makes columns of `widths` bytes for each row, one behind the other. `work` fills the cells of the rows from a first one on.
+/// Makes columns of `widths` bytes for each row, one behind the other; a column of width 0 has no cells. `work` fills the cells of the rows from a first one on.
 ///
 /// Parts are worked on in parallel. Other threads of Python run meanwhile, and Ctrl-C ends the work.
 pub fn fill<'py, const N: usize>(
@@ -221,8 +201,8 @@ pub fn fill<'py, const N: usize>(
     length: usize,
     widths: [usize; N],
     work: impl Fn(usize, [&mut [u8]; N]) -> Result<(), Faults> + Sync,
-) -> PyResult<Bound<'py, PyByteArray>> {
-    PyByteArray::new_with(py, length * widths.iter().sum::<usize>(), |bytes| {
+) -> PyResult<Bound<'py, PyBytes>> {
+    PyBytes::new_with(py, length * widths.iter().sum::<usize>(), |bytes| {
         let parts = parts(bytes, length, widths);
         let is_cancelled = AtomicBool::new(false);
         let part = |(index, cells)| match is_cancelled.load(Ordering::Relaxed) {
@@ -241,7 +221,7 @@ fn parts<const N: usize>(mut bytes: &mut [u8], length: usize, widths: [usize; N]
     let mut columns = widths.map(|width| {
         let (column, rest) = std::mem::take(&mut bytes).split_at_mut(width * length);
         bytes = rest;
-        column.chunks_mut(width * PART)
+        column.chunks_mut((width * PART).max(1))
     });
     (0..length.div_ceil(PART))
         .map(|_| columns.each_mut().map(|cells| cells.next().unwrap_or_default()))

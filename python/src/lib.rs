@@ -10,6 +10,7 @@ use std::ffi::OsString;
 
 use pyo3::prelude::*;
 use slipmode::scene::{Fault, Faults, Problem, first_lines};
+use slipmode_core::roots::PrecisionLevel;
 use slipmode_core::stability::{InertialThreshold, SlipMode, SpectralClass};
 
 pyo3::import_exception!(slipmode._errors, CheckFailed);
@@ -28,7 +29,7 @@ mod _slipmode {
     use super::points::{classify_point, classify_points, exact_values, has_error_bar, roots_of_points};
     #[pymodule_export]
     use super::table::{table_columns, table_rows};
-    use super::{PyModule, PyModuleMethods, PyResult, classes, modes};
+    use super::{PrecisionLevel, PyModule, PyModuleMethods, PyResult, SpectralClass, modes};
     #[pymodule_export]
     use super::{fitted_words, main};
     use pyo3::Bound;
@@ -36,8 +37,9 @@ mod _slipmode {
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
         std::sync::LazyLock::force(&super::call::LOADED_BY);
+        module.add("PRECISION_LEVELS", PrecisionLevel::ALL.map(|level| level.as_str()))?;
         module.add("SLIP_MODES", modes())?;
-        module.add("SPECTRAL_CLASSES", classes())?;
+        module.add("SPECTRAL_CLASSES", SpectralClass::ALL.map(|class| class.as_str()))?;
         module.add("VERSION", env!("CARGO_PKG_VERSION"))
     }
 }
@@ -54,25 +56,17 @@ fn fitted_words(value: f64, error: f64, low: Option<f64>, high: Option<f64>, uni
     slipmode::experiments::fit::estimate_words(value, error, [low, high], unit)
 }
 
-/// The words of slip modes; a code is an index. On K = K_c the mode is neutral.
+/// The words of slip modes; a code is an index, as in the other lists. On K = K_c the mode is neutral.
 fn modes() -> Vec<&'static str> {
     SlipMode::ALL.iter().map(|mode| mode.as_str()).chain([SpectralClass::Neutral.as_str()]).collect()
-}
-
-/// The words of spectral classes; a code is an index.
-fn classes() -> Vec<&'static str> {
-    SpectralClass::ALL.iter().map(|class| class.as_str()).collect()
 }
 
 /// The exception of faults, one a line, the first ones when there are many.
 fn input_error(faults: &Faults) -> PyErr {
     let others = |more| format!("and at least {more} more like these");
+    // Without the place of a file.
+    let message = |fault: &Fault| fault.to_string().trim_start_matches(": ").to_string();
     InputError::new_err(first_lines(faults.iter().map(message), others).join("\n"))
-}
-
-/// A fault without the place of a file.
-fn message(fault: &Fault) -> String {
-    fault.to_string().trim_start_matches(": ").to_string()
 }
 
 /// The threshold of `--inertial-threshold`, that of the command line where none is given.

@@ -4,12 +4,12 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use num_complex::Complex;
 use pyo3::prelude::*;
-use pyo3::types::PyByteArray;
-use slipmode::cli::unit_warnings;
+use pyo3::types::PyBytes;
+use slipmode::cli::{Derived, unit_warnings};
 use slipmode::scene::{Faults, Quantity, Uncertain};
 use slipmode_core::friction::Parameters;
+use slipmode_core::number::Dd;
 use slipmode_core::number::format::exact_text;
-use slipmode_core::number::{Dd, Wide};
 use slipmode_core::stability::batch::classify_points as classify_rows;
 use slipmode_core::stability::{
     Classification, Frequencies, InertialThreshold, SlipMode, classify, three_roots,
@@ -18,38 +18,43 @@ use slipmode_core::stability::{
 use crate::columns::{Given, PART, Rows, fill};
 use crate::{input_error, threshold};
 
-/// Bytes of a row: max Re(s), max Im(s), frequency; transition sign, boundary sign, spectral class, slip mode.
-const WIDTHS: [usize; 7] = [8, 8, 8, 1, 1, 1, 1];
+/// The numbers of a row.
+const NUMBERS: usize = 6;
 /// The code of a row with a missing value.
 const MISSING: u8 = u8::MAX;
 
-/// What is found of a row: two signs, the codes of class and mode, max Re(s), max Im(s) in 1/s and the frequency in Hz.
-type Fields = (i8, i8, u8, u8, f64, f64, f64);
+/// What is found of a row. Numbers: max Re(s), max Im(s) in 1/s, frequency in Hz; K_c, K/K_c, ω/ω_n. Codes: transition sign, boundary
+/// sign, spectral class, slip mode; precision level.
+type Fields = ([f64; NUMBERS], [i8; 5]);
 
-/// Classifies rows. Returns columns one behind the other: max Re(s), max Im(s) in 1/s and the frequency in Hz as 64-bit numbers, NaN
-/// beyond their range; both signs, spectral class and slip mode as codes of 8 bits. Codes are -1 where a value is missing. The text
-/// is the warning of the first row if every row looks as if it had another unit, or empty.
+/// Classifies rows. Returns columns one behind the other: the numbers of a row as 64-bit numbers, NaN beyond their range, then the codes
+/// of 8 bits; without `is_whole`, K_c, K/K_c, ω/ω_n and the precision level are left out. Codes are -1 where a value is missing. The
+/// text is the warning of the first row if every row looks as if it had another unit, or empty.
 #[pyfunction]
-#[pyo3(signature = (columns, length, inertial_threshold=None))]
 pub fn classify_points<'py>(
     py: Python<'py>,
     columns: [Given; 7],
     length: usize,
     inertial_threshold: Option<&str>,
-) -> PyResult<(Bound<'py, PyByteArray>, String)> {
+    is_whole: bool,
+) -> PyResult<(Bound<'py, PyBytes>, String)> {
     let rows = Rows::new(columns, length)?;
     let threshold = threshold(inertial_threshold)?;
     let with_unit = rows.with_unit();
     let look_alike = AtomicBool::new(true);
-    let found = fill(py, length, WIDTHS, |first, mut cells| {
-        let part = Part::read(&rows, first)?;
-        cells[3..].iter_mut().for_each(|codes| codes.fill(MISSING));
-        cells[..3].iter_mut().for_each(|numbers| numbers.as_chunks_mut().0.fill(f64::NAN.to_le_bytes()));
-        for (row, fields) in part.classified(&rows, &threshold) {
+    let (number, code) = if is_whole { (8, 1) } else { (0, 0) };
+    let widths = [8, 8, 8, number, number, number, 1, 1, 1, 1, code];
+    let found = fill(py, length, widths, |first, mut cells| {
+        let part = read(&rows, first)?;
+        cells[NUMBERS..].iter_mut().for_each(|codes| codes.fill(MISSING));
+        cells[..NUMBERS]
+            .iter_mut()
+            .for_each(|numbers| numbers.as_chunks_mut().0.fill(f64::NAN.to_le_bytes()));
+        for (row, fields) in classified(&part, &rows, &threshold, is_whole) {
             write(&mut cells, row - first, fields);
         }
         let is_in_doubt = |(_, point): &(usize, Parameters<Dd>)| !of_row(point, &with_unit).is_empty();
-        if look_alike.load(Ordering::Relaxed) && !part.points.iter().all(is_in_doubt) {
+        if look_alike.load(Ordering::Relaxed) && !part.iter().all(is_in_doubt) {
             look_alike.store(false, Ordering::Relaxed);
         }
         Ok(())
@@ -73,10 +78,10 @@ pub fn classify_point(
     }
     let rows = Rows::new(columns, 1)?;
     let threshold = threshold(inertial_threshold)?;
-    let part = Part::read(&rows, 0).map_err(|faults| input_error(&faults))?;
-    let warnings = part.points.iter().flat_map(|(_, point)| of_row(point, &rows.with_unit()));
+    let part = read(&rows, 0).map_err(|faults| input_error(&faults))?;
+    let warnings = part.iter().flat_map(|(_, point)| of_row(point, &rows.with_unit()));
     let warnings = warnings.collect::<Vec<_>>().join("\n");
-    let found = part.classified(&rows, &threshold).next().map(|(_, fields)| fields);
+    let found = classified(&part, &rows, &threshold, false).next().map(|(_, fields)| fields);
     Ok(found.map(|found| (found, warnings)))
 }
 
@@ -87,7 +92,7 @@ pub fn roots_of_points<'py>(
     py: Python<'py>,
     columns: [Given; 7],
     length: usize,
-) -> PyResult<Bound<'py, PyByteArray>> {
+) -> PyResult<Bound<'py, PyBytes>> {
     let rows = Rows::new(columns, length)?;
     let beyond = [Complex::new(f64::NAN, f64::NAN); 3];
     fill(py, length, [48], |first, [cells]| {
@@ -109,38 +114,42 @@ pub fn roots_of_points<'py>(
 }
 
 /// The rows of a part that have all values.
-struct Part {
-    points: Vec<(usize, Parameters<Dd>)>,
+type Part = Vec<(usize, Parameters<Dd>)>;
+
+fn read(rows: &Rows, first: usize) -> Result<Part, Faults> {
+    let mut points = Vec::with_capacity(PART.min(rows.length - first));
+    let mut faults = Faults::new();
+    for row in first..rows.length.min(first + PART) {
+        match rows.doubled(row) {
+            Ok(point) => points.extend(point.map(|point| (row, point))),
+            Err(own) => faults.extend(own),
+        }
+    }
+    if faults.is_empty() { Ok(points) } else { Err(faults) }
 }
 
-impl Part {
-    fn read(rows: &Rows, first: usize) -> Result<Self, Faults> {
-        let mut points = Vec::with_capacity(PART.min(rows.length() - first));
-        let mut faults = Faults::new();
-        for row in first..rows.length().min(first + PART) {
-            match rows.doubled(row) {
-                Ok(point) => points.extend(point.map(|point| (row, point))),
-                Err(own) => faults.extend(own),
-            }
-        }
-        if faults.is_empty() { Ok(Self { points }) } else { Err(faults) }
-    }
-
-    fn classified<'p>(
-        &'p self,
-        rows: &'p Rows,
-        threshold: &'p InertialThreshold,
-    ) -> impl Iterator<Item = (usize, Fields)> + 'p {
-        let doubled: Vec<Parameters<Dd>> = self.points.iter().map(|(_, point)| point.clone()).collect();
-        let found = classify_rows(&doubled, threshold).into_iter();
-        self.points.iter().zip(found).map(move |((row, doubled), found)| {
-            // The exact values, where double-double does not decide.
-            let found = found.unwrap_or_else(|| classify(&rows.exact(*row), threshold));
+fn classified<'p>(
+    part: &'p [(usize, Parameters<Dd>)],
+    rows: &'p Rows,
+    threshold: &'p InertialThreshold,
+    is_whole: bool,
+) -> impl Iterator<Item = (usize, Fields)> + 'p {
+    let doubled: Vec<Parameters<Dd>> = part.iter().map(|(_, point)| point.clone()).collect();
+    let found = classify_rows(&doubled, threshold).into_iter();
+    part.iter().zip(found).map(move |((row, doubled), found)| {
+        // The exact values, where double-double does not decide.
+        let found = found.unwrap_or_else(|| classify(&rows.exact(*row), threshold));
+        if !is_whole {
             let frequencies = Frequencies::quickly(doubled, &found)
                 .unwrap_or_else(|| Frequencies::of(&rows.exact(*row), &found));
-            (*row, fields(&found, &frequencies))
-        })
-    }
+            return (*row, fields(&found, [frequencies.frequency_hz.to_f64(), None, None, None]));
+        }
+        let derived =
+            Derived::quickly(doubled, &found).unwrap_or_else(|| Derived::of(&rows.exact(*row), &found));
+        let (critical, ratio) = (derived.critical_stiffness_pa_per_m, derived.stiffness_over_critical);
+        let further = [derived.frequency_hz, critical, ratio, derived.frequency_over_natural];
+        (*row, fields(&found, further))
+    })
 }
 
 /// What looks like another unit in a row.
@@ -148,29 +157,26 @@ fn of_row(point: &Parameters<Dd>, with_unit: &[Quantity]) -> Vec<String> {
     unit_warnings(<[f64; 7]>::from(point.map(|value| value.hi())).map(Some), with_unit)
 }
 
-/// The codes are the places in the lists of all classes and all modes, which have the order of the declaration.
-fn fields(found: &Classification, frequencies: &Frequencies) -> Fields {
+/// The codes are the places in the lists of all words, which have the order of the declaration.
+fn fields(found: &Classification, [hertz, critical, ratio, natural]: [Option<f64>; 4]) -> Fields {
     let mode = if found.transition_sign == 0 { SlipMode::ALL.len() } else { found.slip_mode as usize };
-    let number = |value: Wide| value.to_f64().unwrap_or(f64::NAN);
-    (
-        found.transition_sign,
-        found.boundary_sign,
-        found.spectral_class as u8,
-        mode as u8,
-        number(found.max_real_per_s),
-        number(found.max_imaginary_per_s),
-        number(frequencies.frequency_hz),
-    )
+    let [real, imaginary] = [found.max_real_per_s, found.max_imaginary_per_s].map(|rate| rate.to_f64());
+    let numbers = [real, imaginary, hertz, critical, ratio, natural].map(|value| value.unwrap_or(f64::NAN));
+    let [class, level] = [found.spectral_class as i8, found.precision_level as i8];
+    (numbers, [found.transition_sign, found.boundary_sign, class, mode as i8, level])
 }
 
-fn write(cells: &mut [&mut [u8]; 7], row: usize, (transition, boundary, class, mode, re, im, hz): Fields) {
-    for (numbers, value) in cells.iter_mut().zip([re, im, hz]) {
-        numbers.as_chunks_mut().0[row] = value.to_le_bytes();
+fn write(cells: &mut [&mut [u8]; 11], row: usize, (numbers, codes): Fields) {
+    let (of_numbers, of_codes) = cells.split_at_mut(NUMBERS);
+    for (cells, value) in of_numbers.iter_mut().zip(numbers) {
+        if let Some(cell) = cells.as_chunks_mut().0.get_mut(row) {
+            *cell = value.to_le_bytes();
+        }
     }
-    let [_, _, _, codes @ ..] = cells;
-    let [transition, boundary] = [transition, boundary].map(|sign| sign.to_le_bytes()[0]);
-    for (codes, code) in codes.iter_mut().zip([transition, boundary, class, mode]) {
-        codes[row] = code;
+    for (cells, code) in of_codes.iter_mut().zip(codes) {
+        if let Some(cell) = cells.get_mut(row) {
+            *cell = code.to_le_bytes()[0];
+        }
     }
 }
 

@@ -45,6 +45,72 @@ def test_exact_numbers_stay_exact_in_arrays():
     assert slipmode.classify(**exact)[1].details["transition_sign"] == 0
 
 
+#: One more than a 64-bit number: with K = σ + 1/10^200 between them, K_c > K, and 64-bit numbers would be equal.
+LARGE = 2**53 + 1
+
+
+def large_columns():
+    """Return columns of LARGE and a missing value, by kind."""
+    columns = {
+        "int64": np.array([LARGE, 1]),
+        "uint64": np.array([LARGE, 1], dtype=np.uint64),
+        "negative stride": np.array([1, LARGE])[::-1],
+        "masked": np.ma.array([LARGE, 1], mask=[False, True]),
+        "list": [LARGE, None],
+        "with a float": [LARGE, 1.0],
+        "numbers of NumPy": [np.int64(LARGE), np.float64("nan")],
+        "longdouble": np.array([np.longdouble(LARGE), np.longdouble("nan")]),
+    }
+    for package in ("pandas", "polars", "pyarrow"):
+        library = pytest.importorskip(package)
+        if package == "pandas":
+            columns |= {"pandas": library.Series([LARGE, 1]), "Int64": library.Series([LARGE, None], dtype="Int64")}
+        else:
+            columns[package] = library.Series([LARGE, None]) if package == "polars" else library.array([LARGE, None])
+    return columns
+
+
+@pytest.mark.filterwarnings("ignore::slipmode.SlipmodeWarning")
+def test_integers_and_long_numbers_are_not_rounded():
+    # K_c = σ + M V0²/a is a little greater than σ; K = σ.
+    point = {"a": 1, "b": 2, "d_c": 1, "m": "1e-200", "v": 1, "k": str(LARGE)}
+    assert slipmode.classify(**point, sigma=LARGE).transition_sign == -1
+    for kind, column in large_columns().items():
+        found = slipmode.classify(**point, sigma=column)
+        signs = found.transition_sign if isinstance(found, slipmode.Classifications) else found["transition_sign"]
+        assert list(signs)[0] == -1 or signs[0].as_py() == -1, kind
+    for one in (np.array(LARGE), np.array([[LARGE]]), [[LARGE, 0.5]], [np.array([LARGE]), np.array([0.5])]):
+        assert slipmode.classify(**point, sigma=one).transition_sign.flat[0] == -1
+    long = np.longdouble(1) + np.longdouble(2) ** -60
+    if long != 1:
+        same = point | {"k": str(Fraction(2**60 + 1, 2**60))}
+        assert slipmode.classify(**same, sigma=long).transition_sign == -1
+        assert slipmode.classify(**same, sigma=[long, 1.0]).transition_sign[0] == -1
+        assert slipmode.classify(**same, sigma=np.array([long])).transition_sign[0] == -1
+    assert slipmode.classify(**point | {"k": LARGE - 1}, sigma=np.array([LARGE - 1])).inputs["normal_stress_pa"].dtype == np.float64
+    pint = pytest.importorskip("pint")
+    stress = np.array([LARGE, 5_000_000]) * pint.UnitRegistry().MPa
+    assert slipmode.classify(**point | {"k": f"{LARGE}MPa/m"}, sigma=stress).transition_sign[0] == -1
+
+
+def test_arrays_of_results_do_not_change():
+    found = slipmode.classify(**VALUES | {"sigma": [1e5, None, 2e7]})
+    arrays = [found.growth_rate, found.transition_sign, found.slip_mode.codes, found[:2].frequency, found[[0, 2]].growth_rate]
+    arrays += [found.inputs["normal_stress_pa"], found[[0, 2]].inputs["normal_stress_pa"], np.ma.getmaskarray(found.transition_sign)]
+    arrays += [slipmode.roots(**VALUES | {"sigma": STRESSES}), SLIDER.boundary(n=3)["normal_stress_pa"]]
+    own = np.array(STRESSES)
+    table = slipmode.classify({**VALUES, "sigma": own})
+    arrays += [*table.values(), SLIDER.map(("1MPa", "2MPa", 3), ("1um/s", "2um/s", 3)).growth_rate]
+    for array in arrays:
+        with pytest.raises(ValueError, match="read-only"):
+            array.flat[0] = array.flat[0]
+    own[0] = 7.0
+    assert table["sigma"].tolist() == STRESSES
+    frame = found.to_pandas() if pytest.importorskip("pandas") else None
+    frame.loc[0, "max_real_per_s"] = 7.0
+    assert found.growth_rate[0] != 7.0 and found[0].growth_rate != 7.0
+
+
 def test_missing_values_stay_missing():
     masked = np.ma.array([1e5, 5e6, 2e7], mask=[False, True, False])
     for stresses in (masked, [1e5, None, 2e7], np.array([1e5, np.nan, 2e7]), ["1e5", None, "2e7"]):
@@ -219,7 +285,7 @@ def test_a_frame_with_the_interchange_protocol_alone_gives_one_of_pandas():
 
     found = slipmode.classify(Frame())
     assert isinstance(found, pandas.DataFrame) and found["slip_mode"].tolist() == modes_of([VALUES["sigma"]] * 2)
-    with pytest.raises(TypeError, match="no frame"):
+    with pytest.raises(slipmode.InputError, match="no frame"):
         slipmode.classify(7)
 
 

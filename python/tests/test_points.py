@@ -51,6 +51,12 @@ def test_arrays_are_bit_for_bit_the_rows_of_the_command_line(tmp_path):
     assert ours.boundary_sign.tolist() == [int(text) for text in rows["boundary_sign"]]
     assert np.asarray(ours.spectral_class).tolist() == rows["spectral_class"]
     assert np.asarray(ours.slip_mode).tolist() == rows["slip_mode"]
+    results = ours.results()
+    assert list(results) == list(rows)[len(COLUMNS.split(",")) :] and np.asarray(results["rung"]).tolist() == rows["rung"]
+    assert np.array_equal(results["frequency_hz"], ours.frequency, equal_nan=True)
+    for column in ("critical_stiffness_pa_per_m", "stiffness_over_critical", "frequency_hz", "frequency_over_natural"):
+        theirs = [float(text) if text else None for text in rows[column]]
+        assert [None if x != x else x for x in results[column].tolist()] == theirs
     for column, numbers in (("max_real_per_s", ours.growth_rate), ("max_imaginary_per_s", ours.angular_frequency)):
         theirs, beyond = np.array([float(text) for text in rows[column]]), np.isnan(numbers)
         assert beyond.sum() <= len(edge)

@@ -47,7 +47,7 @@ def test_bad_values_raise_the_messages_of_the_command_line():
         SLIDER.classify(float("nan"), 1e-5)
     with pytest.raises(ValueError, match="^law = slipp: unknown"):
         SLIDER.simulate(5e6, 1e-5, law="slipp")
-    with pytest.raises(TypeError):
+    with pytest.raises(slipmode.InputError, match="^a = True: no number"):
         slipmode.Slider(a=True, b=1, d_c=1, k=1, m=1)
     with pytest.warns(slipmode.SlipmodeWarning, match="^sigma = 5: looks like MPa"):
         SLIDER.classify(5, 1e-5)

@@ -8,7 +8,7 @@ use slipmode_core::number::{Rational, Wide};
 use slipmode_core::stability::{Classification, Frequencies, InertialThreshold, LogDistance, classify};
 
 use crate::cli::answer::{Answer, Item, SHOWN_DIGITS, wide};
-use crate::cli::classify::derived::Derived;
+pub use crate::cli::classify::derived::Derived;
 use crate::cli::classify::rows::slip_mode_word;
 use crate::cli::inputs::inputs_json;
 use crate::cli::roots::{PrintedRoot, print_roots};
