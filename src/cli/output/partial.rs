@@ -122,14 +122,15 @@ impl PartialFolder {
     }
 }
 
-/// Creates something and enters it among the unfinished, with no signal in between. The first one has signals caught from then on.
+/// Creates something and enters it among the unfinished, with no signal in between. The first one has signals caught from
+/// then on; not in a program that runs commands as functions, such as Python, which has its own way with signals.
 fn register<T>(
     create: impl FnOnce() -> io::Result<T>,
     path: impl FnOnce(&T) -> &Path,
 ) -> io::Result<(T, Entry)> {
     static CATCHES_SIGNALS: AtomicBool = AtomicBool::new(false);
     let mut unfinished = unfinished();
-    if !CATCHES_SIGNALS.load(Ordering::Relaxed) {
+    if !crate::cli::streams::is_capturing() && !CATCHES_SIGNALS.load(Ordering::Relaxed) {
         remove_on_signals()?;
         CATCHES_SIGNALS.store(true, Ordering::Relaxed);
     }
