@@ -24,6 +24,8 @@ pub struct Estimate {
     pub standard_error: f64,
     /// The ends of the 95 % interval by profile likelihood; none where the record sets no bound.
     pub ends: [Option<f64>; 2],
+    /// How far they are from the best value in standard errors of independent samples.
+    pub half_width: f64,
     /// The ends that the curvature at the best value alone gives.
     pub quadratic_ends: [f64; 2],
     /// The profile.
@@ -242,7 +244,7 @@ fn complete(
     if problem.is_unresolved(&minimum.point) {
         return Err(FitFailure::Unresolved);
     }
-    let residuals = Residuals::of(&minimum.evaluated.residuals, free.len());
+    let residuals = Residuals::of(&minimum.evaluated.residuals, free.len(), problem.record.resolution());
     let symbols = || free.iter().map(|parameter| parameter.symbol()).collect::<Vec<_>>().join(", ");
     let covariance =
         covariance(&minimum.evaluated, free).ok_or_else(|| FitFailure::Undetermined(symbols()))?;
@@ -261,13 +263,15 @@ fn complete(
         let coordinate = minimum.point[*parameter as usize];
         let value = parameter.value(coordinate);
         let error = residuals.standard_deviation * (residuals.inflation * covariance[(index, index)]).sqrt();
-        let half_width = residuals.half_width() / residuals.inflation.sqrt() * error;
+        let half_width = profiler.half_width(index);
+        let to_end = half_width / residuals.inflation.sqrt() * error;
         estimates.push(Estimate {
             parameter: *parameter,
             value,
             standard_error: if parameter.is_logarithmic() { value * error } else { error },
             ends: profile.ends.map(|end| end.map(|end| parameter.value(end))),
-            quadratic_ends: [-1.0, 1.0].map(|side| parameter.value(coordinate + side * half_width)),
+            quadratic_ends: [-1.0, 1.0].map(|side| parameter.value(coordinate + side * to_end)),
+            half_width,
             profile: profile.points,
         });
     }
@@ -401,6 +405,32 @@ mod tests {
             for (estimate, wanted) in found.estimates.iter().zip([0.008, 0.012, 1e-5, 2e10, 0.6]) {
                 assert!((estimate.value / wanted - 1.0).abs() < 1e-5, "{law:?} {estimate:?}");
             }
+        }
+    }
+
+    #[test]
+    fn intervals_hold_for_noise_below_the_resolution() {
+        // (noise in steps of the resolution, whether the interval of mu_0 is that of the noise alone)
+        for (share, is_noise) in [(0.5, true), (0.3, false), (0.2, false), (0.1, false), (0.02, false)] {
+            let [mut held, mut all] = [0, 0];
+            for phase in 0..5 {
+                let step = 2e-4;
+                let noisy = record(&slider(EvolutionLaw::Slip), share * step, 1200);
+                // A grid that has no value at 0.
+                let at = 0.2 * f64::from(phase);
+                let round = |friction: &f64| ((friction / step + at).round() - at) * step;
+                let rounded = noisy.with_frictions(noisy.frictions.iter().map(round).collect());
+                assert!((rounded.resolution() / step - 1.0).abs() < 1e-6 && noisy.resolution() == 0.0);
+                let found = fit(&rounded, &given(EvolutionLaw::Slip)).unwrap();
+                for (estimate, wanted) in found.estimates.iter().zip([0.008, 0.012, 1e-5, 2e10, 0.6]) {
+                    let [low, high] = estimate.ends.map(Option::unwrap);
+                    held += i32::from(low <= wanted && wanted <= high);
+                    all += 1;
+                }
+                let width = found.estimates[4].half_width / found.residuals.half_width();
+                assert_eq!(width < 1.1, is_noise, "{share}: {width}");
+            }
+            assert!(10 * held >= 9 * all, "{share}: {held} of {all}");
         }
     }
 

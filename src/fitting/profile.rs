@@ -51,6 +51,22 @@ pub struct Profiler<'r> {
 }
 
 impl Profiler<'_> {
+    /// How many standard errors of independent samples the interval of a parameter extends to each side: the noise, and a mean error
+    /// of rounding in each sample that moves the parameter to the same side.
+    pub fn half_width(&self, index: usize) -> f64 {
+        let moved = |row: &Point| -> f64 {
+            let others = self.free.iter().enumerate();
+            others.map(|(other, parameter)| self.covariance[(index, other)] * row[*parameter as usize]).sum()
+        };
+        let moved: f64 = self.minimum.evaluated.derivatives.iter().map(|row| moved(row).abs()).sum();
+        self.residuals.half_width() + self.residuals.rounding() * moved / self.error(index)
+    }
+
+    /// The standard error of a parameter for independent samples.
+    pub fn error(&self, index: usize) -> f64 {
+        self.residuals.standard_deviation * self.covariance[(index, index)].sqrt()
+    }
+
     /// The profile of one of the fitted parameters.
     pub fn profile(&self, index: usize) -> Profile {
         let parameter = self.free[index];
@@ -71,8 +87,8 @@ impl Profiler<'_> {
     fn end(&self, index: usize, sign: f64, found: &mut Profile) -> Option<f64> {
         let parameter = self.free[index];
         let best = self.minimum.point[parameter as usize];
-        let wanted = self.residuals.half_width();
-        let error = self.residuals.standard_deviation * self.covariance[(index, index)].sqrt();
+        let wanted = self.half_width(index);
+        let error = self.error(index);
         let farthest = if parameter.is_logarithmic() { FARTHEST } else { 1e3 * error };
         let [mut inside, mut outside] = [(0.0, 0.0), (f64::INFINITY, f64::INFINITY)];
         let mut offset = (wanted * error).min(farthest);

@@ -66,6 +66,8 @@ const MANY_PIECES: usize = 100;
 const VELOCITY_DIGITS: usize = 9;
 /// The rounding of a displacement that was computed with 64-bit numbers, relative to the largest.
 const ROUNDING: f64 = 1e-14;
+/// Distances of values are multiples of their smallest one within this part of it, where they lie on a grid.
+const OFF_GRID: f64 = 0.1;
 
 impl StepRecord {
     /// Makes a record of what was measured.
@@ -136,6 +138,20 @@ impl StepRecord {
             Response::ShearStress(_) => self.weights[sample],
             Response::Friction(_) => 1.0,
         }
+    }
+
+    /// The step between the values of what was measured, over the normal stress at the start; 0 where they lie on no grid.
+    pub(crate) fn resolution(&self) -> f64 {
+        let mut values: Vec<f64> =
+            (0..self.rows()).map(|row| self.scale(row) * self.frictions[row]).collect();
+        values.sort_by(f64::total_cmp);
+        let least = f64::from(f32::EPSILON) * values[0].abs().max(values[values.len() - 1].abs());
+        let gaps: Vec<f64> =
+            values.windows(2).map(|pair| pair[1] - pair[0]).filter(|gap| *gap > least).collect();
+        let smallest = gaps.iter().copied().fold(f64::INFINITY, f64::min);
+        let steps = |gap: &f64| (gap / smallest).round();
+        let are_on_grid = gaps.iter().all(|gap| (gap / smallest - steps(gap)).abs() < OFF_GRID);
+        if are_on_grid { gaps.iter().sum::<f64>() / gaps.iter().map(steps).sum::<f64>() } else { 0.0 }
     }
 
     /// The shortest way from one sample to the next after a step, on average between two steps, and the longest way after a step, m.

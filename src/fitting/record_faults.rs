@@ -130,7 +130,7 @@ fn clipped(ratios: &[f64]) -> Option<RecordFault> {
         let is_extreme = run[0] == largest || run[0] == smallest;
         if is_extreme && run.len() >= most {
             let reason = format!(
-                "{} samples in a row have the {} friction {}: the sensor seems saturated (wanted: a record within its range)",
+                "{} samples in a row have the {} friction {}: the sensor seems saturated, or its resolution hides the noise (wanted: a record within its range, with noise of half a step)",
                 run.len(),
                 if run[0] == largest { "largest" } else { "smallest" },
                 shortest(run[0]),

@@ -50,6 +50,14 @@ pub fn advice(fit: &Fit, record: &StepRecord) -> Vec<String> {
             round_digits(fit.residuals.inflation.sqrt(), 2)
         ));
     }
+    let from_noise = (1.0 + DIFFERS) * fit.residuals.half_width();
+    if fit.estimates.iter().any(|estimate| estimate.half_width > from_noise) {
+        sentences.push(format!(
+            "The noise is {} of the resolution of the record, {} in friction: rounding errors do not average out. The intervals include them, the standard errors do not.",
+            percent(fit.residuals.noise / fit.residuals.step),
+            round_digits(fit.residuals.step, 2)
+        ));
+    }
     let distance = fit.estimate(Parameter::CriticalSlipDistance).map(|estimate| estimate.value);
     if distance.is_some_and(|distance| record.path.resolution_m > 0.1 * distance) {
         sentences.push(format!(

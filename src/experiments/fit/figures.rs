@@ -18,8 +18,7 @@ pub(crate) const FIGURES: &[Drawer] = &[
     }),
     ("fit-profiles", |outcome, words| {
         let (fit, _) = fitted(outcome)?;
-        let quantile = fit.residuals.half_width();
-        words.panels(fit.estimates.iter().filter_map(|estimate| profile_panel(words, estimate, quantile)))
+        words.panels(fit.estimates.iter().filter_map(|estimate| profile_panel(words, estimate)))
     }),
 ];
 
@@ -127,16 +126,16 @@ fn step_chart(fit: &Fit, record: &StepRecord, words: &mut Words) -> Option<Strin
     Some(with_points(chart, [points])?.svg())
 }
 
-fn profile_panel(words: &Words, estimate: &Estimate, quantile: f64) -> Option<Panel> {
+fn profile_panel(words: &Words, estimate: &Estimate) -> Option<Panel> {
     let (unit, size) = unit_of(estimate);
     let points: Vec<(f64, f64)> =
         estimate.profile.iter().map(|point| (point.value / size, point.distance)).collect();
     let mut panel = words.panel(&[("symbol", estimate.parameter.symbol()), ("unit", unit)])?;
+    let ends = [-estimate.half_width, estimate.half_width];
     panel.x = over(&panel.x, points.iter().map(|point| point.0))?;
-    panel.y = over(&panel.y, points.iter().map(|point| point.1).chain([-quantile, quantile]))?;
+    panel.y = over(&panel.y, points.iter().map(|point| point.1).chain(ends))?;
     panel.series.iter_mut().for_each(|series| series.points.clone_from(&points));
-    panel.references =
-        [-quantile, quantile].map(|at| Reference::Horizontal { at, label: String::new() }).into();
+    panel.references = ends.map(|at| Reference::Horizontal { at, label: String::new() }).into();
     Some(panel)
 }
 
