@@ -76,7 +76,7 @@ impl Read {
         }
         if self.recording.has_reversed_stress(log_level) {
             let problem = CsvProblem::Record(REVERSED.into());
-            return Some(fault(file, None, "column shear_stress_pa", problem.into()));
+            return Some(Fault::of(file, "column shear_stress_pa", problem));
         }
         let gap = self.recording.gap(log_level)?;
         let (step, usual) = (format!("{:.4e}", gap.step_s), format!("{:.4e}", gap.usual_s));
