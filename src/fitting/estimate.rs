@@ -381,6 +381,7 @@ mod tests {
     use super::*;
     use crate::fitting::record::fixtures::{driven, record};
     use slipmode_core::dynamics::DrivenSlider;
+    use slipmode_core::number::split_mix::SplitMix64;
 
     fn slider(law: EvolutionLaw) -> DrivenSlider {
         DrivenSlider {
@@ -410,14 +411,18 @@ mod tests {
 
     #[test]
     fn intervals_hold_for_noise_below_the_resolution() {
-        // (noise in steps of the resolution, whether the interval of mu_0 is that of the noise alone)
+        // (noise in steps of the resolution, whether rounding widens the interval of mu_0 too little for a remark)
         for (share, is_noise) in [(0.5, true), (0.3, false), (0.2, false), (0.1, false), (0.02, false)] {
             let [mut held, mut all] = [0, 0];
             for phase in 0..5 {
                 let step = 2e-4;
-                let noisy = record(&slider(EvolutionLaw::Slip), share * step, 1200);
+                let exact = record(&slider(EvolutionLaw::Slip), 0.0, 1200);
+                let mut random = SplitMix64(phase + 1);
+                let mut noise = || share * step * ((0..12).map(|_| random.unit()).sum::<f64>() - 6.0);
+                let noisy =
+                    exact.with_frictions(exact.frictions.iter().map(|friction| friction + noise()).collect());
                 // A grid that has no value at 0.
-                let at = 0.2 * f64::from(phase);
+                let at = 0.2 * phase as f64;
                 let round = |friction: &f64| ((friction / step + at).round() - at) * step;
                 let rounded = noisy.with_frictions(noisy.frictions.iter().map(round).collect());
                 assert!((rounded.resolution() / step - 1.0).abs() < 1e-6 && noisy.resolution() == 0.0);
@@ -428,7 +433,7 @@ mod tests {
                     all += 1;
                 }
                 let width = found.estimates[4].half_width / found.residuals.half_width();
-                assert_eq!(width < 1.1, is_noise, "{share}: {width}");
+                assert_eq!(width < 1.2, is_noise, "{share}: {width}");
             }
             assert!(10 * held >= 9 * all, "{share}: {held} of {all}");
         }

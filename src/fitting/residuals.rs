@@ -58,7 +58,8 @@ impl Residuals {
     pub fn rounding(&self) -> f64 {
         let harmonic = |k: i32| {
             let turns = PI * f64::from(k);
-            libm::exp(-2.0 * (turns * self.noise / self.step).powi(2)) / turns
+            let share = turns * self.noise / self.step;
+            libm::exp(-2.0 * share * share) / turns
         };
         if self.step > 0.0 { self.step * (1..=HARMONICS).map(harmonic).sum::<f64>().min(0.5) } else { 0.0 }
     }
@@ -125,7 +126,9 @@ mod tests {
                 .collect();
             let found = Residuals::of(&rounded, 4, 2.0);
             assert!(found.noise / 2.0 < 1.02 * noise + 0.01, "{found:?}");
-            assert!((wanted..1.6 * wanted + 1e-3).contains(&(found.rounding() / 2.0)), "{noise} {found:?}");
+            // An error of 1 % of the noise, which 40 000 values can have, changes the smallest of the bounds by 10 %.
+            let bounds = 0.9 * wanted..1.6 * wanted + 1e-3;
+            assert!(bounds.contains(&(found.rounding() / 2.0)), "{noise} {found:?}");
             let even = Residuals::of(&rounded, 4, 1e-9);
             assert_eq!(even.rounding(), 0.0);
         }
