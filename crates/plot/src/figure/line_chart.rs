@@ -2,12 +2,12 @@
 
 use super::frame::{CANVAS_WIDTH, Frame};
 use super::legend::{Entry, KEY_WIDTH, Legend};
-use super::overlay::{draw_named_lines, draw_words_on_lines};
+use super::overlay::draw_words_on_lines;
 use super::path::{Point, simplify};
 use super::path_data::line_data;
 use super::series_style::{Look, draw_markers, spread};
 use super::svg::Svg;
-use super::{Axis, Caption, Line, palette};
+use super::{Axis, Caption, Inset, palette};
 
 /// One line of a chart. Dash, marker and colour follow from its place in the list.
 #[derive(Debug, Clone, PartialEq, Default, serde::Deserialize)]
@@ -110,7 +110,7 @@ impl LineChart {
         self.svg_with(None)
     }
 
-    /// The chart as SVG text, with a small map in its lower right corner.
+    /// The chart as SVG text, with a small map where it covers no line, or least of them.
     #[must_use]
     pub fn svg_with(&self, inset: Option<&Inset>) -> String {
         let frame = Frame::new(&self.x, &self.y, CORNER, SIZE);
@@ -126,10 +126,17 @@ impl LineChart {
         draw_lines(&mut svg, &frame, &self.references, &self.series, style);
         frame.draw_axes(&mut svg);
         if let Some(inset) = inset {
-            inset.draw(&mut svg, (frame.bounds.right, frame.bounds.bottom));
+            inset.draw(&mut svg, inset.place(frame.bounds, &self.lines_on(&frame)));
         }
         legend.draw(&mut svg, (CORNER.0, below));
         svg.finish()
+    }
+
+    /// The visible parts of the series and of the reference lines on the canvas.
+    fn lines_on(&self, frame: &Frame) -> Vec<Vec<Point>> {
+        let series = self.series.iter().flat_map(|series| frame.visible_line(&series.points));
+        let places = self.references.iter().filter_map(|reference| place_reference(frame, reference));
+        series.chain(places.map(|place| place.ends.into())).collect()
     }
 
     /// The edges of the strips, and their legend entries.
@@ -280,42 +287,4 @@ fn draw_band(svg: &mut Svg, frame: &Frame, index: usize, edges: [f64; 2]) {
     let (from, to) = (frame.place_unit((0.0, high)), frame.place_unit((1.0, low)));
     let (class, fill) = band_look(index);
     svg.rect(from, (to.0 - from.0, to.1 - from.1), &[("class", &class), ("fill", fill)]);
-}
-
-/// A small map in the corner of a line chart: where the chart's lines lie.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Inset {
-    /// Horizontal axis.
-    pub x: Axis,
-    /// Vertical axis.
-    pub y: Axis,
-    /// Lines of the map.
-    pub lines: Vec<Line>,
-    /// The places of the chart's series: they look as in the chart when both list them in the same order.
-    pub series: Vec<Series>,
-}
-
-/// Width and height of the map.
-const INSET_SIZE: Point = (196.0, 140.0);
-/// Room right of the map, and below it for its labels.
-const MARGIN: Point = (16.0, 56.0);
-/// Room left of the map for its labels, and above it.
-const LABELS: Point = (66.0, 10.0);
-
-impl Inset {
-    /// Draws the map with its lower right corner at this place.
-    fn draw(&self, svg: &mut Svg, (right, bottom): Point) {
-        let corner = (right - MARGIN.0 - INSET_SIZE.0, bottom - MARGIN.1 - INSET_SIZE.1);
-        let frame = Frame::new(&self.x, &self.y, corner, INSET_SIZE);
-        let ground = (corner.0 - LABELS.0, corner.1 - LABELS.1);
-        svg.rect(
-            ground,
-            (right - ground.0 - 1.0, bottom - ground.1 - 1.0),
-            &[("class", "panel"), ("fill", palette::PLATE)],
-        );
-        frame.draw_panel(svg, "panel-map");
-        draw_named_lines(svg, &frame, &self.lines, "inset-");
-        draw_lines(svg, &frame, &[], &self.series, LineStyle { tolerance: 0.2, markers: false });
-        frame.draw_axes(svg);
-    }
 }
