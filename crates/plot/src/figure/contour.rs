@@ -62,6 +62,31 @@ pub(crate) fn outlines(
     loops
 }
 
+/// The areas that the outlines of all classes leave free, where the four corners of a cell have three classes or more, or two
+/// crosswise: each with the class that the most of the corners have.
+pub(super) fn areas_between(classes: &[usize], columns: usize) -> Vec<(usize, Vec<Point>)> {
+    if columns < 2 {
+        return Vec::new();
+    }
+    let rows = classes.len() / columns;
+    let cells = (0..rows.saturating_sub(1)).flat_map(|row| (0..columns - 1).map(move |column| (column, row)));
+    let (wide, high) = ((columns - 1) as f64, rows.saturating_sub(1) as f64);
+    let area = |(column, row): (usize, usize)| {
+        let places = [(0, 0), (1, 0), (1, 1), (0, 1)].map(|(right, up)| (column + right, row + up));
+        let found = places.map(|(column, row)| classes[row * columns + column]);
+        let middle = |at: usize| {
+            let ((x, y), (next_x, next_y)) = (places[at], places[(at + 1) % 4]);
+            ((x + next_x) as f64 / 2.0 / wide, (y + next_y) as f64 / 2.0 / high)
+        };
+        let outline: Vec<Point> = (0..4).filter(|&at| found[at] != found[(at + 1) % 4]).map(middle).collect();
+        let votes = |class: usize| found.iter().filter(|&&other| other == class).count();
+        let most =
+            found.into_iter().reduce(|best, other| if votes(other) > votes(best) { other } else { best });
+        most.filter(|_| outline.len() > 2).map(|class| (class, outline))
+    };
+    cells.filter_map(area).collect()
+}
+
 impl Grid<'_> {
     /// Points in a row, the ring included.
     fn width(&self) -> usize {
