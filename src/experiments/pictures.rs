@@ -67,13 +67,16 @@ pub(crate) fn trajectory_picture(moments: &[(Moment, f64)], loading_velocity_m_p
     let end = moments.last()?.0.time_s;
     let velocity = |moment: &Moment| loading_velocity_m_per_s * libm::exp(moment.log_velocity_ratio);
     let (unit, size) = stress_unit(moments.iter().map(|(moment, _)| moment.stress_change_pa));
+    let (slip_unit, slip_size) = slip_unit(moments.iter().map(|(_, slip)| *slip));
     let values: Vec<[f64; 4]> = moments
         .iter()
-        .map(|(moment, slip)| [moment.time_s, velocity(moment), moment.stress_change_pa / size, *slip])
+        .map(|(moment, slip)| {
+            [moment.time_s, velocity(moment), moment.stress_change_pa / size, slip / slip_size]
+        })
         .collect();
     let of = |index: usize| values.iter().map(move |value| value[index]);
     let mut panels: Panels = picture("trajectory");
-    for (panel, (index, unit)) in panels.panels.iter_mut().zip((1..).zip(["m/s", unit, "m"])) {
+    for (panel, (index, unit)) in panels.panels.iter_mut().zip((1..).zip(["m/s", unit, slip_unit])) {
         panel.x.max = end;
         panel.y.unit = unit.into();
         if panel.y.scale == Scale::Log10 {
@@ -84,6 +87,13 @@ pub(crate) fn trajectory_picture(moments: &[(Moment, f64)], loading_velocity_m_p
         panel.series = vec![Series::line("", thinned(&values, index, &panel.y))];
     }
     (end > 0.0).then(|| panels.svg())
+}
+
+/// The unit of a picture's slip, and its size in m: labels have few digits then.
+fn slip_unit(values: impl Iterator<Item = f64>) -> (&'static str, f64) {
+    let largest = values.map(f64::abs).fold(0.0, f64::max);
+    let units = [("m", 1.0), ("mm", 1e-3), ("µm", 1e-6)];
+    units.into_iter().find(|(_, size)| largest >= *size).unwrap_or(units[2])
 }
 
 /// The points of a curve that a drawing needs.

@@ -178,7 +178,7 @@ impl<'a> Frame<'a> {
         svg.open("g", &label_attributes("end"));
         for (v, tick) in self.ticks_y().into_iter().filter(|(_, tick)| tick.is_major()) {
             let (x, y) = self.place_unit((0.0, v));
-            svg.words((x - 10.0, y + 4.5), &tick.label, SMALL);
+            svg.words((x - LABEL_OFFSET, y + 4.5), &tick.label, SMALL);
         }
         svg.close();
     }
@@ -192,9 +192,17 @@ impl<'a> Frame<'a> {
 
     fn draw_title_y(&self, svg: &mut Svg) {
         let b = self.bounds;
-        draw_upright_title(svg, self.y, (b.left - 58.0, (b.top + b.bottom) / 2.0));
+        let widths = self.ticks_y().into_iter().map(|(_, tick)| rich_text::width(&tick.label, SMALL));
+        let room = widths.fold(0.0, f64::max) + LABEL_OFFSET + TITLE_DESCENT;
+        draw_upright_title(svg, self.y, (b.left - room.clamp(58.0, 66.0), (b.top + b.bottom) / 2.0));
     }
 }
+
+/// Distance of the labels of the vertical axis from it.
+const LABEL_OFFSET: f64 = 10.0;
+
+/// What an upright title takes beside its place, on the side of the labels.
+const TITLE_DESCENT: f64 = 5.0;
 
 /// Least distance between two ticks of an even scale.
 const TICK_ROOM: f64 = 5.0;
