@@ -38,7 +38,7 @@ const ARCS: u64 = 2;
 /// What a point and its row take, in bytes, and each digit of them: measured, and rounded up.
 const POINT_BYTES: u64 = 4_000;
 const DIGIT_BYTES: u64 = 25;
-/// Points on each arc, and their digits, that draw the boundary beside another line.
+/// Points on each arc, and their digits, that draw the boundary.
 const DRAWN_POINTS: usize = 200;
 const DRAWN_DIGITS: u32 = 20;
 /// What is said where the line of a given ω/ω_n or damping ratio has no point.
@@ -64,11 +64,12 @@ pub struct Options {
     /// Z is a decimal other than 0; oscillations grow where it is negative. Asymptotes are eqs 18 and 20 times 1/|Z|, and the limits of σ as V0 → 0, called eq15 and eq16 because they are these for Z = -1 and 1.
     #[arg(long, value_name = "Z", allow_hyphen_values = true, conflicts_with = "frequency_ratio")]
     damping_ratio: Option<String>,
-    /// Points on each arc, in addition to the marked ones (cusp and corners); with error bars, loading velocities [default: 200]
+    /// Points on each arc, in addition to the marked ones (cusp and corners); with error bars, loading velocities; not with
+    /// --at-velocity or --at-normal-stress [default: 200]
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     points: Option<String>,
-    /// Significant digits, 1 to 1 000 000; only certain digits are printed, and 0 for an error that is zero to all of them
-    /// [default: 20]
+    /// Significant digits, 1 to 1 000 000; only certain digits are printed, and 0 for an error that is zero to all of them;
+    /// not with --json or error bars [default: 20]
     #[arg(long, value_name = "D", allow_hyphen_values = true)]
     digits: Option<String>,
     /// Only the points of the boundary at this loading velocity, m/s
@@ -238,18 +239,14 @@ impl Request {
 
     /// Computes the points: a table, and an object with the inputs and the points under the names of the columns.
     fn compute(&self) -> Result<BoundaryOutput<'_>, Failure> {
-        let ((answer, table), boundary) = match &self.pair_ratio {
-            None => {
-                let points = self.points(|digits| Ok(self.of_boundary(digits)));
-                points.map(|points| (self.stated(&points), Some(points)))
-            }
+        let (answer, table) = match &self.pair_ratio {
+            None => self.points(|digits| Ok(self.of_boundary(digits))).map(|points| self.stated(&points)),
             Some(ratio) => {
-                let points = self.points(|digits| self.of_ratio(ratio, digits));
-                points.map(|points| (self.stated(&points), None))
+                self.points(|digits| self.of_ratio(ratio, digits)).map(|points| self.stated(&points))
             }
         }
         .map_err(|undecided| Failure::Check(format!("error: {undecided}")))?;
-        let picture = move || picture(&self.slider, boundary, (None, self.pair_ratio.as_ref()));
+        let picture = move || picture(&self.slider, (None, self.pair_ratio.as_ref()));
         Ok(BoundaryOutput { answer, table, picture: Box::new(picture) })
     }
 
@@ -317,15 +314,13 @@ fn part<P: LinePoint>(point: &P) -> Answer {
     point.numbers().iter().fold(words, |part, (name, ball)| part.with(name, ball.to_f64()))
 }
 
-/// Draws the boundary over the axes that `new` would choose: these points of it, or enough to draw it.
+/// Draws the boundary over the axes that `new` would choose, from enough points, however many are printed.
 fn picture(
     slider: &Slider<Rational>,
-    points: Option<Vec<BoundaryPoint>>,
     more: (Option<&ParameterBox>, Option<&PairRatio>),
 ) -> Result<String, Failure> {
     let ranges = Ranges::around(slider).map_err(Failure::Refused)?;
-    let points =
-        points.unwrap_or_else(|| BoundaryCurve::new(slider, DRAWN_DIGITS).sample(DRAWN_POINTS, END_ERROR));
+    let points = BoundaryCurve::new(slider, DRAWN_DIGITS).sample(DRAWN_POINTS, END_ERROR);
     Ok(boundary_picture(slider, &points, more, ranges.velocity.ends(), ranges.stress.ends()))
 }
 

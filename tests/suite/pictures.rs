@@ -25,6 +25,9 @@ fn check_picture(place: &Workplace, name: &str, words: &[&str]) {
 fn the_boundary_is_drawn_and_given_as_numbers() {
     let place = Workplace::new();
     let rows = run(&place, &["boundary", "--points", "9", "--svg", "b.svg"], &[]).expect_success();
+    run(&place, &["boundary", "--svg", "all.svg"], &[]).expect_success();
+    assert!(place.read("b.svg") == place.read("all.svg"), "the drawn line does not depend on --points");
+    std::fs::remove_file(place.path("all.svg")).unwrap();
     check_picture(&place, "b.svg", &["cusp", "eqs 15, 16, 18 and 20", "Exact boundary of oscillation"]);
     let json = run(&place, &["boundary", "--points", "9", "--json"], &[]).expect_success();
     let json: Value = serde_json::from_str(&json).unwrap();

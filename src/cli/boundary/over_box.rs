@@ -129,7 +129,7 @@ impl Request {
     }
 
     fn picture(&self) -> Result<String, Failure> {
-        picture(&self.middle(), None, (Some(&self.region), self.ratio().as_ref()))
+        picture(&self.middle(), (Some(&self.region), self.ratio().as_ref()))
     }
 }
 
