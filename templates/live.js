@@ -24,6 +24,7 @@
     const names = [...live.querySelectorAll(".live-modes li span")].map((item) => item.textContent).concat(model.neutral);
     const fills = [...live.querySelectorAll(".live-modes li")].map((item) => [1, 3, 5].map((at) => parseInt(item.dataset.fill.slice(at, at + 2), 16)));
     const ink = [31, 35, 40];
+    const dark = "#1f2328";
     const canvas = live.querySelector("canvas");
     const degrees = [1, 2, 3].map((at) => Math.max(...model.polynomials.flat().map((term) => term[at])));
     let chosen = 0;
@@ -94,7 +95,7 @@
       pen.imageSmoothingEnabled = false;
       pen.drawImage(layer, left, top);
       const style = getComputedStyle(live);
-      const [line, surface] = ["--ink", "--surface"].map((name) => style.getPropertyValue(name));
+      const line = style.getPropertyValue("--ink");
       pen.fillStyle = pen.strokeStyle = line;
       pen.font = `13px ${style.fontFamily}`;
       pen.strokeRect(left, top, width, height);
@@ -120,13 +121,33 @@
         const [x, y] = [left + share("v", point.v) * width, top + (1 - share("s", point.s)) * height];
         pen.beginPath();
         pen.arc(x, y, index === chosen ? 7 : 5, 0, 2 * Math.PI);
-        pen.fillStyle = surface;
+        // The colours of the modes are the same in a dark scheme.
+        pen.fillStyle = "#fff";
+        pen.strokeStyle = dark;
         pen.fill();
         pen.lineWidth = index === chosen ? 3 : 1.5;
         pen.stroke();
-        [pen.textAlign, pen.textBaseline, pen.fillStyle] = ["left", "bottom", "#1f2328"];
-        pen.fillText(point.name, x + 8, y - 4);
       });
+      // Points at one place share a label; a label has the first place beside its point where no other is.
+      const labels = new Map();
+      for (const point of points) {
+        const at = [left + share("v", point.v) * width, top + (1 - share("s", point.s)) * height];
+        const near = [...labels.keys()].find(([x, y]) => Math.hypot(x - at[0], y - at[1]) < 3) || at;
+        labels.set(near, [...(labels.get(near) || []), point.name]);
+      }
+      const taken = [];
+      [pen.textAlign, pen.textBaseline, pen.fillStyle] = ["left", "bottom", dark];
+      for (const [[x, y], of] of labels) {
+        const words = of.join(", ");
+        const long = pen.measureText(words).width;
+        const centred = Math.max(left, Math.min(x - long / 2, left + width - long));
+        const places = [[x + 8, y - 4], [x + 8, y + 20], [x - 8 - long, y - 4], [x - 8 - long, y + 20], [centred, y - 10], [centred, y + 26]];
+        const isFree = ([from, below]) => from >= left && from + long <= left + width
+          && taken.every(([other, base, extent]) => from > other + extent || from + long < other || Math.abs(below - base) > 16);
+        const [from, below] = places.find(isFree) || places[4];
+        taken.push([from, below, long]);
+        pen.fillText(words, from, below);
+      }
     };
 
     // A frame draws once, however many changes came before it.

@@ -1,6 +1,7 @@
-//! `slipmode explore`: one page on which b, K and M of a scene's slider can be changed.
+//! `slipmode explore`: one page on which all seven values of a scene can be changed.
 
 use slipmode_core::friction::{OperatingPoint, Slider};
+use std::fs;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -32,7 +33,7 @@ pub struct Options {
     /// V0 of this operating point, m/s or with a unit; needs -s
     #[arg(short = 'v', long, value_name = "V", allow_hyphen_values = true)]
     loading_velocity_m_per_s: Option<String>,
-    /// The page, or a folder for it; `-` is standard output [default: NAME.html, with the scene's name]
+    /// The page, or a folder for it (a new one ends in `/`); `-` is standard output [default: NAME.html, with the scene's name]
     #[arg(short, long, value_name = "FILE.html", visible_alias = "out")]
     output: Option<PathBuf>,
     /// One JSON object instead of text: the page, and the points that it follows
@@ -55,7 +56,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let parameters = scene.parameters.as_ref().ok_or_else(|| refused("has no [parameters] to explore"))?;
     let own_point = own.clone().or_else(|| parameters.point());
     let window = window(&scene, &parameters.slider, own_point.as_ref()).map_err(|why| refused(&why))?;
-    let place = place(options.output.as_deref(), &scene.name);
+    let place = place(options.output.as_deref(), &scene.name)?;
     let output = Output::create(&place)?;
     let (points, mut marks) = points(&scene, parameters, own.as_ref(), window);
     if parameters.error_bars.is_some() {
@@ -101,14 +102,14 @@ fn point_json(stress: &Rational, velocity: &Rational) -> Value {
     json!({ Quantity::NormalStress.as_str(): stress, Quantity::LoadingVelocity.as_str(): velocity })
 }
 
-/// The file to write: inside a folder that is named, it has the scene's name.
-fn place(output: Option<&Path>, name: &str) -> PathBuf {
-    let file = format!("{name}.html");
-    match output {
-        None => file.into(),
-        Some(folder) if folder.is_dir() => folder.join(file),
-        Some(file) => file.to_path_buf(),
+/// The file to write: inside a folder that is named, it has the scene's name. A new folder, which ends in a slash, is made.
+fn place(output: Option<&Path>, name: &str) -> Result<PathBuf, Failure> {
+    let Some(place) = output else { return Ok(format!("{name}.html").into()) };
+    let is_new = place.as_os_str().as_encoded_bytes().ends_with(b"/") && !place.exists();
+    if is_new {
+        fs::create_dir_all(place).map_err(|error| Failure::io(place, "cannot be created", &error))?;
     }
+    Ok(if place.is_dir() { place.join(format!("{name}.html")) } else { place.to_path_buf() })
 }
 
 impl Options {

@@ -117,7 +117,7 @@ enum Command {
     /// Prints where each formula may be used, for given relative errors
     #[command(after_help = example("tolerance SLIDER -e 0.01"))]
     Tolerance(tolerance::Options),
-    /// Writes a page on which b, K and M of a scene's slider can be changed; it needs no server
+    /// Writes a page on which all seven values of a scene can be changed; it needs no server
     #[command(after_help = example("explore scene.toml --output scene.html"))]
     Explore(explore::Options),
     /// Writes a folder for a report on your own slider

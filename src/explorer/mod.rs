@@ -29,7 +29,18 @@ pub struct Varying {
 
 impl Varying {
     fn of(texts: &[String], base: usize) -> Self {
-        let (words, cells) = slipmode_plot::figure::packed(texts);
+        let texts: Vec<String> = texts.iter().map(|text| in_print(text)).collect();
+        let (words, cells) = slipmode_plot::figure::packed(&texts);
         Self { words, cells, base: texts.get(base).cloned().unwrap_or_default() }
+    }
+}
+
+/// A number with its power of ten raised, as the script writes it; other texts as they are.
+fn in_print(text: &str) -> String {
+    const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    let raised = |sign: char| sign.to_digit(10).map_or('⁻', |digit| RAISED[digit as usize]);
+    match text.split_once('e').filter(|_| text.parse::<f64>().is_ok()) {
+        Some((digits, power)) => format!("{digits} × 10{}", power.chars().map(raised).collect::<String>()),
+        None => text.into(),
     }
 }

@@ -174,18 +174,27 @@ fn map(families: &Families, window: Window) -> FamilyMap {
             masses.values.iter().map(|factor| (-decades(factor) / 2.0, 0.0)).collect(),
         ],
         margin: MARGIN,
-        marks: families.points.iter().map(|point| mark(point, &x)).collect(),
+        marks: marks(&families.points, &x),
         x,
         y,
     }
 }
 
-fn mark(point: &NamedPoint, x: &Axis) -> PointMark {
+/// A mark for each place, with the names of all points there.
+fn marks(points: &[NamedPoint], x: &Axis) -> Vec<PointMark> {
+    let place = |point: &NamedPoint| (point.normal_stress_pa.clone(), point.loading_velocity_m_per_s.clone());
+    let is_first = |at: usize| points[..at].iter().all(|other| place(other) != place(&points[at]));
+    let here = |at: usize| points.iter().filter(move |other| place(other) == place(&points[at]));
+    let names = |at: usize| here(at).map(|point| point.name.as_str()).collect::<Vec<_>>().join(", ");
+    (0..points.len()).filter(|&at| is_first(at)).map(|at| mark(&names(at), &points[at], x)).collect()
+}
+
+fn mark(name: &str, point: &NamedPoint, x: &Axis) -> PointMark {
     let velocity = nearest_f64(&point.loading_velocity_m_per_s);
     // Above, where a neighbour at the same normal stress is not in its way; at the edge there is no room for half of it.
     let at_the_edge = x.position(velocity).is_some_and(|at| at > 0.95);
     PointMark::new(
-        format!("**{}**", point.name),
+        format!("**{name}**"),
         (velocity, nearest_f64(&point.normal_stress_pa)),
         if at_the_edge { Side::Left } else { Side::Above },
     )

@@ -100,6 +100,8 @@ fn a_folder_gets_the_page_under_the_scenes_name_and_the_bytes_are_the_same_on_an
     fs::create_dir(place.path("pages")).unwrap();
     place.run(["explore", "scene.toml", "-o", "pages", "--threads", "1"]).expect_success();
     assert_eq!(names_in(&place.path("pages")), ["mine.html"]);
+    place.run(["explore", "scene.toml", "-o", "new/"]).expect_success();
+    assert_eq!(names_in(&place.path("new")), ["mine.html"]);
     let two = place.run(["explore", "scene.toml", "-o", "-", "--threads", "2"]).expect_success();
     assert_eq!(place.read("pages/mine.html"), two);
 }
