@@ -38,7 +38,7 @@ pub struct Options {
 pub fn run(options: &Options) -> Result<(), Failure> {
     let (equations, claims) = read(options)?;
     let wanted = match &options.claim {
-        Some(id) => slice::from_ref(listed(&claims, id)?),
+        Some(id) => slice::from_ref(listed("file", &claims, id)?),
         None => &claims[..],
     };
     let outcome = Outcome::default();

@@ -15,7 +15,7 @@ use crate::cli::terminal;
 /// # Errors
 /// When the report does not list the claim, or its verdict is not the recorded one.
 pub fn verify_claim(folder: &Folder, id: &str, progress: &Progress) -> Result<(), Failure> {
-    let text = slice::from_ref(listed(&folder.claims, id)?);
+    let text = slice::from_ref(listed("report", &folder.claims, id)?);
     let (ledger, _) = progress.items(|progress| decide(folder, text, progress));
     print_warnings(&ledger);
     terminal::print(&ledger.claims.iter().map(account).collect::<String>())?;
@@ -66,20 +66,20 @@ pub fn print_warnings(ledger: &Ledger) {
     warnings.iter().for_each(|warning| terminal::message(warning));
 }
 
-/// The claim with this id.
+/// The claim of a report or file with this id.
 ///
 /// # Errors
 /// When there is none.
-pub fn listed<'c>(claims: &'c [ClaimEntry], id: &str) -> Result<&'c ClaimEntry, Failure> {
+pub fn listed<'c>(list: &str, claims: &'c [ClaimEntry], id: &str) -> Result<&'c ClaimEntry, Failure> {
     claims.iter().find(|claim| claim.id == id).ok_or_else(|| {
         let listed = claims.iter().map(|claim| claim.id.as_str());
         let near = match nearest(id, listed) {
-            _ if library_ids().any(|known| known == id) => {
+            _ if list == "report" && library_ids().any(|known| known == id) => {
                 "; it is a claim of the paper that claims.toml leaves out".into()
             }
             near => near.map(|near| format!("; did you mean {near}?")).unwrap_or_default(),
         };
-        Failure::Refused(format!("--claim = {id}: the report lists no such claim{near}"))
+        Failure::Refused(format!("--claim = {id}: the {list} lists no such claim{near}"))
     })
 }
 

@@ -332,7 +332,12 @@ impl Arguments {
 
     /// A value in this unit of SI, or with a unit of its own; its value in SI is then printed.
     pub fn measured(&mut self, option: &str, text: &str, in_si: &str) -> Option<Rational> {
-        let read = |text: &str| AllowedRange::PHYSICAL.parse_given(text, in_si);
+        let read = |text: &str| {
+            AllowedRange::PHYSICAL.parse_given(text, in_si).map_err(|problem| match problem {
+                _ if Uncertain::is_meant(text) => Problem::ErrorBar("takes no error bar; give one value"),
+                problem => problem,
+            })
+        };
         let value = self.number(option, text, read)?;
         self.note_converted(option, text, &[&value], in_si);
         Some(value)

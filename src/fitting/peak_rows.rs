@@ -1,5 +1,6 @@
 //! A table of peak velocities, what is known besides, and why it has no fit.
 
+use slipmode_core::number::format::{Side, rounded};
 use slipmode_core::{dynamics::DEEP, friction::EvolutionLaw};
 
 use super::residuals::{NORMAL_QUANTILE, student_quantile};
@@ -52,7 +53,7 @@ pub enum PeakFailure {
     Narrow(f64),
     /// A load velocity near the peak.
     #[error(
-        "row {}, column loading_velocity_m_per_s: {load:e} m/s is {over:.2} V_18, V_18 = (b - a) sigma/(2 sqrt(K M)) = {eq18:.3e} m/s (wanted: at most {DEEP} V_18, deep stick-slip)", .row + 1
+        "row {}, column loading_velocity_m_per_s: {load:e} m/s is {} V_18, V_18 = (b - a) sigma/(2 sqrt(K M)) = {eq18:.3e} m/s (wanted: at most {DEEP} V_18, deep stick-slip)", .row + 1, rounded(*.over, 3, Side::Above)
     )]
     Fast {
         /// The row, counted from 0.
@@ -79,4 +80,16 @@ pub(super) fn noise(rows: &[PeakRow], given: &PeakGiven, cost: f64, unknowns: f6
     let degrees = rows.len() as f64 - unknowns;
     let scatter = (cost / (rows.len() as f64 - UNKNOWNS)).max(f64::MIN_POSITIVE);
     if given.has_errors { [scatter.max(1.0), NORMAL_QUANTILE] } else { [scatter, student_quantile(degrees)] }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_velocity_beyond_the_limit_is_not_rounded_down_to_it() {
+        let message =
+            |over: f64| PeakFailure::Fast { row: 0, load: 2e-3, over, eq18: 2e-3 / over }.to_string();
+        assert!(message(0.104).contains("0.104 V_18") && message(0.100_04).contains("0.101 V_18"));
+    }
 }

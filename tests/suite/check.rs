@@ -72,7 +72,9 @@ fn a_line_has_the_verdict_and_what_it_rests_on() {
     {
         assert!(proof.contains(part), "{part} is not in {proof}");
     }
-    place.run(["check", "b.toml", "--claim", "B9"]).expect_refusal(&["--claim = B9", "no such claim"]);
+    place
+        .run(["check", "b.toml", "--claim", "B9"])
+        .expect_refusal(&["--claim = B9", "the file lists no such claim"]);
     assert_eq!(place.names(), ["b.toml"], "nothing is written");
 }
 

@@ -159,6 +159,9 @@ fn every_option_has_an_effect_on_the_answer_or_writes_its_file() {
     run(&["-o", "out.csv", "--svg", "out.svg"]).expect_success();
     assert!(place.read("out.svg").starts_with("<svg"));
     run(&["-o", "-"]).expect_refusal(&["--output = -: needs a file"]);
+    for error_bar in ["20±1MPa", "[19,21]MPa", "20(1)MPa"] {
+        run(&["-k", error_bar]).expect_refusal(&["takes no error bar"]);
+    }
     run(&["--law", "rate"]).expect_refusal(&["slip, aging, both"]);
     let semicolons: String = place.read("good.csv").replace(',', ";");
     place.write("semicolons.csv", semicolons);
