@@ -54,7 +54,9 @@ pub fn assemble(material: Material) -> ReportView {
     let introduction = chapters.next();
     ReportView {
         title: plan.title.clone(),
-        subtitle: introduction.map_or_else(String::new, |chapter| chapter.title.clone()),
+        subtitle: introduction
+            .filter(|chapter| chapter.title != plan.title)
+            .map_or_else(String::new, |chapter| chapter.title.clone()),
         citation: citation(plan, &inputs),
         answer: answer(plan.question, ledger, outcome),
         live: live(outcome),

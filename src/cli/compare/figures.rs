@@ -42,7 +42,9 @@ fn differences(rows: &[ComparedRow]) -> Option<FigureView> {
     let end = libm::exp10(libm::log10(largest).floor() + 1.0);
     let mut chart: LineChart = picture("differences");
     let number = |row: Option<&ComparedRow>, default| row.map_or(default, |row| row.number as f64);
-    (chart.x.min, chart.x.max) = (number(rows.first(), 0.0) - 0.5, number(rows.last(), 1.0) + 0.5);
+    let first = number(rows.first(), 0.0) - 0.5;
+    // Five rows at least: a shorter axis would have ticks between its rows.
+    (chart.x.min, chart.x.max) = (first, (number(rows.last(), 1.0) + 0.5).max(first + 5.0));
     (chart.y.min, chart.y.max) = (-end, end);
     chart.series = series;
     let caption = "Relative differences between the runs' numbers and our simulation, in units of what the tolerance and the errors of both sides allow. Inside the strip they agree.";

@@ -3,7 +3,7 @@
 use crate::experiments::Outcome;
 use crate::experiments::simulations::SimulatedPoint;
 use crate::scene::cited;
-use slipmode_core::number::format::{Side, round_digits, rounded};
+use slipmode_core::number::format::round_digits;
 
 /// Velocities at which the rate-and-state law is measured in laboratories, m/s, rounded outward to decades: the reviews of Marone
 /// (1998) and of Baumberger and Caroli (2006) have none outside.
@@ -23,8 +23,8 @@ pub(crate) fn range_of_velocities(outcome: &Outcome) -> Option<String> {
     let fastest = extremes.iter().map(|range| range[1]).fold(0.0, f64::max);
     let [least, most] = MEASURED_M_PER_S;
     let outside = extremes.iter().filter(|[low, high]| *low < least || *high > most).count();
-    let (low, high) = (rounded(slowest, DIGITS, Side::Above), rounded(fastest, DIGITS, Side::Below));
-    let [least, most] = MEASURED_M_PER_S.map(|velocity| round_digits(velocity, DIGITS));
+    let [low, high, least, most] =
+        [slowest, fastest, least, most].map(|velocity| round_digits(velocity, DIGITS));
     (outside > 0).then(|| {
         cited(&format!(
             "Validity: the simulated limit cycles slip as slowly as {low} m/s and as fast as {high} m/s. In {outside} of {} cycles the law of {{friction}} is extrapolated beyond {least} to {most} m/s, where laboratories measure it.",

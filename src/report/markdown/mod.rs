@@ -74,7 +74,8 @@ impl Prose {
         self.set_headings(&mut events, shift, place);
         let mut text = String::new();
         html::push_html(&mut text, with_symbols(events));
-        text
+        // Only a table has such a tag: text is escaped, and raw HTML is dropped.
+        text.replace("<th>", "<th scope=\"col\">").replace("<th ", "<th scope=\"col\" ")
     }
 
     /// One paragraph of prose as HTML without the paragraph around it; several are kept as paragraphs.
