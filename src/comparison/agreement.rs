@@ -76,26 +76,18 @@ slipmode_algebra::named! {
 }
 
 slipmode_algebra::named! {
-    /// A verdict on one quantity or on a run.
+    /// A verdict on one quantity or on a run. The greatest of several is that of all: one that differs decides, then one that agrees.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
     #[serde(rename_all = "kebab-case")]
     pub enum Agreement {
+        /// Nothing follows, for a reason that is given.
+        NotCompared = "not-compared",
         /// Within the tolerance and both errors.
         Agrees = "agrees",
         /// Not at the middle of the parameters' error bars, but within the sampled range over them.
         AgreesWithinErrorBars = "agrees-within-error-bars",
         /// Beyond them.
         Differs = "differs",
-        /// Nothing follows, for a reason that is given.
-        NotCompared = "not-compared",
-    }
-}
-
-impl Agreement {
-    /// The verdict of several: one that differs decides, then one that agrees; none without any.
-    pub(crate) fn of_all(verdicts: impl Iterator<Item = Self> + Clone) -> Option<Self> {
-        let deciding = [Self::Differs, Self::AgreesWithinErrorBars, Self::Agrees, Self::NotCompared];
-        deciding.into_iter().find(|verdict| verdicts.clone().any(|other| other == *verdict))
     }
 }
 
@@ -143,14 +135,8 @@ pub type Subject = (Observable, Origin, Reference);
 
 impl Finding {
     /// A finding about words, decided by their equality.
-    pub(crate) fn of_words(
-        origin: Origin,
-        reference: Reference,
-        run: &'static str,
-        ours: &'static str,
-    ) -> Self {
+    pub(crate) fn of_words(subject: Subject, [run, ours]: [&'static str; 2]) -> Self {
         let verdict = if run == ours { Agreement::Agrees } else { Agreement::Differs };
-        let subject = (Observable::Mode, origin, reference);
         Self { ours: Value::Word(ours), ..Self::because(subject, Value::Word(run), verdict, "") }
     }
 
@@ -175,21 +161,15 @@ impl Finding {
     }
 
     /// A number of a run that oscillates, where the reference does not for a reason in words.
-    #[must_use]
-    pub fn without_counterpart(subject: Subject, run: Measured, tolerance: f64, why: &str) -> Self {
+    pub(crate) fn without_counterpart(subject: Subject, run: Measured, tolerance: f64, why: &str) -> Self {
         let unresolved = unresolved("the trajectory", run, tolerance);
         let verdict = if unresolved.is_some() { Agreement::NotCompared } else { Agreement::Differs };
         Self::because(subject, Value::Number(run), verdict, unresolved.as_deref().unwrap_or(why))
     }
 
     /// A finding with a verdict for a reason in words.
-    #[must_use]
-    pub fn because(
-        (observable, origin, reference): Subject,
-        run: Value,
-        verdict: Agreement,
-        why: &str,
-    ) -> Self {
+    pub(crate) fn because(subject: Subject, run: Value, verdict: Agreement, why: &str) -> Self {
+        let (observable, origin, reference) = subject;
         Self {
             observable,
             origin,
@@ -206,11 +186,8 @@ impl Finding {
 }
 
 /// Why a number decides nothing, if its error exceeds the tolerance or is no number.
-fn unresolved(
-    whose: &str,
-    Measured { relative_error: error, .. }: Measured,
-    tolerance: f64,
-) -> Option<String> {
+fn unresolved(whose: &str, number: Measured, tolerance: f64) -> Option<String> {
+    let error = number.relative_error;
     let shown = if error.is_finite() { format!("only to {error:.1e}") } else { "not at all".into() };
     let reason = || format!("{whose} resolves it {shown}, coarser than the tolerance {tolerance:.1e}");
     let resolves = error <= tolerance;

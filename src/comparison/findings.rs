@@ -1,5 +1,6 @@
 //! Every finding on a run at its own parameters, and the verdict on the run.
 
+use super::agreement::Subject;
 use super::{
     Agreement, Finding, Observable, Origin, Reference, Simulate, StatedMode, StatedRun, Theory, Value,
 };
@@ -43,8 +44,7 @@ pub(crate) fn compare_as_stated(run: &StatedRun, simulate: Simulate<'_>) -> Comp
 
 /// The verdict on a run with these findings.
 pub(super) fn verdict_of(findings: &[Finding]) -> Agreement {
-    let verdicts = findings.iter().map(|finding| finding.verdict);
-    Agreement::of_all(verdicts).unwrap_or(Agreement::NotCompared)
+    findings.iter().map(|finding| finding.verdict).max().unwrap_or(Agreement::NotCompared)
 }
 
 /// Both sides of a comparison, and what was found so far.
@@ -77,7 +77,12 @@ impl Side<'_> {
             Ok(RecordedBehaviour::Cycle { peak_ratio, period_s, stress_drop_pa }) => {
                 self.compare_mode(Origin::Trajectory, StatedMode::Behaviour(Behaviour::Periodic));
                 let peak = Measured { value: peak_ratio.value * level, ..peak_ratio };
-                self.compare_cycle([Some(peak), Some(period_s), stress_drop_pa]);
+                let open = |ours: Behaviour| (ours != Behaviour::Periodic).then_some(OTHER_END);
+                self.compare_simulated(Observable::PeakVelocity, Origin::Trajectory, peak, open);
+                self.compare_simulated(Observable::Period, Origin::Trajectory, period_s, open);
+                if let Some(drop) = stress_drop_pa {
+                    self.compare_simulated(Observable::StressDrop, Origin::Trajectory, drop, open);
+                }
             }
             Ok(RecordedBehaviour::Decay(decay)) => {
                 self.compare_mode(Origin::Trajectory, StatedMode::Behaviour(Behaviour::Decaying));
@@ -85,8 +90,7 @@ impl Side<'_> {
             }
             Err(undecided) => {
                 let subject = (Observable::Mode, Origin::Trajectory, Reference::Simulation);
-                let (open, why) = (Agreement::NotCompared, undecided.to_string());
-                self.findings.push(Finding::because(subject, Value::None, open, &why));
+                self.findings.push(not_compared(subject, Value::None, &undecided.to_string()));
             }
         }
     }
@@ -99,22 +103,29 @@ impl Side<'_> {
     }
 
     fn compare_mode(&mut self, origin: Origin, mode: StatedMode) {
-        let simulation = self.simulation.as_ref();
-        let (simulated, theory) = match mode {
-            StatedMode::Behaviour(_) => (
-                simulation.map(|found| found.behaviour.as_str()),
-                self.theory.behaviour.map(Behaviour::as_str),
-            ),
-            StatedMode::Slip(_) => {
-                (simulation.map(|found| found.slip_mode.as_str()), Some(self.theory.slip_mode.as_str()))
-            }
+        let theory = match mode {
+            StatedMode::Behaviour(_) => self.theory.behaviour.map(Behaviour::as_str),
+            StatedMode::Slip(_) => Some(self.theory.slip_mode.as_str()),
         };
-        let word = mode.as_str();
-        self.findings.push(match simulated {
-            Ok(ours) => Finding::of_words(origin, Reference::Simulation, word, ours),
-            Err(why) => without_simulation(Observable::Mode, origin, Value::Word(word), why),
+        let simulated = self.simulation.as_ref().map(|found| match mode {
+            StatedMode::Behaviour(_) => found.behaviour.as_str(),
+            StatedMode::Slip(_) => found.slip_mode.as_str(),
         });
-        self.findings.push(theory_on_mode(origin, word, simulated.ok(), theory));
+        let word = mode.as_str();
+        let subject = (Observable::Mode, origin, Reference::Simulation);
+        self.findings.push(match simulated {
+            Ok(ours) => Finding::of_words(subject, [word, ours]),
+            Err(why) => without_simulation(subject, Value::Word(word), why),
+        });
+        let subject = (Observable::Mode, origin, Reference::Theory);
+        self.findings.push(match theory {
+            None => not_compared(subject, Value::Word(word), UNDECIDED),
+            // The theory is linear: where our own simulation departs from it, it does not speak against a run.
+            Some(ours) if word != ours && simulated.is_ok_and(|simulated| simulated != ours) => {
+                Finding { ours: Value::Word(ours), ..not_compared(subject, Value::Word(word), NONLINEAR) }
+            }
+            Some(ours) => Finding::of_words(subject, [word, ours]),
+        });
     }
 
     fn compare_stated(&mut self, observable: Observable, value: f64) {
@@ -139,11 +150,10 @@ impl Side<'_> {
         open: impl Fn(Behaviour) -> Option<&'static str>,
     ) {
         let subject = (observable, origin, Reference::Simulation);
-        let because = |verdict, why| Finding::because(subject, Value::Number(run), verdict, why);
         self.findings.push(match self.simulation {
-            Err(why) => without_simulation(observable, origin, Value::Number(run), why),
+            Err(why) => without_simulation(subject, Value::Number(run), why),
             Ok(ours) => match (open(ours.behaviour), simulated(ours, observable)) {
-                (Some(why), _) => because(Agreement::NotCompared, why),
+                (Some(why), _) => not_compared(subject, Value::Number(run), why),
                 (None, Some(ours)) => Finding::of_numbers(subject, [run, ours], self.run.tolerance),
                 (None, None) => Finding::without_counterpart(subject, run, self.run.tolerance, STILL),
             },
@@ -168,15 +178,6 @@ impl Side<'_> {
         });
     }
 
-    fn compare_cycle(&mut self, measured: [Option<Measured>; 3]) {
-        let observables = [Observable::PeakVelocity, Observable::Period, Observable::StressDrop];
-        for (observable, measured) in observables.into_iter().zip(measured) {
-            let Some(measured) = measured else { continue };
-            let open = |ours: Behaviour| (ours != Behaviour::Periodic).then_some(OTHER_END);
-            self.compare_simulated(observable, Origin::Trajectory, measured, open);
-        }
-    }
-
     fn compare_decay(&mut self, decay: RecordedDecay) {
         let origin = Origin::Trajectory;
         if let Some(period) = decay.period_s {
@@ -194,27 +195,12 @@ impl Side<'_> {
     }
 }
 
-/// The theory is linear: where our own simulation departs from it, it does not speak against a run.
-fn theory_on_mode(
-    origin: Origin,
-    mode: &'static str,
-    simulated: Option<&'static str>,
-    theory: Option<&'static str>,
-) -> Finding {
-    let Some(word) = theory else {
-        let subject = (Observable::Mode, origin, Reference::Theory);
-        return Finding::because(subject, Value::Word(mode), Agreement::NotCompared, UNDECIDED);
-    };
-    let found = Finding::of_words(origin, Reference::Theory, mode, word);
-    if found.verdict == Agreement::Differs && simulated.is_some_and(|simulated| simulated != word) {
-        return Finding { verdict: Agreement::NotCompared, why: NONLINEAR.into(), ..found };
-    }
-    found
+fn not_compared(subject: Subject, run: Value, why: &str) -> Finding {
+    Finding::because(subject, run, Agreement::NotCompared, why)
 }
 
-fn without_simulation(observable: Observable, origin: Origin, run: Value, why: &str) -> Finding {
-    let why = format!("our simulation failed: {why}");
-    Finding::because((observable, origin, Reference::Simulation), run, Agreement::NotCompared, &why)
+fn without_simulation(subject: Subject, run: Value, why: &str) -> Finding {
+    not_compared(subject, run, &format!("our simulation failed: {why}"))
 }
 
 /// A value of our simulation with its relative error.

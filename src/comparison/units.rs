@@ -14,29 +14,23 @@ enum What {
 
 use What::{Observed, Parameter};
 
-/// The guesses, the likeliest first: what is in another unit, the unit that it seems to have, and log10 of the wanted unit's number over
+/// The guesses, the likeliest first: what is in another unit, and each unit that it may have with log10 of the wanted unit's number over
 /// the one that was written.
-const GUESSES: [(What, &str, i32); 15] = [
-    (Parameter(Quantity::NormalStress), "MPa", 6),
-    (Parameter(Quantity::NormalStress), "kPa", 3),
-    (Parameter(Quantity::LoadingVelocity), "mm/s", -3),
-    (Parameter(Quantity::LoadingVelocity), "um/s", -6),
-    (Parameter(Quantity::CriticalSlipDistance), "um", -6),
-    (Parameter(Quantity::CriticalSlipDistance), "mm", -3),
-    (Parameter(Quantity::Stiffness), "MPa/m", 6),
-    (Parameter(Quantity::Stiffness), "GPa/m", 9),
-    (Observed(Observable::PeakVelocity), "mm/s", -3),
-    (Observed(Observable::PeakVelocity), "um/s", -6),
-    (Observed(Observable::StressDrop), "MPa", 6),
-    (Observed(Observable::StressDrop), "kPa", 3),
-    (Observed(Observable::Period), "ms", -3),
-    (Observed(Observable::Frequency), "kHz", 3),
-    (Observed(Observable::Frequency), "rad/s", 0),
+const GUESSES: [(What, &[(&str, i32)]); 8] = [
+    (Parameter(Quantity::NormalStress), &[("MPa", 6), ("kPa", 3)]),
+    (Parameter(Quantity::LoadingVelocity), &[("mm/s", -3), ("um/s", -6)]),
+    (Parameter(Quantity::CriticalSlipDistance), &[("um", -6), ("mm", -3)]),
+    (Parameter(Quantity::Stiffness), &[("MPa/m", 6), ("GPa/m", 9)]),
+    (Observed(Observable::PeakVelocity), &[("mm/s", -3), ("um/s", -6)]),
+    (Observed(Observable::StressDrop), &[("MPa", 6), ("kPa", 3)]),
+    (Observed(Observable::Period), &[("ms", -3)]),
+    (Observed(Observable::Frequency), &[("kHz", 3), ("rad/s", 0)]),
 ];
 
 /// The first guess with which every quantity of the run fits that can be compared, one number at least among them.
 pub fn diagnose(run: &StatedRun, simulate: Simulate<'_>) -> Option<String> {
-    GUESSES.iter().find_map(|&(what, seems, power)| {
+    let mut guesses = GUESSES.iter().flat_map(|(what, units)| units.iter().map(move |unit| (*what, *unit)));
+    guesses.find_map(|(what, (seems, power))| {
         let other = what.times_power_of_ten(power, run)?;
         let found = compare_as_stated(&other, simulate);
         let has_number = |finding: &&super::Finding| {

@@ -54,17 +54,14 @@ impl Finding {
             }
             Value::Number(run) => {
                 let all = others.iter().copied().chain([&*self]);
-                if let Some(ends) = sampled_range(all.filter_map(Self::our_number)) {
+                let ours = all.filter_map(|finding| match finding.ours {
+                    Value::Number(ours) => Some(ours.with_absolute_error()),
+                    Value::Word(_) | Value::None => None,
+                });
+                if let Some(ends) = sampled_range(ours) {
                     self.compare_with_range(run, ends, runs, tolerance);
                 }
             }
-        }
-    }
-
-    fn our_number(&self) -> Option<(f64, f64)> {
-        match self.ours {
-            Value::Number(ours) => Some(ours.with_absolute_error()),
-            Value::Word(_) | Value::None => None,
         }
     }
 
@@ -80,8 +77,8 @@ impl Finding {
         (self.range, self.difference, self.allowed) = (Some([low, high]), found.difference, found.allowed);
         (self.verdict, self.why) = match found.verdict {
             Agreement::NotCompared => (Agreement::NotCompared, found.why),
-            Agreement::Differs => (Agreement::Differs, range),
-            Agreement::Agrees | Agreement::AgreesWithinErrorBars => (Agreement::AgreesWithinErrorBars, range),
+            Agreement::Agrees => (Agreement::AgreesWithinErrorBars, range),
+            differs => (differs, range),
         };
     }
 }

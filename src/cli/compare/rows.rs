@@ -276,7 +276,7 @@ fn simulated_word(row: &ComparedRow, of: fn(&Simulation) -> &'static str) -> Dat
 /// The verdict on one quantity over all its references and origins; empty when the run does not give it.
 fn verdict_on(row: &ComparedRow, of: Observable) -> Datum {
     let verdicts = row.comparison.findings.iter().filter(|finding| finding.observable == of);
-    let verdict = Agreement::of_all(verdicts.map(|finding| finding.verdict));
+    let verdict = verdicts.map(|finding| finding.verdict).max();
     word(verdict.map_or("", Agreement::as_str))
 }
 

@@ -36,17 +36,12 @@ pub(crate) fn decay_of_returns(reduced: &Reduced) -> RecordedDecay {
         .map(|pair| libm::log(pair[1].swing() / pair[0].swing()) / pair[1].duration_s)
         .collect();
     let spread = |values: &[f64]| {
-        let (low, high) = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
-            (low.min(*value), high.max(*value))
-        });
-        high - low
+        let fold = |start, of: fn(f64, f64) -> f64| values.iter().copied().fold(start, of);
+        fold(f64::NEG_INFINITY, f64::max) - fold(f64::INFINITY, f64::min)
     };
-    let width = WINDOW.min(rates.len());
-    let windows = 0..if width < 2 { 0 } else { rates.len() + 1 - width };
-    let best = windows.min_by(|one, other| {
-        spread(&rates[*one..one + width]).total_cmp(&spread(&rates[*other..other + width]))
-    });
-    let Some(at) = best else {
+    let width = rates.len().clamp(2, WINDOW);
+    let windows = rates.windows(width).map(spread).enumerate();
+    let Some((at, spread_of_rates)) = windows.min_by(|one, other| one.1.total_cmp(&other.1)) else {
         return RecordedDecay {
             period_s: returns.last().map(|orbit| period(reduced, orbit, orbit.duration_s)),
             rate_per_s: None,
@@ -55,7 +50,7 @@ pub(crate) fn decay_of_returns(reduced: &Reduced) -> RecordedDecay {
     let durations: Vec<f64> = returns[at + 1..at + 1 + width].iter().map(|orbit| orbit.duration_s).collect();
     let orbit = &returns[at + 2];
     let swings = reduced.resolution(orbit, Return::swing) / orbit.swing();
-    let error = spread(&rates[at..at + width]) + 2.0 * swings / orbit.duration_s;
+    let error = spread_of_rates + 2.0 * swings / orbit.duration_s;
     let rate = Measured { value: rates[at + 1], relative_error: error / rates[at + 1].abs() };
     RecordedDecay { period_s: Some(period(reduced, orbit, spread(&durations))), rate_per_s: Some(rate) }
 }
@@ -72,14 +67,11 @@ pub(crate) fn decay_without_returns(recording: &Recording, log_level: f64) -> Op
     let (last, middle) = (deviations.last()?.abs(), deviations[deviations.len() / 2].abs());
     let is_dead = last <= NOISE * largest;
     let shrinks = last < 0.5 * middle && last < 0.1 * largest;
-    if !(is_dead || shrinks) {
-        return None;
-    }
-    let alive = deviations.iter().rposition(|value| value.abs() > NOISE * largest)?;
-    let is_small = |value: &f64| value.abs() < 0.1 * largest;
-    let begin = deviations[..=alive].iter().rposition(|value| !is_small(value)).map_or(0, |index| index + 1);
+    let is_alive = |value: &f64| value.abs() > NOISE * largest;
+    let alive = deviations.iter().rposition(is_alive).filter(|_| is_dead || shrinks)?;
+    let large = deviations[..=alive].iter().rposition(|value| value.abs() >= 0.1 * largest);
     let change = deviations[..=alive].windows(2).rposition(|pair| pair[0] * pair[1] <= 0.0);
-    let begin = begin.max(change.map_or(0, |index| index + 1));
+    let begin = large.max(change).map_or(0, |index| index + 1);
     Some(RecordedDecay { period_s: None, rate_per_s: rate(&recording.times_s, &deviations, begin, alive) })
 }
 
@@ -90,15 +82,11 @@ fn rate(times: &[f64], deviations: &[f64], begin: usize, end: usize) -> Option<M
     }
     let (from, to) = (times[begin], times[end]);
     let nearest = |time: f64| (begin..=end).find(|index| times[*index] >= time).unwrap_or(end);
-    let marks = [0.0, 1.0, 2.0, 3.0].map(|part| nearest(from + (to - from) * part / 3.0));
-    let slopes: Vec<f64> = marks
-        .windows(2)
-        .map(|pair| {
-            let fall = libm::log(deviations[pair[1]] / deviations[pair[0]]);
-            fall / (times[pair[1]] - times[pair[0]])
-        })
-        .collect();
-    let [_, before, last] = slopes[..] else { return None };
+    let [first, second, third] = [1.0, 2.0, 3.0].map(|part| nearest(from + (to - from) * part / 3.0));
+    let slope = |one: usize, other: usize| {
+        libm::log(deviations[other] / deviations[one]) / (times[other] - times[one])
+    };
+    let (before, last) = (slope(first, second), slope(second, third));
     let relative_error = (last - before).abs() / last.abs();
     relative_error.is_finite().then_some(Measured { value: last, relative_error })
 }

@@ -3,6 +3,7 @@
 use super::decay::{RecordedDecay, decay_of_returns, decay_without_returns};
 use super::returns::{Reduced, Return};
 use super::{LEAST_SAMPLES, Measured, Recording};
+use slipmode_core::dynamics::Behaviour;
 
 /// The long-term behaviour of a recording.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -24,11 +25,8 @@ pub enum RecordedBehaviour {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum Undecided {
     /// The recording is too short.
-    #[error("the trajectory has {samples} samples (needed: {LEAST_SAMPLES})")]
-    FewSamples {
-        /// Samples that there are.
-        samples: usize,
-    },
+    #[error("the trajectory has {0} samples (needed: {LEAST_SAMPLES})")]
+    FewSamples(usize),
     /// Neither enough cycles nor a decay.
     #[error(
         "the trajectory has {0} cycles after its first crossing of the loading velocity, and no decay (needed: 3 cycles)"
@@ -70,7 +68,7 @@ impl Recording {
     ) -> Result<RecordedBehaviour, Undecided> {
         let samples = self.times_s.len();
         if samples < LEAST_SAMPLES {
-            return Err(Undecided::FewSamples { samples });
+            return Err(Undecided::FewSamples(samples));
         }
         let reduced = Reduced::of(self, log_level, returns_per_cycle.max(1));
         let cycles = reduced.whole.len();
@@ -81,12 +79,9 @@ impl Recording {
             let decay = decay_without_returns(self, log_level);
             return decay.map(RecordedBehaviour::Decay).ok_or(Undecided::FewCycles(cycles));
         }
-        if is_still(&reduced.whole) {
-            return Ok(reduced.cycle(self.stresses_pa.is_empty()));
-        }
         match limit_of_swing(&reduced.whole, largest) {
-            Some(Limit::Zero) => Ok(RecordedBehaviour::Decay(decay_of_returns(&reduced))),
-            Some(Limit::Cycle) => Ok(reduced.cycle(self.stresses_pa.is_empty())),
+            Some(Behaviour::Decaying) => Ok(RecordedBehaviour::Decay(decay_of_returns(&reduced))),
+            Some(Behaviour::Periodic) => Ok(reduced.cycle(self.stresses_pa.is_empty())),
             None => {
                 let last = &reduced.whole[cycles - 3..];
                 let swing = |orbit: &Return| format!("{:.4}", orbit.swing() / std::f64::consts::LN_10);
@@ -151,33 +146,32 @@ fn is_still(whole: &[Return]) -> bool {
             || within(Return::stress_drop_pa, Return::stress_drop_error_pa))
 }
 
-enum Limit {
-    Zero,
-    Cycle,
-}
-
-/// Trend of the swing of the cycles; none if it is not known yet.
-fn limit_of_swing(whole: &[Return], largest: f64) -> Option<Limit> {
+/// What the trend of the swing of the cycles leads to; none if it is not known yet.
+fn limit_of_swing(whole: &[Return], largest: f64) -> Option<Behaviour> {
+    if is_still(whole) {
+        return Some(Behaviour::Periodic);
+    }
     let [first, second, third] = spaced(whole).map(Return::swing);
     if third <= DEAD * largest {
-        return Some(Limit::Zero);
+        return Some(Behaviour::Decaying);
     }
     let (before, after) = (second - first, third - second);
     let ratio = after / before;
+    let is_nearly_constant = after.abs() <= NEARLY_CONSTANT * third;
     if after.abs() <= STILL * third {
         // A decay as slow as this shows its ratio all the same; noise has none.
         let is_geometric = before.abs() > STILL * third && (0.9..1.0).contains(&ratio);
         if !is_geometric {
-            return Some(Limit::Cycle);
+            return Some(Behaviour::Periodic);
         }
     }
     if !(0.0..1.0).contains(&ratio) {
         // Cycles that scatter about a value have reached their limit; those that run away have not.
-        return (ratio < 0.0 && after.abs() <= NEARLY_CONSTANT * third).then_some(Limit::Cycle);
+        return (ratio < 0.0 && is_nearly_constant).then_some(Behaviour::Periodic);
     }
     match (third + after * ratio / (1.0 - ratio)) / third {
-        limit if limit < 0.2 => Some(Limit::Zero),
-        limit if (0.8..1.25).contains(&limit) && after.abs() <= NEARLY_CONSTANT * third => Some(Limit::Cycle),
+        limit if limit < 0.2 => Some(Behaviour::Decaying),
+        limit if (0.8..1.25).contains(&limit) && is_nearly_constant => Some(Behaviour::Periodic),
         _ => None,
     }
 }

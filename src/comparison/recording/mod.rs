@@ -73,12 +73,9 @@ impl Recording {
 
     /// Whether the stress falls for most of the time below the velocity of the load point, and rises above it: no spring is loaded so.
     pub(crate) fn has_reversed_stress(&self, log_level: f64) -> bool {
-        if self.stresses_pa.is_empty() {
-            return false;
-        }
         // Below and above: the time in which the stress falls, and the time in which it rises.
         let mut times_s = [[0.0; 2]; 2];
-        for at in 1..self.times_s.len() {
+        for at in 1..self.stresses_pa.len() {
             let [before, after] = [at - 1, at].map(|at| usize::from(self.log_velocities[at] > log_level));
             let rise = self.stresses_pa[at] - self.stresses_pa[at - 1];
             if before == after && rise != 0.0 {

@@ -81,17 +81,17 @@ fn orbit(recording: &Recording, log_level: f64, pair: &[UpwardCrossing]) -> Retu
     let samples = pair[0].sample + 1..pair[1].sample + 1;
     let near = |values: &[f64], sign: f64| {
         let order = |one: &usize, other: &usize| (sign * values[*one]).total_cmp(&(sign * values[*other]));
-        let best = samples.clone().max_by(order);
-        best.map(|index| (values[index], Extreme::near(times_s, values, index, sign)))
+        let best = samples.clone().max_by(order).unwrap_or(samples.start);
+        (values[best], Extreme::near(times_s, values, best, sign))
     };
-    let of_velocity = |sign| match near(log_velocities, sign) {
-        Some((_, Extreme { value, error })) => Extreme { value: value - log_level, error },
-        None => Extreme::NONE,
+    let of_velocity = |sign| {
+        let (_, Extreme { value, error }) = near(log_velocities, sign);
+        Extreme { value: value - log_level, error }
     };
     let trough = of_velocity(-1.0);
-    let of_stress = |sign| match near(stresses_pa, sign) {
-        Some((sample, near)) => near.within(sample, reach(recording, pair, trough.value, sign)),
-        None => Extreme::NONE,
+    let of_stress = |sign| {
+        let (sample, near) = near(stresses_pa, sign);
+        near.within(sample, reach(recording, pair, trough.value, sign))
     };
     Return {
         end_s: pair[1].time_s,
