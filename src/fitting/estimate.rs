@@ -81,18 +81,9 @@ pub enum FitFailure {
         "the record does not determine D_c: the best value is far below the way between two samples, or far beyond the way after a step"
     )]
     Unresolved,
-    /// A parameter that no material has.
-    #[error("the best {} is {value:.3e} (wanted: {low:e} to {high:e}; is a column in another unit?)", .parameter.as_str())]
-    Absurd {
-        /// The parameter.
-        parameter: Parameter,
-        /// Its value.
-        value: f64,
-        /// The smallest and the largest that are taken for possible.
-        low: f64,
-        /// The largest.
-        high: f64,
-    },
+    /// A parameter that no material has: its value, the smallest and the largest that are taken for possible.
+    #[error("the best {0} is {1:.3e} (wanted: {low:e} to {high:e}; is a column in another unit?)", low = .2[0], high = .2[1])]
+    Absurd(Parameter, f64, [f64; 2]),
 }
 
 /// Two laws on the same record.
@@ -163,10 +154,10 @@ const LEAST_SAMPLES: f64 = 1.0;
 /// When no parameters follow the record, its sign is reversed, or it does not determine them.
 fn fit(record: &StepRecord, given: &FitGiven) -> Result<Fit, FitFailure> {
     let problem = FitProblem::new(record, given);
-    let best = best_minimum(problem, &given.free());
+    let best = best_minimum(problem);
     let cost = best.as_ref().map_or(f64::INFINITY, |best| best.cost);
     if cost > UNEXPLAINED * spread(record) && is_reversed(problem, cost) {
-        let step = record.strides().nth(1).map_or(0, |(samples, _)| samples.start);
+        let step = record.path.strides().nth(1).map_or(0, |(samples, _)| samples.start);
         return Err(FitFailure::WrongSign(step + 1));
     }
     completed(problem, best.ok_or(FitFailure::NoMinimum(NO_END))?)
@@ -180,22 +171,22 @@ fn spread(record: &StepRecord) -> f64 {
 
 /// Completes a minimum, or a better one that its profiles meet.
 fn completed(problem: FitProblem<'_>, mut best: Minimum) -> Result<Fit, FitFailure> {
-    let free = problem.given.free();
     let mut runs = best.runs;
     for _ in 0..RESTARTS {
-        match complete(problem, &best, &free, &mut runs)? {
-            Completed::Fit(fit) => return Ok(*fit),
-            Completed::Better(point) => {
-                let found = minimise(problem, &point, &free, LONG).filter(|found| found.cost < best.cost);
-                best = found.ok_or(FitFailure::NoMinimum(INDEFINITE))?;
-            }
-        }
+        let point = match complete(problem, &best, &mut runs)? {
+            Ok(fit) => return Ok(fit),
+            Err(better) => better,
+        };
+        let found = minimise(problem, &point, &problem.given.free(), LONG);
+        let better = found.filter(|found| found.cost < best.cost);
+        best = better.ok_or(FitFailure::NoMinimum(INDEFINITE))?;
     }
     Err(FitFailure::NoMinimum(INDEFINITE))
 }
 
 /// Short searches from all starts, and long ones from where the best of them end.
-fn best_minimum(problem: FitProblem<'_>, free: &[Parameter]) -> Option<Minimum> {
+fn best_minimum(problem: FitProblem<'_>) -> Option<Minimum> {
+    let free = &problem.given.free();
     let by_cost = |one: &Minimum, other: &Minimum| one.cost.total_cmp(&other.cost);
     let mut rough: Vec<Minimum> =
         starts(problem).into_iter().filter_map(|(start, _)| minimise(problem, &start, free, SHORT)).collect();
@@ -224,22 +215,17 @@ fn is_reversed(problem: FitProblem<'_>, cost: f64) -> bool {
     let before = problem.record.frictions[0];
     let mirrored = problem.record.frictions.iter().map(|friction| 2.0 * before - friction).collect();
     let record = problem.record.with_frictions(mirrored);
-    let problem = FitProblem::new(&record, problem.given);
-    best_minimum(problem, &problem.given.free()).is_some_and(|found| cost > SIGN_FACTOR * found.cost)
-}
-
-enum Completed {
-    Fit(Box<Fit>),
-    Better(Point),
+    let found = best_minimum(FitProblem::new(&record, problem.given));
+    found.is_some_and(|found| cost > SIGN_FACTOR * found.cost)
 }
 
 /// Errors, intervals and correlations at a minimum; or a point where the sum of squares is smaller.
 fn complete(
     problem: FitProblem<'_>,
     minimum: &Minimum,
-    free: &[Parameter],
     runs: &mut usize,
-) -> Result<Completed, FitFailure> {
+) -> Result<Result<Fit, Point>, FitFailure> {
+    let free = &problem.given.free();
     check_possible(&minimum.point, free)?;
     if problem.is_unresolved(&minimum.point) {
         return Err(FitFailure::Unresolved);
@@ -254,14 +240,14 @@ fn complete(
         let profile = profiler.profile(index);
         *runs += profile.points.len();
         if let Some(point) = profile.better {
-            return Ok(Completed::Better(point));
+            return Ok(Err(point));
         }
         // Without one neighbour that can be fitted, the best value is none.
         if profile.points.len() == 1 {
             return Err(FitFailure::NoMinimum(INDEFINITE));
         }
         let coordinate = minimum.point[*parameter as usize];
-        let value = parameter.value(coordinate);
+        let value = parameter.at(&minimum.point);
         let error = residuals.standard_deviation * (residuals.inflation * covariance[(index, index)]).sqrt();
         let half_width = profiler.half_width(index);
         let to_end = half_width / residuals.inflation.sqrt() * error;
@@ -276,13 +262,12 @@ fn complete(
         });
     }
     let variance = residuals.standard_deviation * residuals.standard_deviation * residuals.inflation;
-    let distance =
-        Parameter::CriticalSlipDistance.value(minimum.point[Parameter::CriticalSlipDistance as usize]);
+    let distance = Parameter::CriticalSlipDistance.at(&minimum.point);
     let samples_per_slip_distance = samples_per_slip_distance(problem.record, distance);
     if samples_per_slip_distance < LEAST_SAMPLES {
         return Err(FitFailure::TooFewSamples(samples_per_slip_distance));
     }
-    Ok(Completed::Fit(Box::new(Fit {
+    Ok(Ok(Fit {
         given: *problem.given,
         estimates,
         point: minimum.point,
@@ -292,7 +277,7 @@ fn complete(
         cost: minimum.cost,
         samples_per_slip_distance,
         runs: *runs,
-    })))
+    }))
 }
 
 fn check_possible(point: &Point, free: &[Parameter]) -> Result<(), FitFailure> {
@@ -302,9 +287,9 @@ fn check_possible(point: &Point, free: &[Parameter]) -> Result<(), FitFailure> {
             Parameter::CriticalSlipDistance => POSSIBLE_DISTANCE_M,
             _ => continue,
         };
-        let value = parameter.value(point[*parameter as usize]);
+        let value = parameter.at(point);
         if !(low..=high).contains(&value) {
-            return Err(FitFailure::Absurd { parameter: *parameter, value, low, high });
+            return Err(FitFailure::Absurd(*parameter, value, [low, high]));
         }
     }
     Ok(())
@@ -327,7 +312,7 @@ fn samples_per_slip_distance(record: &StepRecord, distance_m: f64) -> f64 {
         let density = distance_m / if count == 0 { way(start + 1) } else { way(samples.end).min(distance_m) };
         density * count.max(1) as f64
     };
-    record.strides().skip(1).filter(is_step).map(within).fold(f64::INFINITY, f64::min)
+    record.path.strides().skip(1).filter(is_step).map(within).fold(f64::INFINITY, f64::min)
 }
 
 impl Fit {

@@ -5,7 +5,7 @@ use nalgebra::storage::Owned;
 use nalgebra::{DMatrix, DVector, Dyn};
 
 use super::parameter::{Parameter, Point};
-use super::problem::{Evaluated, FitProblem, Precision, sum_of_squares};
+use super::problem::{Evaluated, FINE, FitProblem, MEDIUM, sum_of_squares};
 
 /// A minimum.
 #[derive(Debug, Clone)]
@@ -30,16 +30,16 @@ const TOLERANCE: f64 = 1e-11;
 pub struct Effort {
     /// Runs for each coordinate, at most.
     patience: usize,
-    /// How exactly runs are computed.
-    precision: Precision,
+    /// The permitted local error of the runs.
+    local_tolerance: f64,
 }
 
 /// A search to the end.
-pub const LONG: Effort = Effort { patience: 30, precision: Precision::Fine };
+pub const LONG: Effort = Effort { patience: 30, local_tolerance: FINE };
 /// A search from next to its end, along a profile.
-pub const NEAR: Effort = Effort { patience: 8, precision: Precision::Fine };
+pub const NEAR: Effort = Effort { patience: 8, local_tolerance: FINE };
 /// A search that only tells which start is best.
-pub const SHORT: Effort = Effort { patience: 5, precision: Precision::Medium };
+pub const SHORT: Effort = Effort { patience: 5, local_tolerance: MEDIUM };
 
 /// Searches the least sum of squares over these parameters; the others stay. None where the start has no run.
 pub fn minimise(
@@ -48,14 +48,10 @@ pub fn minimise(
     free: &[Parameter],
     effort: Effort,
 ) -> Option<Minimum> {
-    let evaluated = problem.evaluate(start, effort.precision, true)?;
-    if free.is_empty() {
-        let cost = sum_of_squares(&evaluated.residuals);
-        return Some(Minimum { point: *start, evaluated, cost, runs: 1, is_converged: true });
-    }
-    let precision = effort.precision;
-    let search = Search { problem, free, precision, point: *start, evaluated: Some(evaluated) };
-    let method = LevenbergMarquardt::new().with_tol(TOLERANCE).with_patience(effort.patience);
+    let Effort { patience, local_tolerance } = effort;
+    let evaluated = Some(problem.evaluate(start, local_tolerance, true)?);
+    let search = Search { problem, free, local_tolerance, point: *start, evaluated };
+    let method = LevenbergMarquardt::new().with_tol(TOLERANCE).with_patience(patience);
     let (search, report) = method.minimize(search);
     let evaluated = search.evaluated?;
     let cost = sum_of_squares(&evaluated.residuals);
@@ -69,7 +65,7 @@ pub fn minimise(
 struct Search<'r> {
     problem: FitProblem<'r>,
     free: &'r [Parameter],
-    precision: Precision,
+    local_tolerance: f64,
     point: Point,
     evaluated: Option<Evaluated>,
 }
@@ -86,14 +82,12 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Search<'_> {
         for (parameter, value) in self.free.iter().zip(values.iter()) {
             self.point[*parameter as usize] = *value;
         }
-        self.evaluated = self.problem.evaluate(&self.point, self.precision, true);
+        self.evaluated = self.problem.evaluate(&self.point, self.local_tolerance, true);
     }
 
     fn params(&self) -> DVector<f64> {
-        DVector::from_iterator(
-            self.free.len(),
-            self.free.iter().map(|parameter| self.point[*parameter as usize]),
-        )
+        let values = self.free.iter().map(|parameter| self.point[*parameter as usize]);
+        DVector::from_iterator(self.free.len(), values)
     }
 
     fn residuals(&self) -> Option<DVector<f64>> {

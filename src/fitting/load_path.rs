@@ -1,5 +1,7 @@
 //! The path of the load point as straight pieces: where its velocity changes, and by how much.
 
+use std::ops::Range;
+
 /// The path of a load point in pieces of constant velocity.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoadPath {
@@ -15,6 +17,13 @@ pub struct LoadPath {
 const MOST_PIECES: usize = 300;
 
 impl LoadPath {
+    /// The samples between two steps of velocity, the first one at the step, and the velocity of the load point there, m/s.
+    pub fn strides(&self) -> impl Iterator<Item = (Range<usize>, f64)> {
+        let starts = [0].into_iter().chain(self.ends.iter().copied());
+        let velocities = self.velocities_m_per_s.iter().copied();
+        starts.zip(&self.ends).map(|(start, end)| start..*end).zip(velocities)
+    }
+
     /// Straight pieces through these displacements (m), as long as they can be without a miss of more than the resolution (m).
     ///
     /// Where that needs more than 300 pieces, the resolution is doubled until it does not.

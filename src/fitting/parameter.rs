@@ -40,6 +40,11 @@ impl Parameter {
         if self.is_logarithmic() { libm::exp(coordinate) } else { coordinate }
     }
 
+    /// The value at a point.
+    pub(crate) fn at(self, point: &Point) -> f64 {
+        self.value(point[self as usize])
+    }
+
     /// Its symbol.
     #[must_use]
     pub const fn symbol(self) -> &'static str {
@@ -68,13 +73,12 @@ impl Parameter {
 /// The slider of a point.
 #[must_use]
 pub fn slider(point: &Point, mass_per_area_kg_per_m2: Option<f64>, law: EvolutionLaw) -> DrivenSlider {
-    let value = |parameter: Parameter| parameter.value(point[parameter as usize]);
     DrivenSlider {
-        direct_effect: value(Parameter::DirectEffect),
-        evolution_effect: value(Parameter::EvolutionEffect),
-        critical_slip_distance_m: value(Parameter::CriticalSlipDistance),
-        stiffness_pa_per_m: value(Parameter::Stiffness),
-        reference_friction: value(Parameter::ReferenceFriction),
+        direct_effect: Parameter::DirectEffect.at(point),
+        evolution_effect: Parameter::EvolutionEffect.at(point),
+        critical_slip_distance_m: Parameter::CriticalSlipDistance.at(point),
+        stiffness_pa_per_m: Parameter::Stiffness.at(point),
+        reference_friction: Parameter::ReferenceFriction.at(point),
         mass_per_area_kg_per_m2,
         law,
     }

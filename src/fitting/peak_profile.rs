@@ -1,7 +1,6 @@
 //! The sum of squares of a table of peak velocities over S, with K/K_c,qs fitted at each S: its minimum and the ends of its interval.
 
 use slipmode_core::dynamics::{DEEP, DeepCycle, PeakLaw};
-use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::search::{border_between, golden_section};
 
 use super::peak_rows::{PeakFailure, PeakGiven, PeakRow, UNKNOWNS, noise};
@@ -20,9 +19,7 @@ const WIDTH: f64 = 1e-9;
 pub(super) struct Case<'t> {
     pub rows: &'t [PeakRow],
     pub given: &'t PeakGiven,
-    pub name: EvolutionLaw,
     pub law: PeakLaw,
-    pub effect_ratio: f64,
     pub loss: f64,
     /// The largest K/K_c,qs.
     pub deepest: f64,
@@ -50,7 +47,7 @@ pub(super) struct Held {
 impl Case<'_> {
     /// κ and V_l/S of a row.
     fn groups(&self, row: &PeakRow, scale: f64, log_softness: f64) -> [f64; 2] {
-        let kappa = (self.effect_ratio - 1.0) * libm::exp(log_softness) / row.stress;
+        let kappa = (self.law.effect_ratio - 1.0) * libm::exp(log_softness) / row.stress;
         [kappa, row.load_m_per_s / (scale * row.stress)]
     }
 
@@ -83,7 +80,7 @@ impl Case<'_> {
         let peak = first.peak_m_per_s / (scale * first.stress);
         let loading = first.load_m_per_s / first.peak_m_per_s;
         let rough = self.law.remainder(&DeepCycle { peak, loading, stiffness_group: 1.0 });
-        let mut start = (rough - libm::log(self.effect_ratio - 1.0)).clamp(low, high);
+        let mut start = (rough - libm::log(self.law.effect_ratio - 1.0)).clamp(low, high);
         let mut best = loop {
             match self.at(scale, start) {
                 Some(held) => break held,
@@ -150,7 +147,7 @@ impl Case<'_> {
     }
 
     pub fn fit(&self) -> Result<CaseFit, PeakFailure> {
-        let not_deep = PeakFailure::NotDeep(self.name);
+        let not_deep = PeakFailure::NotDeep(self.law.law);
         let places = self.places();
         let costs: Vec<f64> = places.iter().map(|place| self.cost(*place)).collect();
         let best = (0..costs.len()).min_by(|one, other| costs[*one].total_cmp(&costs[*other])).unwrap_or(0);
@@ -162,7 +159,7 @@ impl Case<'_> {
         }
         let beside = (places[best - 1], places[(best + 1).min(costs.len() - 1)]);
         let at = golden_section(|place| Some(self.cost(place)), beside, WIDTH).unwrap_or(places[best]);
-        let held = self.held(at).ok_or(PeakFailure::NotDeep(self.name))?;
+        let held = self.held(at).ok_or(not_deep.clone())?;
         // At the bound of deep stick-slip: stiffer sliders must not fit far better.
         if self.deepest == DEEP && held.log_softness >= libm::log(DEEP) {
             let stiffer = Case { deepest: NOT_DEEP, ..*self }.fit();
@@ -205,6 +202,7 @@ impl Case<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use slipmode_core::friction::EvolutionLaw;
 
     /// A table of either law, with deviations that no K/K_c,qs explains.
     fn table(law: EvolutionLaw) -> Vec<PeakRow> {
@@ -232,9 +230,7 @@ mod tests {
             let with = |loss: f64, deepest: f64| Case {
                 rows: &rows,
                 given: &given,
-                name: law,
                 law: PeakLaw::new(law, 1.5),
-                effect_ratio: 1.5,
                 loss,
                 deepest,
             };

@@ -67,7 +67,7 @@ pub enum PeakFailure {
     },
     /// The peaks do not follow the law.
     #[error(
-        "the peaks are not those of deep stick-slip with the {} law: they require K/K_c,qs above {DEEP}, or fall too steeply", .0.as_str()
+        "the peaks are not those of deep stick-slip with the {0} law: they require K/K_c,qs above {DEEP}, or fall too steeply"
     )]
     NotDeep(EvolutionLaw),
     /// The peaks do not fall.

@@ -127,15 +127,7 @@ fn fit_law(rows: &[PeakRow], given: &PeakGiven, law: EvolutionLaw) -> Result<Pea
     let ratios: Vec<f64> = (0..count).map(|n| 1.0 + libm::exp(low + (high - low) * part(n))).collect();
     let at = |ratio: &f64| {
         let peak_law = PeakLaw::new(law, *ratio);
-        LOSSES.map(|loss| Case {
-            rows,
-            given,
-            name: law,
-            law: peak_law,
-            effect_ratio: *ratio,
-            loss,
-            deepest: DEEP,
-        })
+        LOSSES.map(|loss| Case { rows, given, law: peak_law, loss, deepest: DEEP })
     };
     let cases: Vec<Case> = ratios.iter().flat_map(at).collect();
     let fits: Vec<Result<CaseFit, PeakFailure>> = parallel::map(&cases, |case| case.fit());

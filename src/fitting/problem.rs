@@ -31,27 +31,12 @@ impl FitGiven {
     }
 }
 
-/// How exactly a run is computed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Precision {
-    /// A run that a minimum is found on.
-    Fine,
-    /// One of a short search: under one normal stress, if it changes often.
-    Medium,
-    /// One that starts are compared on: the same.
-    Coarse,
-}
-
-impl Precision {
-    /// The permitted local error.
-    const fn local_tolerance(self) -> f64 {
-        match self {
-            Self::Fine => 1e-9,
-            Self::Medium => 1e-6,
-            Self::Coarse => 1e-4,
-        }
-    }
-}
+/// The permitted local error of a run that a minimum is found on.
+pub const FINE: f64 = 1e-9;
+/// That of a run of a short search: under one normal stress, if it changes often.
+pub const MEDIUM: f64 = 1e-6;
+/// That of a run that starts are compared on: the same.
+const COARSE: f64 = 1e-4;
 
 /// Most steps of a run, and for each piece of the record: a slider that is stable next to its transition needs a few hundred.
 const MOST_STEPS: u64 = 3_000;
@@ -96,7 +81,7 @@ impl<'r> FitProblem<'r> {
     }
 
     /// The residuals at a point; none where the slider has no run through the record in a permitted number of steps.
-    pub fn evaluate(&self, point: &Point, precision: Precision, with_derivatives: bool) -> Option<Evaluated> {
+    pub fn evaluate(&self, point: &Point, local_tolerance: f64, with_derivatives: bool) -> Option<Evaluated> {
         if point.iter().take(4).any(|coordinate| coordinate.is_nan() || coordinate.abs() > FARTHEST) {
             return None;
         }
@@ -106,11 +91,10 @@ impl<'r> FitProblem<'r> {
         }
         let slider = slider(point, self.given.mass_per_area_kg_per_m2, self.given.law);
         let record = self.record;
-        let few = record.few_pieces.as_ref().filter(|_| precision != Precision::Fine);
+        let few = record.few_pieces.as_ref().filter(|_| local_tolerance > FINE);
         let pieces = few.unwrap_or(&record.pieces);
         let weight = |sample: usize| if few.is_some() { 1.0 } else { record.weights[sample] };
         let most_steps = MOST_STEPS + STEPS_PER_PIECE * pieces.len() as u64;
-        let local_tolerance = precision.local_tolerance();
         let control = DrivenControl { local_tolerance, most_steps, with_derivatives };
         let driven = drive(&slider, pieces, &record.times_s, control).ok()?;
         let drift = point[Parameter::Drift as usize];
@@ -137,7 +121,7 @@ impl<'r> FitProblem<'r> {
 
     /// The sum of squared residuals at a point, from a coarse run.
     pub fn coarse_cost(&self, point: &Point) -> Option<f64> {
-        Some(sum_of_squares(&self.evaluate(point, Precision::Coarse, false)?.residuals))
+        Some(sum_of_squares(&self.evaluate(point, COARSE, false)?.residuals))
     }
 }
 

@@ -124,13 +124,6 @@ impl StepRecord {
         round_digits(velocity, VELOCITY_DIGITS).parse().unwrap_or(velocity)
     }
 
-    /// The samples between two steps of velocity, the first one at the step, and the velocity of the load point there, m/s.
-    pub fn strides(&self) -> impl Iterator<Item = (std::ops::Range<usize>, f64)> {
-        let starts = [0].into_iter().chain(self.path.ends.iter().copied());
-        let velocities = self.path.velocities_m_per_s.iter().copied();
-        starts.zip(&self.path.ends).map(|(start, end)| start..*end).zip(velocities)
-    }
-
     /// What a difference in friction is multiplied by to be one of what was measured, over the normal stress at the start.
     #[must_use]
     pub fn scale(&self, sample: usize) -> f64 {
@@ -156,7 +149,7 @@ impl StepRecord {
 
     /// The shortest way from one sample to the next after a step, on average between two steps, and the longest way after a step, m.
     pub(crate) fn ways_m(&self) -> [f64; 2] {
-        let strides = self.strides().skip(1).filter(|(_, velocity)| *velocity > 0.0);
+        let strides = self.path.strides().skip(1).filter(|(_, velocity)| *velocity > 0.0);
         strides.fold([f64::INFINITY, 0.0f64], |[shortest, longest], (samples, _)| {
             let way = (self.displacements_m[samples.end] - self.displacements_m[samples.start]).abs();
             [shortest.min(way / samples.len() as f64), longest.max(way)]
@@ -189,19 +182,17 @@ impl Load {
 /// The pieces of the path, cut wherever the normal stress changes.
 fn pieces(times_s: &[f64], path: &LoadPath, normal_stresses_pa: &[f64]) -> Vec<Piece> {
     let mut pieces: Vec<Piece> = Vec::new();
-    let mut start = 0;
-    for (end, velocity) in path.ends.iter().zip(&path.velocities_m_per_s) {
-        for sample in start..*end {
-            let is_last = sample + 1 == *end;
+    for (samples, velocity) in path.strides() {
+        for sample in samples.clone() {
+            let is_last = sample + 1 == samples.end;
             if is_last || normal_stresses_pa[sample + 1] != normal_stresses_pa[sample] {
                 pieces.push(Piece {
                     until_s: times_s[sample + 1],
-                    load_point_velocity_m_per_s: *velocity,
+                    load_point_velocity_m_per_s: velocity,
                     normal_stress_pa: normal_stresses_pa[sample],
                 });
             }
         }
-        start = *end;
     }
     pieces
 }

@@ -70,36 +70,27 @@ pub fn faults(times_s: &[f64], ratios: &[f64], path: Option<&LoadPath>) -> Vec<R
 fn velocity_fault(path: &LoadPath) -> Option<RecordFault> {
     let velocities = &path.velocities_m_per_s;
     let first = velocities[0];
-    let fault = |sample, reason: String| Some(RecordFault { sample, column: Some(Column::Load), reason });
-    let fastest = velocities.iter().fold(first, |fastest, velocity| fastest.max(*velocity));
-    let slowest = velocities.iter().fold(first, |slowest, velocity| slowest.min(*velocity));
-    if slowest < -0.1 * fastest {
-        return fault(
-            Some(0),
-            format!(
-                "the load point moves at {slowest:.3e} m/s (wanted: forward motion; is its sign reversed?)"
-            ),
-        );
-    }
-    if first <= 0.0 {
-        let wanted = "steady sliding at a positive velocity before the first step";
-        return fault(Some(0), format!("the load point moves at {} m/s (wanted: {wanted})", shortest(first)));
-    }
+    let [slowest, fastest] = ends(velocities);
     let [least, most] = POSSIBLE_VELOCITY;
-    if let Some(velocity) = [first, fastest].into_iter().find(|velocity| !(least..=most).contains(velocity)) {
-        let reason = format!(
-            "the load point moves at {velocity:.3e} m/s (wanted: {least:e} to {most} m/s; is the column, or the time, in another unit?)"
-        );
-        return fault(None, reason);
-    }
-    if fastest < LEAST_RATIO * slowest {
-        let reason = format!(
-            "no velocity step: the load point moves at {} m/s throughout (wanted: a step by a factor of at least {LEAST_RATIO})",
-            round_digits(first, 6)
-        );
-        return fault(None, reason);
-    }
-    None
+    let impossible = [first, fastest].into_iter().find(|velocity| !(least..=most).contains(velocity));
+    let (sample, reason) = if slowest < -0.1 * fastest {
+        let wanted = "forward motion; is its sign reversed?";
+        (Some(0), format!("the load point moves at {slowest:.3e} m/s (wanted: {wanted})"))
+    } else if first <= 0.0 {
+        let wanted = "steady sliding at a positive velocity before the first step";
+        (Some(0), format!("the load point moves at {} m/s (wanted: {wanted})", shortest(first)))
+    } else if let Some(velocity) = impossible {
+        let wanted = format!("{least:e} to {most} m/s; is the column, or the time, in another unit?");
+        (None, format!("the load point moves at {velocity:.3e} m/s (wanted: {wanted})"))
+    } else if fastest < LEAST_RATIO * slowest {
+        let velocity = round_digits(first, 6);
+        let wanted = format!("a step by a factor of at least {LEAST_RATIO}");
+        let found = format!("no velocity step: the load point moves at {velocity} m/s throughout");
+        (None, format!("{found} (wanted: {wanted})"))
+    } else {
+        return None;
+    };
+    Some(RecordFault { sample, column: Some(Column::Load), reason })
 }
 
 /// The sizes of the first sample and of the largest one.
@@ -123,8 +114,7 @@ fn friction_fault(ratios: &[f64]) -> Option<RecordFault> {
 /// A sensor at the end of its range repeats its largest or smallest value.
 fn clipped(ratios: &[f64]) -> Option<RecordFault> {
     let most = CLIPPED.max((CLIPPED_SHARE * ratios.len() as f64) as usize);
-    let largest = ratios.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    let smallest = ratios.iter().copied().fold(f64::INFINITY, f64::min);
+    let [smallest, largest] = ends(ratios);
     let mut start = 0;
     for run in ratios.chunk_by(|one, other| one == other) {
         let is_extreme = run[0] == largest || run[0] == smallest;
@@ -145,11 +135,7 @@ fn clipped(ratios: &[f64]) -> Option<RecordFault> {
 /// A distance of two samples that is far longer than those before and those after.
 fn gap(times_s: &[f64]) -> Option<RecordFault> {
     let steps: Vec<f64> = times_s.windows(2).map(|pair| pair[1] - pair[0]).collect();
-    let usual = |range: std::ops::Range<usize>| {
-        let mut near = steps[range].to_vec();
-        near.sort_by(f64::total_cmp);
-        near.get(near.len() / 2).copied()
-    };
+    let usual = |range: std::ops::Range<usize>| median(steps[range].to_vec());
     (1..steps.len().saturating_sub(1)).find_map(|index| {
         let before = usual(index.saturating_sub(NEIGHBOURS)..index)?;
         let after = usual(index + 1..(index + 1 + NEIGHBOURS).min(steps.len()))?;
@@ -167,19 +153,15 @@ fn gap(times_s: &[f64]) -> Option<RecordFault> {
 
 /// Drops within pieces of constant velocity: a friction law whose steady sliding is stable has none.
 fn events(ratios: &[f64], path: &LoadPath) -> Option<RecordFault> {
-    let range = |values: &[f64]| {
-        let largest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        largest - values.iter().copied().fold(f64::INFINITY, f64::min)
-    };
-    let least = (EVENT_SHARE * range(ratios)).max(ABOVE_NOISE * noise(ratios));
-    let starts = [0].into_iter().chain(path.ends.iter().copied());
-    starts.zip(&path.ends).find_map(|(start, end)| {
-        let drops = drops(&ratios[start..=*end], least);
+    let [smallest, largest] = ends(ratios);
+    let least = (EVENT_SHARE * (largest - smallest)).max(ABOVE_NOISE * noise(ratios));
+    path.strides().find_map(|(samples, _)| {
+        let drops = drops(&ratios[samples.start..=samples.end], least);
         // After a step next to the transition the friction oscillates, less and less.
         let largest = drops.iter().copied().fold(0.0, f64::max);
         let goes_on = drops.last().is_some_and(|last| *last > GOES_ON * largest);
         (drops.len() >= EVENTS && goes_on).then(|| RecordFault {
-            sample: Some(start),
+            sample: Some(samples.start),
             column: Some(Column::Response),
             reason: format!(
                 "{} drops of the friction at constant velocity from here on: stick-slip (wanted: sliding that becomes steady after each step)",
@@ -189,12 +171,22 @@ fn events(ratios: &[f64], path: &LoadPath) -> Option<RecordFault> {
     })
 }
 
+/// The smallest and the largest value.
+fn ends(values: &[f64]) -> [f64; 2] {
+    values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(*x), high.max(*x)])
+}
+
+/// The upper median.
+fn median(mut values: Vec<f64>) -> Option<f64> {
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied()
+}
+
 /// The standard deviation of a noise of independent samples, from the median change between neighbours.
 fn noise(values: &[f64]) -> f64 {
-    let mut changes: Vec<f64> = values.windows(2).map(|pair| (pair[1] - pair[0]).abs()).collect();
-    changes.sort_by(f64::total_cmp);
+    let changes = values.windows(2).map(|pair| (pair[1] - pair[0]).abs());
     // The median size of a normal variable is 0.6745 of its deviation, and a difference has twice the variance.
-    changes.get(changes.len() / 2).map_or(0.0, |median| median / (0.6745 * std::f64::consts::SQRT_2))
+    median(changes.collect()).map_or(0.0, |median| median / (0.6745 * std::f64::consts::SQRT_2))
 }
 
 /// By how much values fall, where they fall by at least this much before they rise by it again.

@@ -3,7 +3,7 @@
 use nalgebra::DVector;
 
 use super::estimate::Fit;
-use super::parameter::slider;
+use super::parameter::Parameter;
 use slipmode_core::friction::{OperatingPoint, Parameters, Slider};
 use slipmode_core::number::Rational;
 use slipmode_core::number::split_mix::SplitMix64;
@@ -34,15 +34,9 @@ pub fn sampled_modes(
         for (estimate, offset) in fit.estimates.iter().zip(offsets.iter()) {
             sample[estimate.parameter as usize] += offset;
         }
-        let found = slider(&sample, Some(mass), fit.given.law);
-        let values = [
-            found.direct_effect,
-            found.evolution_effect,
-            found.critical_slip_distance_m,
-            found.stiffness_pa_per_m,
-            mass,
-        ];
-        let [Some(a), Some(b), Some(d), Some(k), Some(m)] = values.map(Rational::from_f64) else { continue };
+        let [a, b, d, k, ..] = Parameter::ALL.map(|parameter| parameter.at(&sample));
+        let values = [a, b, d, k, mass].map(Rational::from_f64);
+        let [Some(a), Some(b), Some(d), Some(k), Some(m)] = values else { continue };
         let parameters = Parameters { slider: Slider::from([a, b, d, k, m]), point: point.clone() };
         let mode = classify(&parameters, threshold).slip_mode;
         match counts.iter_mut().find(|(known, _)| *known == mode) {

@@ -52,14 +52,13 @@ pub fn starts(problem: FitProblem<'_>) -> Vec<(Point, f64)> {
 impl Readings {
     fn of(record: &StepRecord) -> Option<Self> {
         let ratios = &record.frictions;
-        let levels: Vec<f64> = record.strides().map(|(samples, _)| steady(&ratios[samples])).collect();
+        let levels: Vec<f64> = record.path.strides().map(|(samples, _)| steady(&ratios[samples])).collect();
         let reference = record.reference_velocity_m_per_s();
-        let logs: Vec<Option<f64>> =
-            record.strides().map(|(_, velocity)| log_ratio(velocity, reference)).collect();
         let [mut product, mut square] = [0.0; 2];
-        for ((samples, _), (level, log)) in record.strides().zip(levels.iter().zip(&logs)) {
+        let at_levels = record.path.strides().zip(&levels);
+        for ((samples, velocity), level) in at_levels.filter(|((_, velocity), _)| *velocity > 0.0) {
+            let log = libm::log(velocity / reference);
             // Longer pieces are nearer to steady sliding at their end.
-            let Some(log) = log else { continue };
             let weight = record.times_s[samples.end] - record.times_s[samples.start];
             product += weight * log * (level - levels[0]);
             square += weight * log * log;
@@ -72,7 +71,7 @@ impl Readings {
         };
         let mut velocity = reference;
         let moving = |velocity: f64| velocity.max(AT_REST * reference);
-        for ((samples, after), level) in record.strides().skip(1).zip(&levels) {
+        for ((samples, after), level) in record.path.strides().skip(1).zip(&levels) {
             let stop = under_one_normal_stress(record, samples.clone());
             readings.read_step((&record.times_s, ratios), stop, *level, [velocity, after].map(moving));
             velocity = after;
@@ -148,9 +147,4 @@ fn steady(frictions: &[f64]) -> f64 {
     let from = ((1.0 - STEADY_SHARE) * frictions.len() as f64) as usize;
     let last = &frictions[from.min(frictions.len() - 1)..];
     last.iter().sum::<f64>() / last.len() as f64
-}
-
-/// ln(V/V0); none at rest.
-fn log_ratio(velocity: f64, reference: f64) -> Option<f64> {
-    (velocity > 0.0).then(|| libm::log(velocity / reference))
 }

@@ -24,12 +24,8 @@ pub fn advice(fit: &Fit, record: &StepRecord) -> Vec<String> {
         sentences.push(correlated(pair, correlation));
     }
     sentences.extend(fit.estimates.iter().filter_map(unbounded));
-    let skewed: Vec<&str> = fit
-        .estimates
-        .iter()
-        .filter(|estimate| is_skewed(estimate))
-        .map(|estimate| estimate.parameter.symbol())
-        .collect();
+    let skewed = fit.estimates.iter().filter(|estimate| is_skewed(estimate));
+    let skewed: Vec<&str> = skewed.map(|estimate| estimate.parameter.symbol()).collect();
     if !skewed.is_empty() {
         sentences.push(format!(
             "The intervals of {} differ from value and standard error by more than {}: use the intervals.",
@@ -109,11 +105,11 @@ fn percent(share: f64) -> String {
 /// What the comparison of the two laws means.
 #[must_use]
 pub fn comparison_words(comparison: &LawComparison) -> String {
-    let name = |law: EvolutionLaw| law.as_str();
-    let other = EvolutionLaw::ALL.into_iter().find(|law| *law != comparison.better).map_or("other", name);
+    let better = comparison.better;
+    let other =
+        EvolutionLaw::ALL.into_iter().find(|law| *law != better).map_or("other", EvolutionLaw::as_str);
     let ratio = round_digits(comparison.log_likelihood_ratio, 3);
     let vuong = round_digits(comparison.vuong, 3);
-    let better = name(comparison.better);
     if comparison.vuong > TOLD_APART {
         return format!(
             "The record tells the laws apart: the {better} law fits better than the {other} law. The logarithm of the likelihood ratio is {ratio}, {vuong} times its standard deviation."

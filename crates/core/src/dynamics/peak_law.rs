@@ -31,8 +31,10 @@ pub const DEEP: f64 = 0.1;
 /// The law of the peak velocity for one evolution law and one β = b/a > 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PeakLaw {
-    law: EvolutionLaw,
-    effect_ratio: f64,
+    /// The evolution law.
+    pub law: EvolutionLaw,
+    /// β.
+    pub effect_ratio: f64,
     /// C(β) of the slip law with its error estimate.
     nucleation: [f64; 2],
 }
