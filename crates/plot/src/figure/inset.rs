@@ -1,7 +1,7 @@
 //! Small maps in line charts, where they cover none of the lines.
 
 use super::frame::Frame;
-use super::line_chart::{LineStyle, draw_lines};
+use super::lines::{LineStyle, draw_lines};
 use super::overlay::draw_named_lines;
 use super::path::{Bounds, Point, clip_line};
 use super::svg::Svg;

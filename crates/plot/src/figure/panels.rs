@@ -2,7 +2,7 @@
 
 use super::frame::{CANVAS_WIDTH, Frame, SMALL};
 use super::legend::Legend;
-use super::line_chart::{LineStyle, draw_lines, series_entries};
+use super::lines::{LineStyle, draw_lines, series_entries};
 use super::path::Point;
 use super::svg::{Svg, number};
 use super::{Axis, Caption, Reference, Series, palette, rich_text};
