@@ -80,8 +80,8 @@ pub(super) fn areas_between(classes: &[usize], columns: usize) -> Vec<(usize, Ve
         };
         let outline: Vec<Point> = (0..4).filter(|&at| found[at] != found[(at + 1) % 4]).map(middle).collect();
         let votes = |class: usize| found.iter().filter(|&&other| other == class).count();
-        let most =
-            found.into_iter().reduce(|best, other| if votes(other) > votes(best) { other } else { best });
+        // The first of those with as many votes.
+        let most = found.into_iter().rev().max_by_key(|&class| votes(class));
         most.filter(|_| outline.len() > 2).map(|class| (class, outline))
     };
     cells.filter_map(area).collect()

@@ -28,14 +28,12 @@ pub(crate) struct Frame<'a> {
 impl<'a> Frame<'a> {
     /// A frame with its upper left corner, width and height on the canvas.
     pub fn new(x: &'a Axis, y: &'a Axis, corner: Point, size: Point) -> Self {
-        let bounds =
-            Bounds { left: corner.0, top: corner.1, right: corner.0 + size.0, bottom: corner.1 + size.1 };
-        Self { x, y, bounds }
+        Self { x, y, bounds: Bounds::new(corner, size) }
     }
 
     /// Width and height.
     pub fn size(&self) -> Point {
-        (self.bounds.right - self.bounds.left, self.bounds.bottom - self.bounds.top)
+        self.bounds.size()
     }
 
     /// The canvas point of coordinates that run from 0 to 1 along the axes.
@@ -88,7 +86,7 @@ impl<'a> Frame<'a> {
 
     fn draw_rules(&self, svg: &mut Svg, axis: &Axis, rule: impl Fn(f64) -> (Point, Point)) {
         svg.open("g", &[("class", "grid"), ("stroke", palette::GRID)]);
-        let places = self.places(axis).filter(|(_, tick)| tick.is_major());
+        let places = places(axis).filter(|(_, tick)| tick.is_major());
         svg.rules(&places.map(|(at, _)| rule(at)).collect::<Vec<_>>());
         svg.close();
     }
@@ -119,13 +117,9 @@ impl<'a> Frame<'a> {
         svg.close();
     }
 
-    fn places<'b>(&self, axis: &'b Axis) -> impl Iterator<Item = (f64, Tick)> + 'b {
-        axis.ticks().into_iter().filter_map(|tick| Some((axis.position(tick.value)?, tick)))
-    }
-
     /// Ticks of an axis of this length, without the minor ones where an even scale would crowd them.
     fn uncrowded(&self, axis: &Axis, length: f64) -> Vec<(f64, Tick)> {
-        let mut ticks: Vec<(f64, Tick)> = self.places(axis).collect();
+        let mut ticks: Vec<(f64, Tick)> = places(axis).collect();
         let close = |pair: &[(f64, Tick)]| (pair[1].0 - pair[0].0) * length < TICK_ROOM;
         if axis.scale == Scale::Linear && ticks.windows(2).any(close) {
             ticks.retain(|(_, tick)| tick.is_major());
@@ -236,6 +230,11 @@ fn with_room(ticks: Vec<(f64, Tick)>, fits: impl Fn(&(f64, Tick), &(f64, Tick)) 
             thinned.collect()
         }
     }
+}
+
+/// The ticks of an axis, each after its place from 0 to 1.
+pub(crate) fn places(axis: &Axis) -> impl Iterator<Item = (f64, Tick)> {
+    axis.ticks().into_iter().filter_map(|tick| Some((axis.position(tick.value)?, tick)))
 }
 
 /// The title of an axis, from below to above, about a place.

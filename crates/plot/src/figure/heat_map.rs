@@ -2,7 +2,7 @@
 
 use super::contour::outlines;
 use super::covered::Covers;
-use super::frame::{CANVAS_WIDTH, Frame, SMALL, draw_upright_title};
+use super::frame::{CANVAS_WIDTH, Frame, SMALL, draw_upright_title, places};
 use super::legend::{Entry, KEY_WIDTH, Legend};
 use super::overlay::{draw_lines, draw_marks, legend_entries};
 use super::path::{Point, simplify};
@@ -88,9 +88,7 @@ impl HeatMap {
         draw_lines(&mut svg, &frame, &self.lines);
         draw_marks(&mut svg, &frame, &self.marks);
         frame.draw_axes(&mut svg);
-        if let Some(readout) = readout {
-            readout.draw(&mut svg, &frame);
-        }
+        readout.iter().for_each(|readout| readout.draw(&mut svg, &frame));
         self.draw_colour_bar(&mut svg, &frame);
         legend.draw(&mut svg, (CORNER.0, below));
         svg.finish()
@@ -185,12 +183,9 @@ impl HeatMap {
     }
 
     fn label_colour_bar(&self, svg: &mut Svg, axis: &Axis, (right, top): Point, height: f64) {
-        let ticks = axis.ticks();
-        let places =
-            ticks.iter().filter_map(|tick| Some((top + height * (1.0 - axis.position(tick.value)?), tick)));
         svg.open("g", &[("class", "ink"), ("fill", palette::INK), ("font-size", "13")]);
-        for (y, tick) in places.filter(|(_, tick)| tick.is_major()) {
-            svg.words((right + 6.0, y + 4.5), &tick.label, SMALL);
+        for (v, tick) in places(axis).filter(|(_, tick)| tick.is_major()) {
+            svg.words((right + 6.0, top + height * (1.0 - v) + 4.5), &tick.label, SMALL);
         }
         svg.close();
         draw_upright_title(svg, axis, (right + 52.0, top + height / 2.0));

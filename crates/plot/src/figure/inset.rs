@@ -37,15 +37,12 @@ impl Inset {
             let (left, right) = (chart.left + 1.0, chart.right - 1.0 - width);
             let (top, bottom) = (chart.top + 1.0, chart.bottom - 1.0 - height);
             let corners = [(right, bottom), (left, top), (left, bottom), (right, top)];
-            corners.map(|(left, top)| (size, Bounds { left, top, right: left + width, bottom: top + height }))
+            corners.map(|corner| (size, Bounds::new(corner, (width, height))))
         });
         let covered = |plate: &Bounds| {
-            let around = Bounds {
-                left: plate.left - CLEARANCE,
-                top: plate.top - CLEARANCE,
-                right: plate.right + CLEARANCE,
-                bottom: plate.bottom + CLEARANCE,
-            };
+            let (width, height) = plate.size();
+            let corner = (plate.left - CLEARANCE, plate.top - CLEARANCE);
+            let around = Bounds::new(corner, (width + 2.0 * CLEARANCE, height + 2.0 * CLEARANCE));
             let placed = lines.iter().map(|line| line.iter().copied().map(Some).collect::<Vec<_>>());
             let parts = placed.flat_map(|line| clip_line(&line, around)).collect::<Vec<_>>();
             let steps = parts.iter().flat_map(|part| part.windows(2));
@@ -60,11 +57,7 @@ impl Inset {
     pub(super) fn draw(&self, svg: &mut Svg, (size, plate): (Point, Bounds)) {
         let ground = (plate.left, plate.top);
         let frame = Frame::new(&self.x, &self.y, (ground.0 + LABELS.0, ground.1 + LABELS.1), size);
-        svg.rect(
-            ground,
-            (plate.right - plate.left, plate.bottom - plate.top),
-            &[("class", "panel"), ("fill", palette::PLATE)],
-        );
+        svg.rect(ground, plate.size(), &[("class", "panel"), ("fill", palette::PLATE)]);
         frame.draw_panel(svg, "panel-map");
         draw_named_lines(svg, &frame, &self.lines, "inset-");
         draw_lines(svg, &frame, &[], &self.series, LineStyle { tolerance: 0.2, markers: false });

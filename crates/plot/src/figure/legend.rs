@@ -1,5 +1,7 @@
 //! Legends: rows of keys below the chart, broken to its width.
 
+use std::collections::BTreeSet;
+
 use super::frame::SMALL;
 use super::path::Point;
 use super::svg::Svg;
@@ -27,51 +29,43 @@ pub(crate) struct Entry<'a> {
 
 /// Rows of entries that fit a width.
 pub(crate) struct Legend<'a> {
-    rows: Vec<Vec<(f64, Entry<'a>)>>,
+    /// Each entry with the left end of its middle line.
+    entries: Vec<(Point, Entry<'a>)>,
+    rows: usize,
 }
 
 impl<'a> Legend<'a> {
     /// Lays the entries out in rows of at most `width`; entries without words or with words already seen are left out.
     pub fn new(entries: Vec<Entry<'a>>, width: f64) -> Self {
-        let mut seen: Vec<String> = vec![String::new()];
-        let mut rows: Vec<Vec<(f64, Entry<'a>)>> = Vec::new();
-        let mut right = f64::INFINITY;
-        for entry in entries {
-            if seen.contains(&entry.label) {
-                continue;
-            }
-            seen.push(entry.label.clone());
+        let mut seen = BTreeSet::from([String::new()]);
+        let (mut placed, mut rows, mut right) = (Vec::new(), 0, f64::INFINITY);
+        for entry in entries.into_iter().filter(|entry| seen.insert(entry.label.clone())) {
             let needed = KEY_WIDTH + rich_text::width(&entry.label, SMALL);
             if right + needed > width {
-                rows.push(Vec::new());
+                rows += 1;
                 right = 0.0;
             }
-            if let Some(row) = rows.last_mut() {
-                row.push((right, entry));
-            }
+            placed.push(((right, ROW * (rows as f64 - 0.5)), entry));
             right += needed + GAP;
         }
-        Self { rows }
+        Self { entries: placed, rows }
     }
 
     /// Height on the canvas.
     pub fn height(&self) -> f64 {
-        if self.rows.is_empty() { 0.0 } else { self.rows.len() as f64 * ROW + 6.0 }
+        if self.rows == 0 { 0.0 } else { self.rows as f64 * ROW + 6.0 }
     }
 
     /// Draws the legend with its upper left corner at `corner`.
     pub fn draw(&self, svg: &mut Svg, corner: Point) {
-        if self.rows.is_empty() {
+        if self.rows == 0 {
             return;
         }
         svg.open("g", &[("class", "ink legend"), ("fill", palette::INK), ("font-size", "13")]);
-        for (index, row) in self.rows.iter().enumerate() {
-            let middle = corner.1 + ROW * (index as f64 + 0.5);
-            for (left, entry) in row {
-                let x = corner.0 + left;
-                (entry.key)(svg, (x, middle));
-                svg.words((x + KEY_WIDTH, middle + 4.5), &entry.label, SMALL);
-            }
+        for ((left, middle), entry) in &self.entries {
+            let (x, y) = (corner.0 + left, corner.1 + middle);
+            (entry.key)(svg, (x, y));
+            svg.words((x + KEY_WIDTH, y + 4.5), &entry.label, SMALL);
         }
         svg.close();
     }

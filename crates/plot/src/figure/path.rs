@@ -16,6 +16,18 @@ pub(crate) struct Bounds {
     pub bottom: f64,
 }
 
+impl Bounds {
+    /// A box with its upper left corner, width and height.
+    pub fn new((left, top): Point, (width, height): Point) -> Self {
+        Self { left, top, right: left + width, bottom: top + height }
+    }
+
+    /// Width and height.
+    pub fn size(&self) -> Point {
+        (self.right - self.left, self.bottom - self.top)
+    }
+}
+
 /// The parts of a line inside the bounds (Liang and Barsky), each with at least two points; `None` interrupts the line.
 pub(crate) fn clip_line(points: &[Option<Point>], bounds: Bounds) -> Vec<Vec<Point>> {
     let mut parts: Vec<Vec<Point>> = Vec::new();

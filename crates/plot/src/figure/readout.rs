@@ -41,28 +41,21 @@ impl Readout {
             ("fill", "#fff"),
             ("fill-opacity", "0"),
         ];
-        match self {
-            Self::SameAs(figure) => {
-                attributes.push(("data-as", figure));
-                svg.leaf("rect", &attributes);
-            }
+        let texts = match self {
+            Self::SameAs(figure) => vec![("data-as", figure.clone())],
             Self::Words(words) => {
-                let packed: Vec<(String, String)> = words.fields.iter().map(|field| packed(field)).collect();
-                let join = |part: fn(&(String, String)) -> &str| {
-                    packed.iter().map(part).collect::<Vec<_>>().join("~")
-                };
-                let texts = [
-                    words.columns.join("|"),
-                    words.rows.join("|"),
-                    words.sentence.clone(),
-                    join(|(words, _)| words),
-                    join(|(_, cells)| cells),
-                ];
-                let names = ["data-columns", "data-rows", "data-sentence", "data-words", "data-cells"];
-                attributes.extend(names.into_iter().zip(texts.iter().map(String::as_str)));
-                svg.leaf("rect", &attributes);
+                let (named, cells): (Vec<_>, Vec<_>) = words.fields.iter().map(|field| packed(field)).unzip();
+                vec![
+                    ("data-columns", words.columns.join("|")),
+                    ("data-rows", words.rows.join("|")),
+                    ("data-sentence", words.sentence.clone()),
+                    ("data-words", named.join("~")),
+                    ("data-cells", cells.join("~")),
+                ]
             }
-        }
+        };
+        attributes.extend(texts.iter().map(|(name, text)| (*name, text.as_str())));
+        svg.leaf("rect", &attributes);
     }
 }
 

@@ -6,6 +6,12 @@ use super::svg::{Svg, escape, number};
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct Run {
     text: String,
+    style: Style,
+}
+
+/// How characters look.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Style {
     italic: bool,
     bold: bool,
     level: Level,
@@ -34,7 +40,7 @@ pub(crate) fn to_svg(markup: &str, size: f64) -> String {
             space_before = true;
             continue;
         }
-        let wanted = match run.level {
+        let wanted = match run.style.level {
             Level::Base => 0.0,
             Level::Sub => 0.22 * size,
             Level::Super => -0.36 * size,
@@ -44,13 +50,13 @@ pub(crate) fn to_svg(markup: &str, size: f64) -> String {
             attributes += &format!(" dy=\"{}\"", number(wanted - shift));
             shift = wanted;
         }
-        if run.level != Level::Base {
+        if run.style.level != Level::Base {
             attributes += &format!(" font-size=\"{}\"", number(SCRIPT_SIZE * size));
         }
-        if run.italic {
+        if run.style.italic {
             attributes += " font-style=\"italic\"";
         }
-        if run.bold {
+        if run.style.bold {
             attributes += " font-weight=\"600\"";
         }
         // Some viewers drop a space at the edge of a run; a shift is kept by all.
@@ -77,7 +83,7 @@ impl Svg {
 /// Estimated width of the markup for a line of the given font size: room enough for the wider system fonts.
 pub(crate) fn width(markup: &str, size: f64) -> f64 {
     let run_width = |run: Run| {
-        let scale = if run.level == Level::Base { size } else { SCRIPT_SIZE * size };
+        let scale = if run.style.level == Level::Base { size } else { SCRIPT_SIZE * size };
         run.text.chars().map(character_width).sum::<f64>() * scale
     };
     runs(markup).into_iter().map(run_width).sum()
@@ -99,45 +105,31 @@ fn character_width(c: char) -> f64 {
     }
 }
 
-/// Style that the next character takes.
-#[derive(Debug, Clone, Copy)]
-struct Pen {
-    italic: bool,
-    bold: bool,
-    level: Level,
-    braced: bool,
-}
-
 fn runs(markup: &str) -> Vec<Run> {
     let mut found: Vec<Run> = Vec::new();
-    let mut pen = Pen { italic: false, bold: false, level: Level::Base, braced: false };
+    let (mut style, mut braced) = (Style { italic: false, bold: false, level: Level::Base }, false);
     let mut characters = markup.chars().peekable();
     while let Some(c) = characters.next() {
         match c {
-            '*' if characters.next_if_eq(&'*').is_some() => pen.bold = !pen.bold,
-            '*' => pen.italic = !pen.italic,
-            '_' if pen.level == Level::Base => pen.level = Level::Sub,
-            '^' if pen.level == Level::Base => pen.level = Level::Super,
-            '{' if pen.level != Level::Base && !pen.braced => pen.braced = true,
-            '}' if pen.braced => (pen.level, pen.braced) = (Level::Base, false),
+            '*' if characters.next_if_eq(&'*').is_some() => style.bold = !style.bold,
+            '*' => style.italic = !style.italic,
+            '_' if style.level == Level::Base => style.level = Level::Sub,
+            '^' if style.level == Level::Base => style.level = Level::Super,
+            '{' if style.level != Level::Base && !braced => braced = true,
+            '}' if braced => (style.level, braced) = (Level::Base, false),
             _ => {
-                write(&mut found, pen, if c == '\\' { characters.next().unwrap_or(c) } else { c });
-                if !pen.braced {
-                    pen.level = Level::Base;
+                let c = if c == '\\' { characters.next().unwrap_or(c) } else { c };
+                match found.last_mut() {
+                    Some(run) if run.style == style => run.text.push(c),
+                    _ => found.push(Run { text: c.into(), style }),
+                }
+                if !braced {
+                    style.level = Level::Base;
                 }
             }
         }
     }
     found
-}
-
-fn write(found: &mut Vec<Run>, pen: Pen, c: char) {
-    match found.last_mut() {
-        Some(run) if (run.italic, run.bold, run.level) == (pen.italic, pen.bold, pen.level) => {
-            run.text.push(c)
-        }
-        _ => found.push(Run { text: c.into(), italic: pen.italic, bold: pen.bold, level: pen.level }),
-    }
 }
 
 #[cfg(test)]

@@ -25,7 +25,8 @@ impl Svg {
     pub fn with_role(caption: &Caption, width: f64, height: f64, role: &str) -> Self {
         let prefix = id_text(&caption.id);
         let mut svg = Self { text: String::new(), prefix: prefix.clone(), open: Vec::new() };
-        let view_box = format!("0 0 {} {}", number(width), number(height));
+        let [width, height] = [width, height].map(number);
+        let view_box = format!("0 0 {width} {height}");
         let names = format!("{prefix}-title {prefix}-desc");
         svg.open(
             "svg",
@@ -43,11 +44,8 @@ impl Svg {
         for (tag, content) in [("title", &caption.title), ("desc", &caption.description)] {
             svg.text += &format!("<{tag} id=\"{prefix}-{tag}\">{}</{tag}>\n", escape(content));
         }
-        let size = [("width", number(width)), ("height", number(height))];
-        svg.leaf(
-            "rect",
-            &[("class", "plate"), (size[0].0, &size[0].1), (size[1].0, &size[1].1), ("fill", palette::PLATE)],
-        );
+        let fill = ("fill", palette::PLATE);
+        svg.leaf("rect", &[("class", "plate"), ("width", &width), ("height", &height), fill]);
         svg
     }
 

@@ -69,10 +69,7 @@ fn decades(min: f64, max: f64, sign: i32, most_fine: i32) -> Vec<Tick> {
         let decade = f64::from(sign) * power_of_ten(exponent);
         let labelled = exponent.rem_euclid(stride) == 0;
         all.push(Tick::of(decade, labelled.then(|| decimal_label(sign, 1, exponent))));
-        if stride > 1 {
-            continue;
-        }
-        for &digit in digits {
+        for &digit in digits.iter().filter(|_| stride == 1) {
             let shown = narrow && matches!(digit, 2 | 5);
             let label = shown.then(|| decimal_label(sign, digit, exponent));
             all.push(Tick::of(f64::from(digit) * decade, label));

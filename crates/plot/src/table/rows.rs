@@ -56,12 +56,8 @@ impl<R: Copy> TableRows<R> {
     }
 
     /// One more column. It is compiled once for each kind of row, and not once for each column.
-    fn column(mut self, column: Column, cell: &dyn Fn(R) -> Cell) -> Self {
-        self.table.columns.push(column);
-        for (row, &value) in self.table.rows.iter_mut().zip(&self.values) {
-            row.push(cell(value));
-        }
-        self
+    fn column(self, column: Column, cell: &dyn Fn(R) -> Cell) -> Self {
+        self.columns([column], |value| [cell(value)])
     }
 
     /// The same with several more columns, whose cells come together.
