@@ -6,7 +6,7 @@
 //! The curves are therefore computed once for each b, and moved.
 
 use crate::parallel;
-use slipmode_core::friction::{Parameters, Slider};
+use slipmode_core::friction::{OperatingPoint, Parameters, Slider};
 
 use crate::experiments::boundary::END_ERROR;
 use slipmode_core::number::{Rational, Wide};
@@ -53,10 +53,8 @@ impl Factors {
 pub struct NamedPoint {
     /// What it is called.
     pub name: String,
-    /// σ, Pa.
-    pub normal_stress_pa: Rational,
-    /// V0, m/s.
-    pub loading_velocity_m_per_s: Rational,
+    /// Its σ and V0.
+    pub place: OperatingPoint<Rational>,
     /// Whether σ and V0 have the error bars of the slider's box.
     pub has_error_bars: bool,
 }
@@ -133,9 +131,8 @@ impl Families {
     /// The slider with each b, and its own K and M.
     #[must_use]
     pub fn effects(&self) -> Vec<Slider<Rational>> {
-        let [effects, stiffnesses, masses] = &self.factors;
-        let (stiffness, mass) = (&stiffnesses.values[stiffnesses.base], &masses.values[masses.base]);
-        effects.values.iter().map(|effect| self.relative([effect, stiffness, mass])).collect()
+        let one = Rational::from(1);
+        self.factors[0].values.iter().map(|effect| self.relative([effect, &one, &one])).collect()
     }
 
     /// Every combination, M varying fastest, b slowest.
@@ -147,9 +144,8 @@ impl Families {
     /// The error bars of the slider with each b, and its own K and M: a factor multiplies both ends.
     #[must_use]
     pub fn uncertain_effects(&self) -> Vec<ParameterBox> {
-        let [effects, stiffnesses, masses] = &self.factors;
-        let (stiffness, mass) = (&stiffnesses.values[stiffnesses.base], &masses.values[masses.base]);
-        effects.values.iter().filter_map(|effect| self.region([effect, stiffness, mass], None)).collect()
+        let one = Rational::from(1);
+        self.factors[0].values.iter().filter_map(|effect| self.region([effect, &one, &one], None)).collect()
     }
 
     /// The factors of every combination, M varying fastest, b slowest.
@@ -167,12 +163,10 @@ impl Families {
     /// The error bars of a combination, at σ and V0 of a point.
     fn region(&self, factors: [&Rational; 3], point: Option<&NamedPoint>) -> Option<ParameterBox> {
         let own = self.error_bars.as_ref()?;
-        let end = |end: Parameters<Rational>| {
-            let slider = scaled(&end.slider, factors);
-            match point.filter(|point| !point.has_error_bars) {
-                Some(at) => slider.at(at.normal_stress_pa.clone(), at.loading_velocity_m_per_s.clone()),
-                None => Parameters { slider, point: end.point },
-            }
+        let exact = point.filter(|point| !point.has_error_bars);
+        let end = |end: Parameters<Rational>| Parameters {
+            slider: scaled(&end.slider, factors),
+            point: exact.map_or(end.point, |point| point.place.clone()),
         };
         ParameterBox::new(end(own.lower()), end(own.upper()))
     }
@@ -183,8 +177,7 @@ impl Families {
         point: &NamedPoint,
         threshold: &InertialThreshold,
     ) -> PointState {
-        let slider = self.relative(factors);
-        let place = slider.at(point.normal_stress_pa.clone(), point.loading_velocity_m_per_s.clone());
+        let place = Parameters { slider: self.relative(factors), point: point.place.clone() };
         let found = classify(&place, threshold);
         let over = self.region(factors, Some(point)).and_then(|region| over_box(&region, threshold));
         let possible = over.map_or_else(Vec::new, |over| {
@@ -230,8 +223,7 @@ mod tests {
     fn families() -> Families {
         let point = NamedPoint {
             name: "A".into(),
-            normal_stress_pa: parse_decimal("1e5").unwrap(),
-            loading_velocity_m_per_s: parse_decimal("1e-3").unwrap(),
+            place: ["1e5", "1e-3"].map(|text| parse_decimal(text).unwrap()).into(),
             has_error_bars: false,
         };
         Families::of(&paper(), None, vec![point], &InertialThreshold::default())
@@ -247,8 +239,7 @@ mod tests {
         let error_bars = ParameterBox::new(low, high).unwrap();
         let point = NamedPoint {
             name: "A".into(),
-            normal_stress_pa: parse_decimal("1e5").unwrap(),
-            loading_velocity_m_per_s: parse_decimal("1e-3").unwrap(),
+            place: ["1e5", "1e-3"].map(|text| parse_decimal(text).unwrap()).into(),
             has_error_bars: false,
         };
         let families = Families::of(&paper(), Some(&error_bars), vec![point], &InertialThreshold::default());

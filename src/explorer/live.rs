@@ -6,7 +6,7 @@
 use serde::Serialize;
 use serde_json::{Value, json};
 use slipmode_algebra::{Polynomial, RationalFunction};
-use slipmode_core::friction::{Groups, Parameters, Slider};
+use slipmode_core::friction::{Groups, OperatingPoint, Parameters, Slider};
 use slipmode_core::number::Rational;
 use slipmode_core::number::format::rational_to_decimal;
 use slipmode_core::stability::{
@@ -74,17 +74,12 @@ pub fn live_map(
     threshold: &InertialThreshold,
 ) -> Option<LiveMap> {
     let first = points.first()?;
-    let values: [Rational; 7] =
-        slider.at(first.normal_stress_pa.clone(), first.loading_velocity_m_per_s.clone()).into();
+    let values: [Rational; 7] = Parameters { slider: slider.clone(), point: first.place.clone() }.into();
     let decimal = |value: &Rational| rational_to_decimal(value, DIGITS);
-    let controls = CONTROLS.iter().zip(&values).map(|([id, name, unit], value)| LiveControl {
-        id,
-        name,
-        unit,
-        value: decimal(value),
-    });
+    let controls = CONTROLS.iter().zip(values.iter().map(decimal));
     let places = points.iter().map(|point| {
-        json!([point.name, decimal(&point.normal_stress_pa), decimal(&point.loading_velocity_m_per_s)])
+        let OperatingPoint { normal_stress_pa, loading_velocity_m_per_s } = &point.place;
+        json!([point.name, decimal(normal_stress_pa), decimal(loading_velocity_m_per_s)])
     });
     let ends = |(low, high): (f64, f64)| json!([low, high]);
     let mut data = model(threshold)?;
@@ -93,7 +88,7 @@ pub fn live_map(
     data["window"] = json!({ "v": ends(window.velocity), "s": ends(window.stress) });
     let modes = SlipMode::ALL.iter().enumerate();
     Some(LiveMap {
-        controls: controls.collect(),
+        controls: controls.map(|([id, name, unit], value)| LiveControl { id, name, unit, value }).collect(),
         modes: modes.map(|(style, mode)| LiveMode { name: mode.words(), fill: zone_fill(style) }).collect(),
         data: data.to_string(),
     })
@@ -205,8 +200,7 @@ mod tests {
     fn the_values_stand_as_they_were_typed() {
         let point = NamedPoint {
             name: "A".into(),
-            normal_stress_pa: parse_decimal("1e5").unwrap(),
-            loading_velocity_m_per_s: parse_decimal("1e-3").unwrap(),
+            place: ["1e5", "1e-3"].map(|text| parse_decimal(text).unwrap()).into(),
             has_error_bars: false,
         };
         let window = Window { velocity: (1e-6, 1e-1), stress: (1e2, 1e8) };

@@ -20,10 +20,8 @@ pub fn points(
     let own_point = own.map(|own| named("operating point", own.clone(), false));
     let of_the_scene = parameters.point().map(|point| named("scene", point, true));
     let trajectories = scene.trajectories.iter().flat_map(|section| &section.points).map(|point| {
-        let (stress, velocity) = (point.normal_stress_pa.clone(), point.loading_velocity_m_per_s.clone());
-        let point_of_operation =
-            OperatingPoint { normal_stress_pa: stress, loading_velocity_m_per_s: velocity };
-        named(&point.id, point_of_operation, false)
+        let place = [&point.normal_stress_pa, &point.loading_velocity_m_per_s].map(Rational::clone);
+        named(&point.id, place.into(), false)
     });
     let mut points: Vec<_> = own_point.into_iter().chain(of_the_scene).chain(trajectories).collect();
     let stated = points.len();
@@ -50,11 +48,9 @@ fn middle(window: Window) -> NamedPoint {
         let decade = (libm::log10(low) + libm::log10(high)) / 2.0;
         Rational::from_f64(libm::exp10(decade)).unwrap_or_default()
     };
-    let (normal_stress_pa, loading_velocity_m_per_s) = (middle(window.stress), middle(window.velocity));
-    named("middle", OperatingPoint { normal_stress_pa, loading_velocity_m_per_s }, false)
+    named("middle", [window.stress, window.velocity].map(middle).into(), false)
 }
 
-fn named(name: &str, point: OperatingPoint<Rational>, has_error_bars: bool) -> NamedPoint {
-    let OperatingPoint { normal_stress_pa, loading_velocity_m_per_s } = point;
-    NamedPoint { name: name.into(), normal_stress_pa, loading_velocity_m_per_s, has_error_bars }
+fn named(name: &str, place: OperatingPoint<Rational>, has_error_bars: bool) -> NamedPoint {
+    NamedPoint { name: name.into(), place, has_error_bars }
 }

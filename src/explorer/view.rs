@@ -87,16 +87,12 @@ pub fn explorer(families: &Families, window: Window) -> Explorer {
     let sliders = families.sliders();
     let values: Vec<[String; FORMULAS]> = sliders.iter().map(formula_values).collect();
     let value = |at: usize| varying(values.iter().map(|texts| texts[at].clone()).collect());
+    let points = families.points.iter().zip(&families.states);
     Explorer {
         svg: map(families, window).svg(),
         controls: controls(families),
         formulas: formulas::rows(value),
-        points: families
-            .points
-            .iter()
-            .zip(&families.states)
-            .map(|(point, states)| point_row(point, states, varying))
-            .collect(),
+        points: points.map(|(point, states)| point_row(point, states, varying)).collect(),
         tables: one_at_a_time(families, &values),
         combinations: sliders.len(),
     }
@@ -110,8 +106,8 @@ fn point_row(
     let of = |text: fn(&PointState) -> String| varying(states.iter().map(text).collect());
     PointRow {
         name: point.name.clone(),
-        stress: rational_to_decimal(&point.normal_stress_pa, DIGITS),
-        velocity: rational_to_decimal(&point.loading_velocity_m_per_s, DIGITS),
+        stress: rational_to_decimal(&point.place.normal_stress_pa, DIGITS),
+        velocity: rational_to_decimal(&point.place.loading_velocity_m_per_s, DIGITS),
         mode: of(PointState::mode),
         imaginary: of(|state| round_digits(state.imaginary(), DIGITS)),
         frequency: of(|state| round_digits(state.imaginary() / std::f64::consts::TAU, DIGITS)),
@@ -182,20 +178,19 @@ fn map(families: &Families, window: Window) -> FamilyMap {
 
 /// A mark for each place, with the names of all points there.
 fn marks(points: &[NamedPoint], x: &Axis) -> Vec<PointMark> {
-    let place = |point: &NamedPoint| (point.normal_stress_pa.clone(), point.loading_velocity_m_per_s.clone());
-    let is_first = |at: usize| points[..at].iter().all(|other| place(other) != place(&points[at]));
-    let here = |at: usize| points.iter().filter(move |other| place(other) == place(&points[at]));
+    let is_first = |at: usize| points[..at].iter().all(|other| other.place != points[at].place);
+    let here = |at: usize| points.iter().filter(move |other| other.place == points[at].place);
     let names = |at: usize| here(at).map(|point| point.name.as_str()).collect::<Vec<_>>().join(", ");
     (0..points.len()).filter(|&at| is_first(at)).map(|at| mark(&names(at), &points[at], x)).collect()
 }
 
 fn mark(name: &str, point: &NamedPoint, x: &Axis) -> PointMark {
-    let velocity = nearest_f64(&point.loading_velocity_m_per_s);
+    let velocity = nearest_f64(&point.place.loading_velocity_m_per_s);
     // Above, where a neighbour at the same normal stress is not in its way; at the edge there is no room for half of it.
     let at_the_edge = x.position(velocity).is_some_and(|at| at > 0.95);
     PointMark::new(
         format!("**{name}**"),
-        (velocity, nearest_f64(&point.normal_stress_pa)),
+        (velocity, nearest_f64(&point.place.normal_stress_pa)),
         if at_the_edge { Side::Left } else { Side::Above },
     )
 }
