@@ -19,16 +19,10 @@ pub fn archived(report: &Published) -> Result<BTreeMap<String, String>, String> 
     let mut archived = of_report(report)?;
     let mut left_out = without_theorem(&archived.remove(STEPS_FILE).unwrap_or_default());
     // A published report has files that Coq did not accept: they are no theorems.
-    let accepted: BTreeSet<&str> =
-        ACCEPTED.lines().filter_map(|line| Some(line.split_once(' ')?.0)).collect();
+    let accepted: BTreeSet<&str> = ACCEPTED.lines().filter_map(|line| line.split(' ').next()).collect();
     if accepted.iter().any(|path| path.starts_with(&format!("{}/", report.name))) {
-        archived.retain(|path, _| {
-            let is_accepted = accepted.contains(path.as_str());
-            if !is_accepted {
-                left_out += &format!("{path}: Coq did not accept it\n");
-            }
-            is_accepted
-        });
+        let refused = archived.extract_if(.., |path, _| !accepted.contains(path.as_str()));
+        left_out.extend(refused.map(|(path, _)| format!("{path}: Coq did not accept it\n")));
     }
     archived.extend(library());
     let digests = archived.iter().map(|(path, text)| format!("{}  {path}\n", sha256_hex(text)));

@@ -13,9 +13,7 @@ use slipmode_algebra::coq::Theorem;
 use slipmode_algebra::{Certificate, Proof};
 use slipmode_theory::Equations;
 
-use crate::claims::{
-    Conclusion, Resolved, Strength, TIES, Tied, WholeTheorem, statement_digest, whole_theorems,
-};
+use crate::claims::{Conclusion, Resolved, Strength, TIES, WholeTheorem, statement_digest, whole_theorems};
 use crate::scene::ClaimEntry;
 
 pub use archived::{archived, file_list};
@@ -101,13 +99,6 @@ impl Published {
     }
 }
 
-impl Claim {
-    /// The claim as ties see it, with the digest of it as resolved.
-    fn tied<'c>(&'c self, digest: &'c str) -> Tied<'c> {
-        Tied { claim: &self.id, digest, conclusion: self.conclusion.clone() }
-    }
-}
-
 impl Files {
     /// A claim of a ledger: the steps of its proofs, and the theorems that state it whole.
     fn add_claim(&mut self, report: &Published, claim: &Claim) {
@@ -120,9 +111,19 @@ impl Files {
         self.add_whole(name, claim, stated, equations);
         let Some(stated) = stated else { return };
         match stated.stated.as_ref().and_then(|stated| stated.argued.as_ref()) {
-            Some(step) => self.add_argued(name, claim, step),
+            // The step in words from the formulas to what the claim says.
+            Some(step) => self.list([name, &claim.id, "words", "whole"], "argued", Err(step.clone())),
             None => self.add_by_hand(name, claim, stated, equations),
         }
+    }
+
+    /// A line of the list of steps.
+    fn list(&mut self, [report, claim, proof, step]: [&str; 4], kind: &str, outcome: Outcome) {
+        let (names, obstacle) =
+            outcome.map_or_else(|obstacle| (<_>::default(), obstacle), |names| (names, String::new()));
+        let [theorem, digest] = &names;
+        let cells = [report, claim, proof, step, kind, theorem, digest, &obstacle];
+        self.steps += &(cells.map(one_line).join("\t") + "\n");
     }
 
     /// The steps of proofs, in the files of a claim.
@@ -131,20 +132,13 @@ impl Files {
         let mut number = 1;
         for proof in proofs {
             for (step, index) in proof.steps.iter().zip(1..) {
-                let line = [report, claim, &proof.id, &format!("{index}")].map(one_line).join("\t");
-                let Some(certificate) = &step.certificate else {
-                    let obstacle = "a step of plain reasoning has no certificate";
-                    self.steps += &format!("{line}\targued\t\t\t{obstacle}\n");
-                    continue;
-                };
                 let words = format!("{}, {}, step {index}: {}", claim, proof.statement, step.says);
-                let result = self.theorem(certificate, &words, &mut open);
-                let ([theorem, digest], obstacle) = match result {
-                    Ok(place) => (place, String::new()),
-                    Err(obstacle) => (Default::default(), one_line(&obstacle)),
+                let outcome = match &step.certificate {
+                    Some(certificate) => self.theorem(certificate, &words, &mut open),
+                    None => Err("a step of plain reasoning has no certificate".to_owned()),
                 };
-                let kind = certificate.kind();
-                self.steps += &format!("{line}\t{kind}\t{theorem}\t{digest}\t{obstacle}\n");
+                let kind = step.certificate.as_ref().map_or("argued", Certificate::kind);
+                self.list([report, claim, &proof.id, &index.to_string()], kind, outcome);
                 if open.text.len() > LARGE_FILE_BYTES {
                     self.close(&place(report, claim, number), &mut open);
                     number += 1;
@@ -159,51 +153,40 @@ impl Files {
         let proofs = || claim.evidence.iter().filter_map(|evidence| evidence.proof.as_ref());
         let proof = |id: &str| proofs().find(|proof| proof.id == id);
         let mut found = stated.map_or(Vec::new(), |stated| whole_theorems(stated, equations, proof));
-        for proof in proofs().filter(|proof| !found.iter().any(|(id, _)| *id == proof.id)).collect::<Vec<_>>()
-        {
-            found
-                .push((proof.id.clone(), Err("a proof or a procedure decides it, not a formula".to_owned())));
-        }
+        let others = proofs().filter(|proof| found.iter().all(|(id, _)| *id != proof.id));
+        let no_formula = "a proof or a procedure decides it, not a formula";
+        let others: Vec<_> = others.map(|proof| (proof.id.clone(), Err(no_formula.to_owned()))).collect();
+        found.extend(others);
         if found.is_empty() {
             found.push((String::new(), Err("a point decides it, without a proof".to_owned())));
         }
         // One theorem a file: one that Coq refuses takes no other with it.
         for ((id, result), number) in found.into_iter().zip(1..) {
             let mut open = OpenFile::default();
-            let line = [report, &claim.id, &id].map(one_line).join("\t");
-            let [name, digest, obstacle] = match result {
-                Ok(whole) => {
-                    if self.wholes.insert(whole.name.clone()) {
-                        open.add_whole(&whole, &format!("{}, {id}", claim.id));
-                    }
-                    [whole.name, whole.digest, String::new()]
+            let outcome = result.map(|whole| {
+                if self.wholes.insert(whole.name.clone()) {
+                    open.add_whole(&whole, &format!("{}, {id}", claim.id));
                 }
-                Err(obstacle) => [String::new(), String::new(), one_line(&obstacle)],
-            };
-            self.steps += &format!("{line}\twhole\twhole\t{name}\t{digest}\t{obstacle}\n");
+                [whole.name, whole.digest]
+            });
+            self.list([report, &claim.id, &id, "whole"], "whole", outcome);
             self.close(&format!("{}_whole", place(report, &claim.id, number)), &mut open);
         }
-    }
-
-    /// The step in words from the formulas to what the claim says.
-    fn add_argued(&mut self, report: &str, claim: &Claim, step: &str) {
-        let line = [report, &claim.id, "words"].map(one_line).join("\t");
-        self.steps += &format!("{line}\twhole\targued\t\t\t{}\n", one_line(step));
     }
 
     /// The theorems written by hand that state the claim.
     fn add_by_hand(&mut self, report: &str, claim: &Claim, stated: &ClaimEntry, equations: &Equations) {
         let digest = Resolved::of(stated, equations).digest();
         let tied = claim.tied(&digest);
-        let line = [report, &claim.id, "by hand"].map(one_line).join("\t");
+        let line = [report, &claim.id, "by hand", "whole"];
         if let Some(tie) = TIES.iter().find(|tie| tie.is_about(&tied, equations)) {
             for name in tie.names() {
-                self.steps += &format!("{line}\twhole\tby hand\t{name}\t{}\t\n", tie.digest);
+                self.list(line, "by hand", Ok([name.to_owned(), tie.digest.clone()]));
             }
         } else if TIES.iter().any(|tie| tie.report == report && tie.claim == claim.id) {
             let obstacle =
                 "proofs/claims.csv has another digest: read both, then `cargo xtask tie` writes it";
-            self.steps += &format!("{line}\twhole\tby hand\t\t\t{obstacle}\n");
+            self.list(line, "by hand", Err(obstacle.to_owned()));
         }
     }
 

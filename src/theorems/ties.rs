@@ -1,7 +1,7 @@
 //! The rows of `proofs/claims.csv` as they would be now, with what a person reads before one of them is written.
 
 use super::{Claim, Published};
-use crate::claims::{Resolved, Strength, TIES, Tie, statement};
+use crate::claims::{Resolved, Strength, TIES, Tie, Tied, statement};
 
 /// A claim of a published ledger as resolved.
 struct Now<'p> {
@@ -9,6 +9,13 @@ struct Now<'p> {
     claim: Claim,
     resolved: Resolved,
     digest: String,
+}
+
+impl Claim {
+    /// The claim as ties see it, with the digest of it as resolved.
+    pub(super) fn tied<'c>(&'c self, digest: &'c str) -> Tied<'c> {
+        Tied { claim: &self.id, digest, conclusion: self.conclusion.clone() }
+    }
 }
 
 impl Now<'_> {
