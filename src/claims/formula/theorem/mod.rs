@@ -199,7 +199,7 @@ impl Stated {
             .variables
             .iter()
             .filter(|name| stated.is_positive(name))
-            .map(|name| coq::text(&Expression::Variable(name.clone())))
+            .map(signs::shown)
             .map(|name| (format!("{name}'pos"), format!("0 < {name}")))
             .collect();
         stated.hypotheses.splice(0..0, positive);
@@ -218,8 +218,7 @@ impl Stated {
     }
 
     fn text(&self, altered: bool) -> String {
-        let names: Vec<String> =
-            self.variables.iter().map(|name| coq::text(&Expression::Variable(name.clone()))).collect();
+        let names: Vec<String> = self.variables.iter().map(signs::shown).collect();
         if self.exists {
             let (names, goal) = (names.join(" "), if altered { &self.altered } else { &self.goal });
             let hypotheses: String = self.hypotheses.iter().map(|(_, text)| format!("{text} /\\ ")).collect();
@@ -307,10 +306,7 @@ impl Stated {
                 }
                 // No formula has a parameter.
                 let [low, high] = [0, 1].map(|number| Expression::Variable(Symbol::parameter(number)));
-                let ends = [&low, &high].map(|end| {
-                    let moved = self.side(side).with(variable, end);
-                    coq::text(&moved)
-                });
+                let ends = [&low, &high].map(|end| coq::text(&self.side(side).with(variable, end)));
                 self.shown(side)?;
                 self.variables.remove(variable);
                 let [low, high] = [low, high].map(|end| coq::text(&end));
@@ -328,7 +324,7 @@ impl Stated {
                     return Err(format!("{variable} is not positive, but its other value is"));
                 }
                 self.variables.insert(other_value());
-                let shown = coq::text(&Expression::Variable(other_value()));
+                let shown = signs::shown(&other_value());
                 let known = format!("{shown}'pos");
                 if self.hypotheses.iter().all(|(label, _)| *label != known) {
                     self.hypotheses.push((known, format!("0 < {shown}")));
@@ -458,12 +454,9 @@ impl Steps<'_> {
     /// The theorem of a step for the variables of the statement, of which some have other names.
     fn applied(&mut self, step: &Certificate, renamed: &[(Symbol, String)]) -> Result<String, String> {
         let theorem = Theorem::of(step).map_err(|obstacle| obstacle.to_string())?;
-        let renamed: BTreeMap<String, &String> = renamed
-            .iter()
-            .map(|(name, other)| (coq::text(&Expression::Variable(name.clone())), other))
-            .collect();
-        let known: BTreeSet<String> =
-            self.stated.variables.iter().map(|name| coq::text(&Expression::Variable(name.clone()))).collect();
+        let renamed: BTreeMap<String, &String> =
+            renamed.iter().map(|(name, other)| (signs::shown(name), other)).collect();
+        let known: BTreeSet<String> = self.stated.variables.iter().map(signs::shown).collect();
         // A variable that the statement does not have is free: any value does.
         let arguments: Vec<&str> = theorem
             .variables
