@@ -57,10 +57,7 @@ impl ParametersSection {
     /// The scene's own operating point, when the scene states both σ and V0.
     #[must_use]
     pub fn point(&self) -> Option<OperatingPoint<Rational>> {
-        Some(OperatingPoint {
-            normal_stress_pa: self.normal_stress_pa.clone()?,
-            loading_velocity_m_per_s: self.loading_velocity_m_per_s.clone()?,
-        })
+        all_of([self.normal_stress_pa.clone(), self.loading_velocity_m_per_s.clone()]).map(Into::into)
     }
 }
 

@@ -169,12 +169,11 @@ impl Scope {
             let resolved = premises.put_in(&names.resolved(value));
             let mut own = resolved.variables().into_iter().filter(|one| self.there_is.contains(one));
             let sign = premises.domain().sign(&resolved).ok().flatten();
+            let witness = format!("the witness {name} = {value}");
             match own.next() {
-                Some(own) => {
-                    Err(format!("the witness {name} = {value} contains {own}, which is in `there_is`"))
-                }
+                Some(own) => Err(format!("{witness} contains {own}, which is in `there_is`")),
                 None if premises.positive.contains(name) && sign.is_some_and(|sign| sign <= 0) => {
-                    Err(format!("the witness {name} = {value} is not positive, and {name} is assumed to be"))
+                    Err(format!("{witness} is not positive, and {name} is assumed to be"))
                 }
                 None => Ok(()),
             }
