@@ -62,9 +62,9 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     if parameters.error_bars.is_some() {
         marks += " The bands and the slip modes hold for all values within the scene's error bars, the lines and numbers for the middle values.";
     }
-    let followed = points.iter().fold(Answer::default(), |followed, point| {
-        followed.with(&point.name, point_json(&point.normal_stress_pa, &point.loading_velocity_m_per_s))
-    });
+    let followed = points
+        .iter()
+        .fold(Answer::default(), |followed, point| followed.with(&point.name, point_json(&point.place)));
     let live = live_map(&parameters.slider, &points, window, &scene.threshold());
     let families =
         Families::of(&parameters.slider, parameters.error_bars.as_ref(), points, &scene.threshold());
@@ -85,7 +85,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         return Err(refused(&format!("its page would have {bytes} bytes (allowed: {PAGE_BUDGET_BYTES})")));
     }
     output.finish(html)?;
-    let own = own.map(|point| point_json(&point.normal_stress_pa, &point.loading_velocity_m_per_s));
+    let own = own.as_ref().map(point_json);
     let line = if is_stream(&place) { String::new() } else { format!("{}\n", place.display()) };
     Answer::to(json!({ "scene": options.scene, "operating_point": own }))
         .with("scene_sha256", page.digest)
@@ -97,8 +97,8 @@ pub fn run(options: &Options) -> Result<(), Failure> {
 }
 
 /// σ and V0 under their names.
-fn point_json(stress: &Rational, velocity: &Rational) -> Value {
-    let [stress, velocity] = [stress, velocity].map(nearest_f64);
+fn point_json(point: &OperatingPoint<Rational>) -> Value {
+    let [stress, velocity] = [&point.normal_stress_pa, &point.loading_velocity_m_per_s].map(nearest_f64);
     json!({ Quantity::NormalStress.as_str(): stress, Quantity::LoadingVelocity.as_str(): velocity })
 }
 
