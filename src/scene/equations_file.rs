@@ -75,11 +75,10 @@ mod tests {
         let message = faults(&FILE.replace("note =", "nota ="));
         assert!(message.starts_with("equations.toml:") && message.contains("nota"), "{message}");
         assert_eq!(message.lines().count(), FILE.matches("note =").count());
-        let inline = faults("units = 3\nwrong = { x = 1 }\n[[equation]]\nother = [\n1]\n");
-        assert_eq!(inline.lines().count(), 2, "{inline}");
-        assert!(
-            inline.starts_with("equations.toml:2:") && inline.contains("\nequations.toml:4:"),
-            "{inline}"
+        let inline = faults(
+            "wrong = { x = 1 }\n[units]\n[[equation]]\nother = 1\nnumber = \"1\"\nequation = \"x = y\"\n",
         );
+        assert_eq!(inline.lines().count(), 2, "{inline}");
+        assert!(inline.contains("equations.toml:1:") && inline.contains("equations.toml:4:"), "{inline}");
     }
 }

@@ -171,7 +171,7 @@ mod tests {
         };
         assert_eq!(folder("").unwrap(), "r");
         assert_eq!(folder("folder = \"reports/lab\"").unwrap(), "reports/lab");
-        for path in ["../lab", "/lab", "a b", ""] {
+        for path in ["../lab", "/lab", "a b", "lab/"] {
             let faults = folder(&format!("folder = \"{path}\"")).unwrap_err();
             assert!(faults[0].to_string().contains("a folder such as \"reports/lab\""), "{faults:?}");
         }

@@ -194,7 +194,10 @@ fn without_coq(place: &Workplace) -> PathBuf {
     ] {
         let paths = std::env::var_os("PATH").unwrap();
         let mut found = std::env::split_paths(&paths).map(|folder| folder.join(command));
-        std::os::unix::fs::symlink(found.find(|path| path.is_file()).unwrap(), folder.join(command)).unwrap();
+        let link = folder.join(command);
+        if !link.exists() {
+            std::os::unix::fs::symlink(found.find(|path| path.is_file()).unwrap(), link).unwrap();
+        }
     }
     folder
 }

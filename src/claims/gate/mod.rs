@@ -290,12 +290,16 @@ impl Claim {
             return Outcome::Unconfirmed("The proof names no values of the other variables.".into());
         };
         let mut tried = 0;
-        for other in self.inside().take(POINTS) {
+        for (turn, other) in self.inside().take(POINTS).enumerate() {
             let mut base = named.clone();
             for variable in &self.there_is {
                 base.extend(other.get(variable).map(|value| (*variable, value.clone())));
             }
-            let does = self.at(&base, &|place: &mut AtPoint| self.does(said, place));
+            // The witness first, then values by chance.
+            let does = self.at(&base, &|place: &mut AtPoint| match turn {
+                0 => self.witness_does(said, place),
+                _ => self.does(said, place),
+            });
             match does {
                 At::Says(true) => {
                     return Outcome::Contradicted(format!("At {} it is true.", self.text(&base)));
