@@ -23,8 +23,9 @@ const KINDS: [&str; 2] = ["certificate", "evidence"];
 /// Objects that occur at several places and have one type.
 const SHARED: [&str; 3] = ["certificate", "domain", "system"];
 
-/// Lists of what was not decided: no input is known that fills them.
-const EMPTY: [&str; 2] = [".undecided", ".not_decided"];
+/// Lists that no invocation of the table fills: what was not decided, for which no input is known, and what a replay of the
+/// program's own archive finds.
+const EMPTY: [&str; 4] = [".undecided", ".not_decided", "replay.differences", "replay.not_verified"];
 
 /// What all values at one place have in common.
 #[derive(Default)]
