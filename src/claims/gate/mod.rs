@@ -296,11 +296,8 @@ impl Claim {
                 base.extend(other.get(variable).map(|value| (*variable, value.clone())));
             }
             // The witness first, then values by chance.
-            let does = self.at(&base, &|place: &mut AtPoint| match turn {
-                0 => self.witness_does(said, place),
-                _ => self.does(said, place),
-            });
-            match does {
+            let does = if turn == 0 { Self::witness_does } else { Self::does };
+            match self.at(&base, &|place: &mut AtPoint| does(self, said, place)) {
                 At::Says(true) => {
                     return Outcome::Contradicted(format!("At {} it is true.", self.text(&base)));
                 }
