@@ -76,9 +76,9 @@ mod tests {
         assert!(message.starts_with("equations.toml:") && message.contains("nota"), "{message}");
         assert_eq!(message.lines().count(), FILE.matches("note =").count());
         let inline = faults(
-            "wrong = { x = 1 }\n[assumptions]\n[[equation]]\nother = 1\nnumber = \"1\"\nequation = \"x = y\"\n",
+            "wrong = { x = 1 }\n[assumptions]\npositive = [\"x\"]\n[[equation]]\nother = 1\nnumber = \"1\"\nequation = \"x = y\"\n",
         );
         assert_eq!(inline.lines().count(), 2, "{inline}");
-        assert!(inline.contains("equations.toml:1:") && inline.contains("equations.toml:4:"), "{inline}");
+        assert!(inline.contains("equations.toml:1:") && inline.contains("equations.toml:5:"), "{inline}");
     }
 }
