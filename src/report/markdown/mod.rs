@@ -75,7 +75,7 @@ impl Prose {
         let mut text = String::new();
         html::push_html(&mut text, with_symbols(events));
         // Only a table has such a tag: text is escaped, and raw HTML is dropped.
-        text.replace("<th>", "<th scope=\"col\">").replace("<th ", "<th scope=\"col\" ")
+        text.replace("<th ", "<th scope=\"col\" ").replace("<th>", "<th scope=\"col\">")
     }
 
     /// One paragraph of prose as HTML without the paragraph around it; several are kept as paragraphs.
@@ -263,6 +263,12 @@ mod tests {
         let text = "![a][r] and [b][r] and [c][k]\n\n[r]: javascript:x\n[k]: #claim-B8\n";
         let found = harmless(text, 2, &|anchor| (anchor == "claim-B8").then(|| "#b8".into()));
         assert!(found.starts_with("a and b and [c](#b8)\n"), "{found}");
+    }
+
+    #[test]
+    fn each_heading_of_a_table_has_one_scope() {
+        let html = Prose::default().blocks("| a | b |\n|---|:-:|\n| 1 | 2 |\n", 2, "p");
+        assert_eq!((html.matches("<th ").count(), html.matches("scope=\"col\"").count()), (2, 2), "{html}");
     }
 
     #[test]
