@@ -273,19 +273,7 @@ def computed(rows: Rows, threshold: str | None, is_whole: bool) -> tuple[dict[st
 
 
 #: The results of points by the names of the command line, in its order.
-OF_A_POINT = (
-    "transition_sign",
-    "boundary_sign",
-    "spectral_class",
-    "slip_mode",
-    "max_real_per_s",
-    "max_imaginary_per_s",
-    "rung",
-    "frequency_hz",
-    "critical_stiffness_pa_per_m",
-    "stiffness_over_critical",
-    "frequency_over_natural",
-)
+OF_A_POINT = tuple(_slipmode.RESULT_COLUMNS)
 #: The words of spectral classes, slip modes and precision levels.
 WORDS = (tuple(_slipmode.SPECTRAL_CLASSES), tuple(_slipmode.SLIP_MODES), tuple(_slipmode.PRECISION_LEVELS))
 

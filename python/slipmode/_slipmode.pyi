@@ -3,6 +3,7 @@ from typing import Final
 
 __all__ = [
     "PRECISION_LEVELS",
+    "RESULT_COLUMNS",
     "SLIP_MODES",
     "SPECTRAL_CLASSES",
     "VERSION",
@@ -22,6 +23,7 @@ __all__ = [
 ]
 
 PRECISION_LEVELS: Final[list[str]]
+RESULT_COLUMNS: Final[list[str]]
 SLIP_MODES: Final[list[str]]
 SPECTRAL_CLASSES: Final[list[str]]
 VERSION: Final[str]

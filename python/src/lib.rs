@@ -38,6 +38,7 @@ mod _slipmode {
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
         std::sync::LazyLock::force(&super::call::LOADED_BY);
         module.add("PRECISION_LEVELS", PrecisionLevel::ALL.map(|level| level.as_str()))?;
+        module.add("RESULT_COLUMNS", slipmode::cli::RESULT_COLUMNS)?;
         module.add("SLIP_MODES", modes())?;
         module.add("SPECTRAL_CLASSES", SpectralClass::ALL.map(|class| class.as_str()))?;
         module.add("VERSION", env!("CARGO_PKG_VERSION"))

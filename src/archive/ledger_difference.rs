@@ -101,9 +101,9 @@ fn text(value: &Value) -> String {
 mod tests {
     use super::*;
 
-    const OLD: &str = r#"{"report": "r", "claims": [{"id": "B8", "verdict": "fails", "strength": "exact", "limit": null, "words": "W",
+    const OLD: &str = r#"{"report": "r", "claims": [{"id": "A1", "verdict": "fails", "strength": "exact", "limit": null, "words": "W",
         "counter_example": "x = 1", "evidence": [{"kind": "proof", "runs": 7}]},
-        {"id": "S1", "verdict": "holds", "strength": "exact", "limit": null, "counter_example": null}]}"#;
+        {"id": "A8", "verdict": "holds", "strength": "exact", "limit": null, "counter_example": null}]}"#;
 
     fn differences(new: &str) -> Vec<String> {
         ledger_differences(OLD.as_bytes(), new.as_bytes(), |old, new| old == new).unwrap()
@@ -112,14 +112,14 @@ mod tests {
     #[test]
     fn each_difference_is_named_with_old_and_new() {
         assert!(differences(OLD).is_empty());
-        let new = OLD.replace("\"fails\"", "\"holds\"").replace("\"x = 1\"", "null").replace("S1", "S2");
+        let new = OLD.replace("\"fails\"", "\"holds\"").replace("\"x = 1\"", "null").replace("A8", "A9");
         assert_eq!(
             differences(&new),
             [
-                "B8: counter-example: x = 1 -> none",
-                "B8: verdict: fails -> holds",
-                "S1: only in the first ledger",
-                "S2: only in the second ledger"
+                "A1: counter-example: x = 1 -> none",
+                "A1: verdict: fails -> holds",
+                "A8: only in the first ledger",
+                "A9: only in the second ledger"
             ]
         );
     }
@@ -127,11 +127,11 @@ mod tests {
     #[test]
     fn every_field_is_compared() {
         for (from, to, line) in [
-            ("\"W\"", "\"V\\u001b\"", "B8: words: W -> V\\u{1b}"),
-            ("\"runs\": 7", "\"runs\": 8", "B8: evidence[1].runs: 7 -> 8"),
-            ("\"runs\": 7}", "\"runs\": 7}, {}", "B8: evidence: 1 entries -> 2 entries"),
+            ("\"W\"", "\"V\\u001b\"", "A1: words: W -> V\\u{1b}"),
+            ("\"runs\": 7", "\"runs\": 8", "A1: evidence[1].runs: 7 -> 8"),
+            ("\"runs\": 7}", "\"runs\": 7}, {}", "A1: evidence: 1 entries -> 2 entries"),
             ("\"report\": \"r\"", "\"report\": \"s\"", "ledger: report: r -> s"),
-            ("\"words\"", "\"x\": 1, \"words\"", "B8: x: none -> 1"),
+            ("\"words\"", "\"x\": 1, \"words\"", "A1: x: none -> 1"),
         ] {
             assert_eq!(differences(&OLD.replace(from, to)), [line]);
         }
@@ -140,9 +140,9 @@ mod tests {
     #[test]
     fn what_is_no_ledger_is_refused() {
         let refusal = |first: &[u8]| ledger_differences(first, OLD.as_bytes(), |_, _| true).unwrap_err();
-        for bad in [&b"{}"[..], b"", b"[]", br#"{"claims": [1]}"#, br#"{"claims": [{"id": "B8"}]}"#] {
+        for bad in [&b"{}"[..], b"", b"[]", br#"{"claims": [1]}"#, br#"{"claims": [{"id": "A1"}]}"#] {
             assert!(refusal(bad).starts_with("the first is not a ledger"), "{}", refusal(bad));
         }
-        assert_eq!(refusal(OLD.replace("S1", "B8").as_bytes()), "the first lists a claim twice");
+        assert_eq!(refusal(OLD.replace("A8", "A1").as_bytes()), "the first lists a claim twice");
     }
 }

@@ -55,6 +55,7 @@ use slipmode::scene::{LONGEST_MESSAGE, Quantity, Uncertain, with_short_quotation
 
 pub use classify::call::{capture_grid, capture_point};
 pub use classify::grid_files::GridPicture;
+pub use classify::rows::RESULT_COLUMNS;
 pub use classify::view::{ClassifiedPoint, Derived};
 pub use options::inertial_threshold;
 pub use roots::capture_roots;

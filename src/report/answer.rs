@@ -218,7 +218,7 @@ mod tests {
             criterion: String::new(),
             digest: String::new(),
             sentence: Sentence {
-                source: if id.starts_with('X') { Source::Result } else { Source::Paper },
+                source: if id.starts_with('R') { Source::Result } else { Source::Paper },
                 ..Sentence::default()
             },
             expected: finding.verdict,
@@ -227,7 +227,7 @@ mod tests {
             error_bars: None,
             untied: None,
             subject: subject(id),
-            in_answer: ["N1", "N2", "N4"].contains(&id).then_some(InAnswer::Simulations),
+            in_answer: ["E1", "E2", "E4"].contains(&id).then_some(InAnswer::Simulations),
             rests_on: Vec::new(),
             stated: None,
         }
@@ -235,7 +235,7 @@ mod tests {
 
     #[test]
     fn what_decides_is_the_first_clause_of_the_verdicts_own_words() {
-        let decided = |finding: Finding| decided_by(&entry("L3", finding));
+        let decided = |finding: Finding| decided_by(&entry("A3", finding));
         assert_eq!(decided(Finding::failing("at V = 1.5: 2. More.")), "at V = 1.5: 2");
         assert_eq!(decided(Finding::not_checked("no runs")), "no runs");
         assert_eq!(decided(held()), "q: v");
@@ -243,10 +243,10 @@ mod tests {
 
     fn subject(id: &str) -> Option<Subject> {
         let all = [
-            ("L", "the linearisation"),
-            ("S", "the stability transition"),
-            ("B", "the boundary of oscillation"),
-            ("N", "numerical runs"),
+            ("A", "the linearisation"),
+            ("C", "the stability transition"),
+            ("D", "the boundary of oscillation"),
+            ("E", "numerical runs"),
         ];
         let place = all.iter().position(|(letter, _)| id.starts_with(letter))?;
         let (letter, words) = all[place];
@@ -264,7 +264,7 @@ mod tests {
 
     #[test]
     fn claims_without_a_subject_are_counted() {
-        let found = sentences(vec![entry("Q1", held()), entry("Z2", held())]);
+        let found = sentences(vec![entry("G1", held()), entry("H2", held())]);
         assert_eq!(found.len(), 1);
         assert!(
             found[0]
@@ -278,14 +278,14 @@ mod tests {
         let limit = Some("a first limit; a second one".to_owned());
         let limited = Finding { verdict: Verdict::HoldsWithin, limit, ..held() };
         let found = sentences(vec![
-            entry("L1", held()),
-            entry("S1", held()),
-            entry("S3", limited.clone()),
-            entry("B6", Finding::failing("a point")),
-            entry("N1", held()),
-            entry("N2", limited),
-            entry("N3", Finding::not_checked("no runs")),
-            entry("X1", held()),
+            entry("A1", held()),
+            entry("C1", held()),
+            entry("C3", limited.clone()),
+            entry("D6", Finding::failing("a point")),
+            entry("E1", held()),
+            entry("E2", limited),
+            entry("E3", Finding::not_checked("no runs")),
+            entry("R1", held()),
         ]);
         let texts: Vec<&str> = found.iter().map(|sentence| sentence.text_markdown.as_str()).collect();
         assert_eq!(
@@ -294,25 +294,25 @@ mod tests {
                 "Of the 7 claims of the paper in this report, 3 hold as stated, 2 hold within a limit, and 1 fails; 1 could not be checked here.",
                 "Right: all claims about the linearisation hold as stated, and those about the stability transition at least within a limit.",
                 "One claim is wrong as stated, with a counter-example:",
-                "In simulations: “Words of N1” holds; “Words of N2” holds within a first limit.",
+                "In simulations: “Words of E1” holds; “Words of E2” holds within a first limit.",
                 "New here, 1 result of our own: 1 holds.",
             ]
         );
-        assert!(found[2].is_list && found[2].claims == ["B6"]);
-        assert_eq!(found[3].claims, ["N1", "N2"]);
+        assert!(found[2].is_list && found[2].claims == ["D6"]);
+        assert_eq!(found[3].claims, ["E1", "E2"]);
     }
 
     #[test]
     fn a_verdict_that_changes_changes_the_answer() {
-        let of = |finding: Finding| sentences(vec![entry("L3", finding)]);
+        let of = |finding: Finding| sentences(vec![entry("A3", finding)]);
         assert!(of(held())[1].text_markdown.contains("all claims about the linearisation hold"));
         let failed = of(Finding::failing("a point"));
-        assert!(failed[0].text_markdown.contains("0 hold as stated") && failed[1].claims == ["L3"]);
+        assert!(failed[0].text_markdown.contains("0 hold as stated") && failed[1].claims == ["A3"]);
     }
 
     #[test]
     fn a_report_without_claims_has_no_answer() {
         assert!(sentences(Vec::new()).is_empty());
-        assert_eq!(sentences(vec![entry("L3", Finding::not_checked("no scene"))]).len(), 1);
+        assert_eq!(sentences(vec![entry("A3", Finding::not_checked("no scene"))]).len(), 1);
     }
 }

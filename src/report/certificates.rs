@@ -92,13 +92,13 @@ mod tests {
     fn a_certificate_has_one_home_and_a_lemma_is_one_line() {
         let lemma = proof("lemma", "x + x", "2*x");
         let whole = proof("whole", "x*x", "x^2").using(lemma.clone());
-        let claims = vec![entry("S1", &[&lemma]), entry("S5", &[&whole, &lemma])];
+        let claims = vec![entry("A1", &[&lemma]), entry("A5", &[&whole, &lemma])];
         let ledger = Ledger { report: "r".into(), claims, operating_points: Vec::new() };
         let certificates = Certificates::of(&ledger);
-        assert_eq!([&lemma, &whole].map(|proof| certificates.home(proof)), ["S1", "S5"]);
+        assert_eq!([&lemma, &whole].map(|proof| certificates.home(proof)), ["A1", "A5"]);
         assert_eq!(certificates.text(&lemma), lemma.to_string());
         let text = certificates.text(&whole);
         assert!(text.contains("x*x = x^2") && !text.contains("x + x = 2*x"), "{text}");
-        assert!(text.contains("2. Statement of lemma. [certificate lemma of claim S1]"), "{text}");
+        assert!(text.contains("2. Statement of lemma. [certificate lemma of claim A1]"), "{text}");
     }
 }

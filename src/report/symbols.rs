@@ -100,7 +100,9 @@ fn name(before: Option<char>, rest: &str) -> Set {
 
 /// Whether the name before this is that of a reference value, such as `V0`.
 fn is_index_zero(tail: &str) -> bool {
-    tail.strip_prefix('0').is_some_and(|after| !after.starts_with(|c: char| c.is_alphanumeric() || c == '_'))
+    // A raised digit is no part of the name.
+    let goes_on = |c: char| c.is_alphabetic() || c.is_ascii_digit() || c == '_';
+    tail.strip_prefix('0').is_some_and(|after| !after.starts_with(goes_on))
 }
 
 /// A power: `^2`, `^(1/3)`, or raised digits with a raised point.
@@ -220,7 +222,7 @@ mod tests {
         assert_eq!(set_symbols("M V_0²/(σ a D_c)"), "M V<sub>0</sub>²/(σ a D<sub>c</sub>)");
         assert_eq!(set_symbols("3σ_c/4, σD_c"), "3σ<sub>c</sub>/4, σD<sub>c</sub>");
         assert_eq!(set_symbols("ω_n < |p_measured|"), "ω<sub>n</sub> &lt; |p<sub>measured</sub>|");
-        assert_eq!(set_symbols("V0, μ0 and mu_0"), "V<sub>0</sub>, μ<sub>0</sub> and μ<sub>0</sub>");
+        assert_eq!(set_symbols("V0², μ0 and mu_0"), "V<sub>0</sub>², μ<sub>0</sub> and μ<sub>0</sub>");
     }
 
     #[test]

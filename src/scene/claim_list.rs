@@ -355,15 +355,17 @@ mod tests {
 
     #[test]
     fn claims_are_read_in_order() {
-        let text = claim("B8", "holds-within") + &claim("B1", "fails");
+        let [first, second] = [7, 0].map(|place| library_ids().nth(place).unwrap());
+        let text = claim(first, "holds-within") + &claim(second, "fails");
         let claims = read_claims("claims.toml", text.as_bytes(), &Procedures::default(), None).unwrap();
-        assert_eq!(claims.iter().map(|claim| claim.id.as_str()).collect::<Vec<_>>(), ["B8", "B1"]);
+        assert_eq!(claims.iter().map(|claim| claim.id.as_str()).collect::<Vec<_>>(), [first, second]);
         assert_eq!(claims[0].expected, Verdict::HoldsWithin);
     }
 
     #[test]
     fn doubled_and_unknown_ids_and_unknown_verdicts_are_all_reported() {
-        let text = claim("B8", "holds") + &claim("B8", "holds") + &claim("X9", "hold");
+        let known = claim(library_ids().next().unwrap(), "holds");
+        let text = known.repeat(2) + &claim("A9", "hold");
         let faults = read_claims("claims.toml", text.as_bytes(), &Procedures::default(), None).unwrap_err();
         let lines: Vec<_> = faults.iter().filter_map(|fault| fault.line).collect();
         assert_eq!(lines, [7, 12, 15]);

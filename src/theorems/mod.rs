@@ -312,7 +312,7 @@ mod tests {
                 r#"{{"id": "{id}", "verdict": "holds", "strength": "argued", "evidence": [{{"kind": "proof", "proof": {proof}}}, {{"kind": "sample"}}]}}"#
             )
         };
-        format!(r#"{{"claims": [{}, {}]}}"#, claim("S1"), claim("S-2")).into_bytes()
+        format!(r#"{{"claims": [{}, {}]}}"#, claim("A1"), claim("A-2")).into_bytes()
     }
 
     #[test]
@@ -320,18 +320,18 @@ mod tests {
         let made = files(&published(ledger("x^2 + 2*x*y + y^2")), NONE).expect("a ledger");
         assert_eq!(
             made.keys().map(String::as_str).collect::<Vec<_>>(),
-            ["r/claim_S1.v", "r/claim_S1_faults.v", STEPS_FILE]
+            ["r/claim_A1.v", "r/claim_A1_faults.v", STEPS_FILE]
         );
-        let text = &made["r/claim_S1.v"];
+        let text = &made["r/claim_A1.v"];
         assert!(text.contains("((x + y) ^ 2) = ((x ^ 2) + (2 * x * y) + (y ^ 2))"), "{text}");
-        assert!(text.contains("(** S1, A formula., step 1: a ( *square* ) of 'a' sum *)"), "{text}");
+        assert!(text.contains("(** A1, A formula., step 1: a ( *square* ) of 'a' sum *)"), "{text}");
         let steps: Vec<Vec<&str>> = made[STEPS_FILE].lines().map(|line| line.split('\t').collect()).collect();
         assert!(steps.len() == 7 && steps[1][5].starts_with("identity_") && steps[1][5..] == steps[4][5..]);
         assert_eq!(steps[3][4..], ["whole", "", "", "a proof or a procedure decides it, not a formula"]);
         assert_eq!(steps[2][4..], ["argued", "", "", "a step of plain reasoning has no certificate"]);
         let other = files(&published(ledger("x^2 + 3*x*y + y^2")), NONE).expect("a ledger");
         assert!(
-            other["r/claim_S1.v"].contains("(3 * x * y)") && !other["r/claim_S1.v"].contains("(2 * x * y)")
+            other["r/claim_A1.v"].contains("(3 * x * y)") && !other["r/claim_A1.v"].contains("(2 * x * y)")
         );
         assert!(files(&published(b"{}".to_vec()), NONE).is_err());
     }

@@ -82,6 +82,10 @@ fn push_word(word: &str, out: &mut Vec<u8>) {
 /// The word of points on K = K_c, as class and as mode.
 pub const NEUTRAL: &str = SpectralClass::Neutral.as_str();
 
+/// All columns of a classification, those that follow from it last.
+pub const RESULT_COLUMNS: [&str; COLUMNS.len() + derived::COLUMNS.len()] =
+    joined(&COLUMNS, &names(&derived::COLUMNS));
+
 /// The columns of a classification.
 const COLUMNS: [&str; 7] = [
     "transition_sign",
@@ -98,11 +102,7 @@ impl<const DERIVED: bool> RowWork for ClassifyRows<DERIVED> {
     type Input = Classified;
     type Kept = ();
 
-    const APPENDED: &'static [&'static str] = if DERIVED {
-        &joined::<{ COLUMNS.len() + derived::COLUMNS.len() }>(&COLUMNS, &names(&derived::COLUMNS))
-    } else {
-        &COLUMNS
-    };
+    const APPENDED: &'static [&'static str] = if DERIVED { &RESULT_COLUMNS } else { &COLUMNS };
     const BLOCK_ROWS: usize = 2048;
     const BLOCKS_PER_THREAD: usize = 1;
 

@@ -260,9 +260,9 @@ mod tests {
 
     #[test]
     fn references_end_where_their_definitions_lead() {
-        let text = "![a][r] and [b][r] and [c][k]\n\n[r]: javascript:x\n[k]: #claim-B8\n";
-        let found = harmless(text, 2, &|anchor| (anchor == "claim-B8").then(|| "#b8".into()));
-        assert!(found.starts_with("a and b and [c](#b8)\n"), "{found}");
+        let text = "![a][r] and [b][r] and [c][k]\n\n[r]: javascript:x\n[k]: #claim-A8\n";
+        let found = harmless(text, 2, &|anchor| (anchor == "claim-A8").then(|| "#a8".into()));
+        assert!(found.starts_with("a and b and [c](#a8)\n"), "{found}");
     }
 
     #[test]
@@ -274,21 +274,21 @@ mod tests {
     #[test]
     fn formulas_become_mathml_and_faults_name_the_place() {
         let mut prose = Prose::default();
-        assert!(prose.inline("for $\\eta > 1$ it", "B8").starts_with("for <math>"));
-        let wide = prose.inline("for $(a + b)(c + d) = a c + a d + b c + b d$ it", "B8");
+        assert!(prose.inline("for $\\eta > 1$ it", "A8").starts_with("for <math>"));
+        let wide = prose.inline("for $(a + b)(c + d) = a c + a d + b c + b d$ it", "A8");
         assert!(wide.starts_with("for <span class=\"formula\" tabindex=\"0\""), "{wide}");
         assert!(prose.faults.is_empty());
-        prose.inline("bad $\\nonsense{1}$", "claim B8, statement");
-        assert!(prose.faults[0].starts_with("claim B8, statement: formula"), "{:?}", prose.faults);
+        prose.inline("bad $\\nonsense{1}$", "claim A8, statement");
+        assert!(prose.faults[0].starts_with("claim A8, statement: formula"), "{:?}", prose.faults);
     }
 
     #[test]
     fn deep_links_are_gathered_and_led_to_the_markdown_headings() {
         let mut prose = Prose::default();
-        prose.blocks("see [B8](#claim-B8)", 2, "chapter x");
-        assert_eq!(prose.links, [("claim-B8".into(), "chapter x".into())]);
-        let to = |anchor: &str| (anchor == "claim-B8").then(|| "#b8".into());
-        assert_eq!(harmless("see [**B8**](#claim-B8), [f](#fig)", 2, &to), "see [**B8**](#b8), f");
+        prose.blocks("see [A8](#claim-A8)", 2, "chapter x");
+        assert_eq!(prose.links, [("claim-A8".into(), "chapter x".into())]);
+        let to = |anchor: &str| (anchor == "claim-A8").then(|| "#a8".into());
+        assert_eq!(harmless("see [**A8**](#claim-A8), [f](#fig)", 2, &to), "see [**A8**](#a8), f");
     }
 
     #[test]
