@@ -250,9 +250,13 @@ impl Search<'_> {
         let (even, odd) = split_by_parity(numerator, name, square);
         let norm = converter.without_squares(&(&(&even * &even) - &(&(&odd * &odd) * square)))?;
         let conjugate = &even - &(&odd * &RationalFunction::generator(name));
-        let below = Expression::from(&conjugate) * Expression::from(function.denominator());
-        // The quotient is not brought to its normal form, which would move the root up again.
-        self.divided(self.end(&Expression::from(&norm), slopes)?, &below, slopes)
+        let denominator = RationalFunction::from(function.denominator().clone());
+        let [above, below, conjugate] = [&norm, &denominator, &conjugate].map(Expression::from);
+        // Powers of the variable cancel without the root. The whole is not brought to its normal form, which would move the root up again.
+        let cancelled = norm.checked_div(&denominator).and_then(|part| self.quotient(&part, slopes));
+        cancelled
+            .and_then(|end| self.divided(end, &conjugate, slopes))
+            .or_else(|| self.divided(self.end(&above, slopes)?, &(conjugate * below), slopes))
     }
 
     /// Numerator and denominator both go to zero, or both beyond all bounds: the quotient of their slopes has the same end.
@@ -485,6 +489,9 @@ mod tests {
             ("sin(a)*x/(1 + x)", Infinity, "sin(a)"),
             ("sin(x)/x", Zero, "1"),
             ("(1 - cos(a*x))/x^2", Zero, "a^2/2"),
+            ("(sqrt(a + x) - sqrt(a) - x/(2*sqrt(a)))/x^2", Zero, "-1/(8*a*sqrt(a))"),
+            ("(sqrt(1 + x) - 1 - x/2 + x^2/8 - x^3/16)/x^4", Zero, "-5/128"),
+            ("(exp(x)*sqrt(1 + x) - 1 - 3*x/2 - 7*x^2/8)/x^3", Zero, "17/48"),
         ] {
             assert!(finite(text, toward, value), "{text}: {:?}", end(text, toward));
         }

@@ -92,6 +92,16 @@ fn each_derivation_gives_what_its_name_says() {
     gives(&[("w", "solve(K/omega^2 - M, omega)")], "", "sqrt(K/M)");
     gives(&[("d", "derivative(A*ln(v/V), v)")], "", "A/v");
     gives(&[("l", "limit(A*K/(B + K), K, infinity)")], "", "A");
+    gives(
+        &[("S", "series(1/sqrt(1 + V), V, 5)")],
+        "",
+        "1 - V/2 + 3*V^2/8 - 5*V^3/16 + 35*V^4/128 - 63*V^5/256",
+    );
+    gives(
+        &[("S", "series(sqrt(1 + A*V)/(1 + V), V, 3)")],
+        "",
+        "1 + (A/2 - 1)*V + (1 - A/2 - A^2/8)*V^2 + (A/2 - 1 + A^2/8 + A^3/16)*V^3",
+    );
     gives(&[("e", "exchange(A/(A + 2*B), A, B)")], "", "B/(B + 2*A)");
     gives(&[("t", "at(A*M + K, M = 0, K = A*L)")], "", "A*L");
     // A definition of the sides of an equation, and a name that an equation defines.
