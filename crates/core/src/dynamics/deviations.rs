@@ -43,11 +43,10 @@ pub fn oscillation_of_small_deviations(
 
 /// The same in double-double, where a pair next to a double root keeps its digits.
 pub(super) fn oscillation_in_double_double(
-    model: &Model<f64>,
+    model: &Model<Dd>,
     local_tolerance: f64,
 ) -> Result<Option<Oscillation<f64>>, Failure> {
-    let fine = model.in_double_double();
-    Ok(modes(&fine, &Radau::<Dd, 7>::new(), Sampling::of(&fine, local_tolerance))?
+    Ok(modes(model, &Radau::<Dd, 7>::new(), Sampling::of(model, local_tolerance))?
         .map(|seen| seen.oscillation))
 }
 

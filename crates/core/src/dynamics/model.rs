@@ -11,7 +11,7 @@
 
 use super::{Arrow, Scalar};
 use crate::friction::{EvolutionLaw, Groups};
-use crate::number::Dd;
+use crate::number::{Dd, Rational};
 
 /// A point of the trajectory: [x, y, ζ].
 pub type State<R> = [R; 3];
@@ -75,10 +75,10 @@ struct Exponentials<R> {
 }
 
 impl Model<f64> {
-    /// The same slider in double-double.
-    pub(super) fn in_double_double(&self) -> Model<Dd> {
-        let exact = |value: &f64| Dd::from(*value);
-        Model::with_balance(self.groups.map(exact), self.law, self.balance.map(exact))
+    /// The same slider in double-double, from the groups that its own are rounded from.
+    pub(super) fn in_double_double(&self, exact: &Groups<Rational>) -> Model<Dd> {
+        let balance = self.balance.map(|value| Dd::from(*value));
+        Model::with_balance(exact.map(Dd::from_rational), self.law, balance)
     }
 
     /// √(κη): how far an oscillation at √(K/M) moves ζ, over how far it moves ln V.

@@ -17,7 +17,8 @@ use super::return_errors::{OF_DIFFERENCE, OF_LARGEST};
 use super::return_map::{Derivative, ReturnMap};
 use super::stepper::Stepper;
 use super::{Decay, Failure, Model, Options, Radau, Return};
-use crate::number::Dd;
+use crate::friction::Groups;
+use crate::number::{Dd, Rational};
 
 /// The tightest local tolerance in f64.
 const TIGHTEST: f64 = 2e-13;
@@ -83,6 +84,8 @@ pub(super) struct Leftover {
 /// A search with one method.
 pub(super) struct Search<'m, 'o, M> {
     model: &'m Model<f64>,
+    /// The same with the groups as they are: next to K = K_c and to double roots, results magnify what rounding changes in them.
+    unrounded: Model<Dd>,
     method: M,
     options: &'o Options,
     levels: Levels,
@@ -98,18 +101,26 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
     /// A search that goes on from what a cheaper method left.
     pub fn new(
         model: &'m Model<f64>,
+        exact: &Groups<Rational>,
         method: M,
         options: &'o Options,
         Leftover { known, work }: Leftover,
     ) -> Self {
-        Self { model, method, options, levels: Levels::for_error(options.tolerance), known, work }
+        Self {
+            model,
+            unrounded: model.in_double_double(exact),
+            method,
+            options,
+            levels: Levels::for_error(options.tolerance),
+            known,
+            work,
+        }
     }
 
     /// Tightens until the stated errors of peak and period are no larger than requested.
     pub fn answer(mut self) -> Result<Outcome, Failure> {
         let requested = self.options.tolerance;
-        let mut reached = f64::INFINITY;
-        let mut last_failure = None;
+        let (mut reached, mut last_failure) = (f64::INFINITY, None);
         loop {
             let mut by = TIGHTER;
             match self.attempt() {
@@ -128,15 +139,11 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
                 }
                 Err(failure) => return Err(failure),
             }
-            match self.levels.tighter(by) {
-                Some(levels) => self.levels = levels,
-                None => break,
-            }
+            let Some(levels) = self.levels.tighter(by) else { break };
+            self.levels = levels;
         }
-        match last_failure {
-            Some(failure) if reached.is_infinite() => Err(failure),
-            _ => Err(Failure::UnreachableTolerance { requested, reached }),
-        }
+        let missed = Failure::UnreachableTolerance { requested, reached };
+        Err(last_failure.filter(|_| reached.is_infinite()).unwrap_or(missed))
     }
 
     fn attempt(&mut self) -> Result<LongTermFound, Failure> {
@@ -189,9 +196,8 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
     /// A decay, run again at a tenth of the tolerance.
     fn decay(&mut self, mut coarse: Decay<f64>) -> Result<LongTermFound, Failure> {
         let finer = FINER * self.levels.coarse;
-        let mut fine = match self.long_term_at(finer)? {
-            LongTerm::Decay(decay) => decay,
-            LongTerm::Cycle(_) => return Err(Failure::Undecided { cycles: 0, change: 1.0 }),
+        let LongTerm::Decay(mut fine) = self.long_term_at(finer)? else {
+            return Err(Failure::Undecided { cycles: 0, change: 1.0 });
         };
         // A pair that dies faster than the real mode leaves no clear trace in long-term behaviour, but it is there.
         if coarse.oscillation.is_none() || fine.oscillation.is_none() {
@@ -205,8 +211,8 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
             };
             // Next to a double root the propagator's rounding errors are magnified.
             if unequal {
-                coarse.oscillation = oscillation_in_double_double(self.model, FINER * FINER * wide)?;
-                fine.oscillation = oscillation_in_double_double(self.model, FINER * FINER * narrow)?;
+                coarse.oscillation = oscillation_in_double_double(&self.unrounded, FINER * FINER * wide)?;
+                fine.oscillation = oscillation_in_double_double(&self.unrounded, FINER * FINER * narrow)?;
             }
         }
         let [coarse, fine] = [coarse, fine]
@@ -278,21 +284,16 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
             let [before, after] = [&first, &second].map(|mapped| size(mapped.residual()));
             if after < CLOSED * before {
                 let from = [0.0, second.from[0], second.from[1]];
-                let distance = after / second.size();
-                let cycle = Cycle {
-                    orbit: second.orbit,
-                    returns_per_cycle: returns,
-                    contraction: Some(after / before),
-                    distance,
-                    from,
-                };
+                let (distance, contraction) = (after / second.size(), Some(after / before));
+                let orbit = second.orbit;
+                let cycle = Cycle { orbit, returns_per_cycle: returns, contraction, distance, from };
                 return Ok((cycle, fine));
             }
         }
         Ok((found, tolerance))
     }
 
-    /// Newton's iteration, in double-double where f64 allows no tighter run.
+    /// Newton's iteration, in double-double where f64 allows no tighter run: a fixed point may magnify the rounding errors of f64.
     fn by_newton(
         &self,
         map: &mut ReturnMap<'m, f64, M>,
@@ -301,32 +302,16 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
         accuracy: Accuracy,
     ) -> Result<Option<Refined<f64>>, Failure> {
         let refined = refine(map, derivative, rough, accuracy)?;
-        let satisfied = refined.as_ref().is_some_and(|refined| satisfies(refined, accuracy.requested));
-        if satisfied || self.levels.tighter(TIGHTER).is_some() {
+        let satisfies = |found: &Refined<f64>| found.errors.peak_or_duration() <= 0.9 * accuracy.requested;
+        if refined.as_ref().is_some_and(satisfies) || self.levels.tighter(TIGHTER).is_some() {
             return Ok(refined);
         }
         let from = refined.as_ref().map_or(rough, |refined| refined.mapped.from);
-        let more = in_double_double(map, derivative, from, accuracy)?;
-        Ok(more.or(refined))
+        let mut map = ReturnMap::new(&self.unrounded, Radau::<Dd, 7>::new(), map.returns, map.most_steps);
+        let accuracy = Accuracy { coarse: 1e-14, fine: 1e-16, floor: 1e-16, ..accuracy };
+        let more = refine(&mut map, derivative, from.map(Dd::from), accuracy)?;
+        Ok(more.map(Refined::rounded).or(refined))
     }
-}
-
-fn satisfies<R>(refined: &Refined<R>, requested: f64) -> bool {
-    refined.errors.peak_or_duration() <= 0.9 * requested
-}
-
-/// Newton's iteration in double-double, for cycles whose fixed point magnifies the rounding errors of f64.
-fn in_double_double<M>(
-    map: &ReturnMap<'_, f64, M>,
-    derivative: &Derivative,
-    from: [f64; 2],
-    accuracy: Accuracy,
-) -> Result<Option<Refined<f64>>, Failure> {
-    let fine = map.model.in_double_double();
-    let mut map = ReturnMap::new(&fine, Radau::<Dd, 7>::new(), map.returns, map.most_steps);
-    let accuracy = Accuracy { coarse: 1e-14, fine: 1e-16, floor: 1e-16, ..accuracy };
-    let refined = refine(&mut map, derivative, from.map(Dd::from), accuracy)?;
-    Ok(refined.map(|refined| refined.rounded()))
 }
 
 /// Errors of a decay from two runs, a factor ten apart in tolerance.

@@ -41,7 +41,7 @@ pub fn simulate(
         None => Balance::Inertial,
     };
     let model = Model::with_balance(groups, law, balance);
-    Ok(simulate_exact(&model, options, || exact)?.in_si(&parameters))
+    Ok(simulate_exact(&model, options, &exact)?.in_si(&parameters))
 }
 
 /// Simulates a slider without units.
@@ -50,22 +50,22 @@ pub fn simulate(
 /// Those of [`simulate`].
 pub fn simulate_model(model: &Model<f64>, options: &Options) -> Result<Outcome, Failure> {
     // Every finite f64 is a rational number; the integrator refuses the others.
-    let exact = || model.groups().map(|&group| Rational::from_f64(group).unwrap_or_default());
-    simulate_exact(model, options, exact)
+    let exact = model.groups().map(|&group| Rational::from_f64(group).unwrap_or_default());
+    simulate_exact(model, options, &exact)
 }
 
 /// Simulates a slider whose groups are known exactly: next to K = K_c those of the model are rounded by as much as what matters.
 fn simulate_exact(
     model: &Model<f64>,
     options: &Options,
-    exact: impl FnOnce() -> Groups<Rational>,
+    exact: &Groups<Rational>,
 ) -> Result<Outcome, Failure> {
     if let Some(outcome) = smooth_decay(model, options) {
         return Ok(outcome);
     }
     let search = || {
         loose_cycle(model, options)
-            .or_else(|leftover| Search::new(model, Radau::<f64, 5>::new(), options, leftover).answer())
+            .or_else(|leftover| Search::new(model, exact, Radau::<f64, 5>::new(), options, leftover).answer())
     };
     let requested = options.tolerance;
     let slowly = || {

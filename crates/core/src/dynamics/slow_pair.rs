@@ -99,15 +99,14 @@ impl NearTransition {
 
 impl SlowPair {
     /// The pair, when the real mode dies faster.
-    pub fn of(model: &Model<f64>, exact: impl FnOnce() -> Groups<Rational>) -> Option<Self> {
-        let exact = exact();
+    pub fn of(model: &Model<f64>, exact: &Groups<Rational>) -> Option<Self> {
         let roots = certified_roots(&exact.characteristic_cubic(), DIGITS).roots;
         let [real, _, pair] = roots.as_slice() else { return None };
         let oscillation =
             Oscillation { period: std::f64::consts::TAU / pair.im.to_f64(), growth_rate: pair.re.to_f64() };
         let modes = Modes { oscillation, real_rate: real.re.to_f64(), work: Work::default() };
         let is_led_by_pair = pair.im != 0 && modes.real_rate < oscillation.growth_rate.min(0.0);
-        let near_transition = near_transition(model, &exact);
+        let near_transition = near_transition(model, exact);
         is_led_by_pair.then_some(Self { modes, near_transition })
     }
 }

@@ -223,7 +223,7 @@ fn the_family_of_cycles_and_the_search_agree_where_both_find_the_cycle() {
         {
             let slider = slider(eta, beta, &next_to_one(false, exponent));
             let model = model_of(&slider, law);
-            let pair = SlowPair::of(&model, || slider.groups()).unwrap();
+            let pair = SlowPair::of(&model, &slider.groups()).unwrap();
             let small = SmallCycle::find(&model, &pair.near_transition.unwrap()).unwrap();
             let (Cycle { orbit, .. }, errors) = small.with_multiplier_of(&pair.modes.oscillation);
             let searched = simulate_model(&model, &Options::at(1e-8)).unwrap();

@@ -102,7 +102,9 @@ fn no_cycle_is_taken_for_a_decay() {
                 let model = Model::new(groups_of([1.5, eta, ratio]), law);
                 let options = Options::at(1e-5);
                 if smooth_decay(&model, &options).is_some() {
-                    let search = Search::new(&model, Radau::<f64, 5>::new(), &options, Leftover::default());
+                    let exact = model.groups().map(|&group| Rational::from_f64(group).unwrap());
+                    let method = Radau::<f64, 5>::new();
+                    let search = Search::new(&model, &exact, method, &options, Leftover::default());
                     let found = search.answer().unwrap();
                     assert!(matches!(found.long_term(), LongTerm::Decay(_)), "{eta} {ratio} {law:?}");
                     decays += 1;
