@@ -53,7 +53,7 @@ class Simulation:
     peak_velocity: Observable
     #: log10 of the minimum velocity over V0.
     minimum_velocity_log10_ratio: Observable
-    #: The stress drop, Pa.
+    #: Largest minus least spring stress, Pa: of the cycle, or of a decaying run from its start to steady sliding, where it may only rise.
     stress_drop: Observable
     #: The period, s; none if nothing oscillates.
     period: Observable | None

@@ -58,6 +58,8 @@ pub struct Options {
     ///
     /// A value with an error bar is 0.009±0.001, 0.009+-0.001, 0.009(1), 0.009±5% or [0.008, 0.010]. The run is then that of the middle
     /// values, and `within_error_bars` has the sampled ranges, the modes that occur, and what the linear theory decides exactly.
+    /// `stress_drop_pa` is the largest minus the least stress of the spring: on a limit cycle the stress drop, in a decay the range over the
+    /// whole run, start and steady sliding included, where the stress may only rise.
     #[arg(long, conflicts_with = "points")]
     json: bool,
     /// Also prove the limit cycle or the decay, and enclose peak velocity, period and stress drop (seconds a point)
@@ -94,7 +96,7 @@ pub struct Options {
     /// ([low, high]), modes are all that occur, and `status` has the number of runs. If the simulation of a row
     /// fails, its column `status` has the reason, and the other rows continue. `outside_tested_range` is `true`
     /// if a group lies outside the ranges over which simulations were tested: eta = M V0^2/(sigma a D_c) from 5e-10 to 8e5,
-    /// kappa = K D_c/(a sigma) from 0.0005 to 80, beta = b/a from 0.66 to 5.
+    /// kappa = K D_c/(a sigma) from 0.0005 to 80, beta = b/a from 0.66 to 5. `stress_drop_pa` of a decay is a range, as in --json.
     #[arg(long, value_name = "FILE.csv")]
     points: Option<PathBuf>,
     #[command(flatten)]

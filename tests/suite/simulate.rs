@@ -98,6 +98,8 @@ fn an_overdamped_run_has_no_period() {
     assert!(number(&found, "peak_velocity_m_per_s") > 1e-5);
     let text = run(&Workplace::new(), "1e3", "1e-5", &["--law", "aging"]).expect_success();
     assert!(text.contains("\nperiod                     none  (nothing oscillates)\n"), "{text}");
+    // It rises from the stress of V0/10, or falls to that of V0.
+    assert!(text.contains("\nstress range ") && !text.contains("stress drop"), "{text}");
 }
 
 #[test]

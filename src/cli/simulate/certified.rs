@@ -52,7 +52,8 @@ impl Certified {
         };
         let answer = answer.note("(proved)").with("proof", premises(&proof.proved));
         let answer = enclosed(answer, "peak velocity", proof.peak_velocity_m_per_s, "m/s");
-        let answer = enclosed(answer, "stress drop", proof.stress_drop_pa, "Pa");
+        let drop = if proof.period_s().is_some() { "stress drop" } else { "stress range" };
+        let answer = enclosed(answer, drop, proof.stress_drop_pa, "Pa");
         match proof.period_s() {
             Some(period) => enclosed(answer, "period", period, "s"),
             None => answer,

@@ -15,6 +15,8 @@ use crate::cli::simulate::run::{COLUMNS, Settings, Simulated};
 
 /// The most significant digits in the text for people: those of a 64-bit number.
 const MOST_DIGITS: usize = 17;
+/// What is said of a value of a limit cycle.
+const OF_CYCLE: &str = "(of the cycle)";
 /// Significant digits of an error.
 const ERROR_DIGITS: usize = 2;
 
@@ -36,11 +38,15 @@ pub fn answer(simulated: &Simulated, region: &ParameterBox, law: EvolutionLaw, s
 
 /// Writes lines of name, value and meaning, with only the digits that the estimated errors support.
 fn lines(found: &Simulation, law: EvolutionLaw, settings: Settings) -> Answer {
-    let (mode, extent, oscillation) = match found.behaviour {
-        Behaviour::Periodic => ("(a limit cycle)", "(of the cycle)", "(of the cycle)"),
-        Behaviour::Decaying => {
-            ("(back to steady sliding)", "(of the transient)", "(of the late oscillation)")
-        }
+    let [mode, extent, stress, stress_extent, oscillation] = match found.behaviour {
+        Behaviour::Periodic => ["(a limit cycle)", OF_CYCLE, "stress drop", OF_CYCLE, OF_CYCLE],
+        Behaviour::Decaying => [
+            "(back to steady sliding)",
+            "(of the transient)",
+            "stress range",
+            "(largest minus least of the whole run, start and steady sliding included)",
+            "(of the late oscillation)",
+        ],
     };
     let period_error = found.period_relative_error.unwrap_or(0.0);
     let none = || "none".to_string();
@@ -58,8 +64,8 @@ fn lines(found: &Simulation, law: EvolutionLaw, settings: Settings) -> Answer {
         .note(extent)
         .named("log10 of minimum V/V0", &lowest)
         .note(extent)
-        .named("stress drop", &relative(found.stress_drop_pa, found.stress_drop_relative_error, "Pa"))
-        .note(extent)
+        .named(stress, &relative(found.stress_drop_pa, found.stress_drop_relative_error, "Pa"))
+        .note(stress_extent)
         .named("period", &period)
         .note(oscillation)
         .named("frequency", &frequency)

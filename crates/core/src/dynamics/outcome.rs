@@ -55,7 +55,7 @@ pub struct Simulation {
     pub minimum_velocity_log10_ratio: f64,
     /// Period of the cycle or of the long-term oscillation, s; none when nothing oscillates.
     pub period_s: Option<f64>,
-    /// Largest minus least spring stress of the cycle or the transient, Pa.
+    /// Largest minus least spring stress, Pa: of the cycle, or of the whole transient with its start and steady sliding, where it may only rise.
     pub stress_drop_pa: f64,
     /// The same in units of aσ.
     pub stress_drop_over_direct_effect: f64,
