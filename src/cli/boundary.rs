@@ -12,7 +12,7 @@ use slipmode::experiments::pictures::boundary_picture;
 use slipmode::scene::{Limits, Problem, Quantity, unit_of};
 use slipmode_core::friction::Slider;
 use slipmode_core::number::format::exact_text;
-use slipmode_core::number::{Ball, Rational, parse_decimal};
+use slipmode_core::number::{Ball, Rational, parse_quotient};
 use slipmode_core::stability::boundary::{BoundaryCurve, BoundaryPoint, Section};
 use slipmode_core::stability::inverse::Undecided;
 use slipmode_core::stability::{
@@ -56,12 +56,12 @@ pub struct Options {
     slider: MaterialOptions,
     /// The line on which oscillations have this share of the natural angular frequency, ω/ω_n, 0 < R < 1, in place of the boundary
     ///
-    /// R is a decimal or a square root such as sqrt(1/2), the default of --inertial-threshold. With error bars R² is at least 1/5. Asymptotes are eqs 18 and 20 times 1/√(1 − R²).
+    /// R is a decimal, a fraction or a square root such as sqrt(1/2), the default of --inertial-threshold. With error bars R² is at least 1/5. Asymptotes are eqs 18 and 20 times 1/√(1 − R²).
     #[arg(long, value_name = "R", allow_hyphen_values = true)]
     frequency_ratio: Option<String>,
     /// The line on which oscillations have this damping ratio, −Re(s)/|s|, −1 < Z < 1, in place of the boundary
     ///
-    /// Z is a decimal other than 0; oscillations grow where it is negative. Asymptotes are eqs 18 and 20 times 1/|Z|, and the limits of σ as V0 → 0, called eq15 and eq16 because they are these for Z = -1 and 1.
+    /// Z is a decimal or a fraction other than 0; oscillations grow where it is negative. Asymptotes are eqs 18 and 20 times 1/|Z|, and the limits of σ as V0 → 0, called eq15 and eq16 because they are these for Z = -1 and 1.
     #[arg(long, value_name = "Z", allow_hyphen_values = true, conflicts_with = "frequency_ratio")]
     damping_ratio: Option<String>,
     /// Points on each arc, in addition to the marked ones (cusp and corners); with error bars, loading velocities; not with
@@ -190,8 +190,11 @@ fn pair_ratio(options: &Options, arguments: &mut Arguments) -> Option<PairRatio>
 }
 
 fn damping_ratio(text: &str) -> Result<PairRatio, Problem> {
-    let ratio = parse_decimal(text).ok().and_then(DampingRatio::new).map(PairRatio::Damping);
-    ratio.ok_or_else(|| Problem::OutOfRange { allowed: "-1 < value < 1, and not 0".into() })
+    let allowed = "-1 < value < 1, and not 0".to_string();
+    match parse_quotient(text) {
+        Ok(ratio) => DampingRatio::new(ratio).map(PairRatio::Damping).ok_or(Problem::OutOfRange { allowed }),
+        Err(reason) => Err(Problem::NotANumber { reason, allowed: Some(allowed) }),
+    }
 }
 
 /// Notes options that single points have no use for, and a picture without a file.

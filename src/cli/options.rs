@@ -265,7 +265,7 @@ pub fn inertial_threshold(text: &str) -> Result<InertialThreshold, Problem> {
     let square = text.trim().strip_prefix("sqrt(").and_then(|rest| rest.strip_suffix(')'));
     let threshold = match square.map(parse_quotient) {
         Some(square) => square.ok().and_then(InertialThreshold::from_squared_ratio),
-        None => InertialThreshold::from_ratio(&range.parse(text)?),
+        None => InertialThreshold::from_ratio(&range.parse_quotient(text)?),
     };
     threshold.ok_or(Problem::OutOfRange { allowed: range.text() })
 }

@@ -44,13 +44,9 @@ const WORKING_BITS: u32 = 96;
 /// When the arguments are at fault.
 pub fn run(options: &Options) -> Result<(), Failure> {
     let mut arguments = Arguments::default();
-    let relative: Vec<Rational> = options
-        .relative_error
-        .iter()
-        .filter_map(|text| {
-            arguments.number("--relative-error", text, |text| AllowedRange::OPEN_UNIT.parse(text))
-        })
-        .collect();
+    let read = |text: &str| AllowedRange::OPEN_UNIT.parse_quotient(text);
+    let error = |text: &String| arguments.number("--relative-error", text, read);
+    let relative: Vec<Rational> = options.relative_error.iter().filter_map(error).collect();
     let answer = if options.material.is_uncertain() {
         let region = options.material.region(None, &mut arguments);
         over_box::answer(&arguments.finish(region)?, &relative)

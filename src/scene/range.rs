@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use crate::scene::Problem;
 use crate::scene::units::{unit_for, unit_of, with_unit};
 use slipmode_core::friction::{LEAST, MOST, Quantity};
-use slipmode_core::number::{DecimalError, Rational, parse_decimal};
+use slipmode_core::number::{DecimalError, Rational, parse_decimal, parse_quotient};
 
 /// A range of numbers; its ends are decimals, so that messages and checks cannot differ.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -66,6 +66,14 @@ impl AllowedRange {
         self.check(self.number(text)?)
     }
 
+    /// The same of a decimal or of a quotient of two, such as `1/3`.
+    ///
+    /// # Errors
+    /// As [`Self::parse`].
+    pub fn parse_quotient(&self, text: &str) -> Result<Rational, Problem> {
+        self.check(parse_quotient(text).map_err(|reason| not_a_number(text, reason, Some(self.text())))?)
+    }
+
     /// The value of a decimal.
     fn number(&self, text: &str) -> Result<Rational, Problem> {
         let allowed = (*self != Self::PHYSICAL).then(|| self.text());
@@ -99,10 +107,9 @@ impl AllowedRange {
         if value <= 0 {
             return Err(Problem::NotPositive { allowed });
         }
-        let lower = parse_decimal(self.lower).unwrap_or_default();
-        let inside = parse_decimal(self.upper).is_ok_and(|upper| {
-            if self.ends_included { lower <= value && value <= upper } else { lower < value && value < upper }
-        });
+        let [lower, upper] = [self.lower, self.upper].map(|end| parse_decimal(end).unwrap_or_default());
+        let is_end = value == lower || value == upper;
+        let inside = lower <= value && value <= upper && (self.ends_included || !is_end);
         if inside { Ok(value) } else { Err(Problem::OutOfRange { allowed }) }
     }
 }
@@ -148,12 +155,10 @@ fn fraction(text: &str) -> Option<Rational> {
 /// When the text is not a number of the grammar, or one that is not whole or lies outside.
 pub fn parse_whole(text: &str, range: &RangeInclusive<u64>) -> Result<u64, Problem> {
     let allowed = whole_range_text(range);
-    if let Ok(value) = text.parse::<u64>() {
-        return if range.contains(&value) { Ok(value) } else { Err(Problem::OutOfRange { allowed }) };
-    }
-    match parse_decimal(text) {
-        Ok(_) => Err(Problem::OutOfRange { allowed }),
-        Err(reason) => Err(Problem::NotANumber { reason, allowed: Some(allowed) }),
+    match (text.parse::<u64>(), parse_decimal(text)) {
+        (Ok(value), _) if range.contains(&value) => Ok(value),
+        (Ok(_), _) | (_, Ok(_)) => Err(Problem::OutOfRange { allowed }),
+        (_, Err(reason)) => Err(Problem::NotANumber { reason, allowed: Some(allowed) }),
     }
 }
 

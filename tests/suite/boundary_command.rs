@@ -154,7 +154,9 @@ fn a_frequency_ratio_that_no_oscillation_has_is_refused() {
 #[test]
 fn on_the_line_of_a_damping_ratio_the_roots_have_it() {
     let place = Workplace::new();
-    for (ratio, expected) in [("0.05", 0.05), ("-0.05", -0.05), ("0.9", 0.9)] {
+    for (ratio, expected) in
+        [("0.05", 0.05), ("-0.05", -0.05), ("0.9", 0.9), ("1/2", 0.5), ("-1/3", -1.0 / 3.0)]
+    {
         let rows = pair_line(&["--damping-ratio", ratio, "--points", "5"]);
         assert_eq!(rows.len(), 5);
         for row in rows {

@@ -47,6 +47,40 @@ fn all_notations_of_an_error_bar_have_the_same_meaning() {
 }
 
 #[test]
+fn fractions_are_read_wherever_a_ratio_or_a_rate_is() {
+    let slider = ["-a", "0.004", "-b", "0.006", "-d", "1e-5", "-k", "1e7", "-m", "1000"];
+    let said = |words: &[&str], value: &str| {
+        let words = words.iter().map(|word| if *word == "X" { value } else { *word });
+        Workplace::new().run(words.chain(slider)).expect_success()
+    };
+    for (words, pairs) in [
+        (
+            &["solve", "--for", "normal-stress", "-v", "1e-3", "--growth-rate", "X"][..],
+            [("1/2", "0.5"), ("-1/4", "-0.25")],
+        ),
+        (
+            &["solve", "--for", "normal-stress", "-v", "1e-3", "--frequency-ratio", "X"],
+            [("1/2", "0.5"), ("3/5", "0.6")],
+        ),
+        (
+            &["boundary", "--at-normal-stress", "3e4", "--frequency-ratio", "X"],
+            [("1/2", "0.5"), ("3/5", "0.6")],
+        ),
+        (
+            &["boundary", "--at-normal-stress", "1000", "--damping-ratio", "X"],
+            [("1/2", "0.5"), ("3/4", "0.75")],
+        ),
+        (&["tolerance", "-e", "X"], [("1/10", "0.1"), ("1/4", "0.25")]),
+    ] {
+        for (fraction, decimal) in pairs {
+            assert_eq!(said(words, fraction), said(words, decimal), "{words:?} {fraction}");
+        }
+    }
+    let refused = ["boundary", "--damping-ratio", "half"].into_iter().chain(slider);
+    Workplace::new().run(refused).expect_refusal(&["--damping-ratio = half: not a decimal number"]);
+}
+
+#[test]
 fn cells_and_scenes_take_the_same_notations() {
     let place = Workplace::new();
     let rows = |cell: &str| format!("{HEADER}\n0.009,{cell},8e-6,2e9,2400,5e6,1e-5\n");
