@@ -37,10 +37,10 @@ pub enum Failure {
         time: f64,
     },
     /// Neither a limit cycle nor a decay was reached.
-    #[error("long-term behaviour undecided after {cycles} oscillations; {}",
-        or(*change, format!("the last changed by a relative {change:e}"), "no two of them could be compared"))]
+    #[error("long-term behaviour undecided{}; another tolerance or values farther from K = K_c may decide it, and `slipmode classify` says \
+        exactly whether small oscillations grow, and how fast", met(*cycles, *change))]
     Undecided {
-        /// Oscillations computed.
+        /// Oscillations computed; 0 where runs were not accurate enough.
         cycles: u64,
         /// Relative change of the state from the last oscillation to the one before.
         change: f64,
@@ -54,6 +54,15 @@ pub enum Failure {
         /// Relative error reached.
         reached: f64,
     },
+}
+
+/// What an undecided run has met.
+fn met(cycles: u64, change: f64) -> String {
+    match (cycles, change.is_finite()) {
+        (0, _) => ": its runs are not accurate enough to tell a limit cycle from slow growth or decay".into(),
+        (_, true) => format!(" after {cycles} oscillations: the last changed by a relative {change:.1e}"),
+        (_, false) => format!(" after {cycles} oscillations: no two of them could be compared"),
+    }
 }
 
 /// What is known of a number, or other words where it is not finite.
@@ -71,9 +80,14 @@ mod tests {
         for value in [f64::INFINITY, f64::NAN] {
             let undecided = Failure::Undecided { cycles, change: value }.to_string();
             let missed = Failure::UnreachableTolerance { requested, reached: value }.to_string();
-            assert!(undecided.ends_with("no two of them could be compared"), "{undecided}");
+            assert!(
+                undecided.contains("after 7 oscillations: no two of them could be compared;"),
+                "{undecided}"
+            );
             assert!(missed.ends_with("the errors could not be estimated"), "{missed}");
         }
+        let unresolved = Failure::Undecided { cycles: 0, change: 1e-12 }.to_string();
+        assert!(unresolved.contains("undecided: its runs are not accurate enough"), "{unresolved}");
         let finite = Failure::UnreachableTolerance { requested, reached: 1e-7 }.to_string();
         assert!(finite.ends_with("1.0e-7 was reached"), "{finite}");
     }
