@@ -6,7 +6,7 @@ use clap::Args;
 use rug::Float;
 use rug::float::Round;
 use slipmode_core::friction::Parameters;
-use slipmode_core::number::format::{certain_digits, round_float};
+use slipmode_core::number::format::{nearest_digits, round_float};
 use slipmode_core::number::{Ball, Rational};
 use slipmode_core::roots::{CertifiedRoot, certified_roots};
 
@@ -86,7 +86,7 @@ pub fn print_roots(parameters: &Parameters<Rational>, digits: u32) -> Vec<Printe
 impl PrintedRoot {
     fn new(root: &CertifiedRoot, digits: u32) -> Self {
         let (re, im) = (root.re_ball(), root.im_ball());
-        let [re_text, im_text] = [&re, &im].map(|part| certain_digits(part, digits as usize));
+        let [re_text, im_text] = [&re, &im].map(|part| nearest_digits(part, digits as usize));
         let radius = distance(&re, &re_text) + distance(&im, &im_text);
         let radius = Float::with_val_round(32, radius.upper(), Round::Up).0;
         Self { re: re_text, im: im_text, radius: rounded_up(&radius), multiplicity: root.multiplicity }
@@ -108,10 +108,9 @@ impl PrintedRoot {
             None if self.im == "0" => String::new(),
             None => format!(" + {} i", self.im),
         };
-        let times = if self.multiplicity == 1 {
-            String::new()
-        } else {
-            format!(", multiplicity {}", self.multiplicity)
+        let times = match self.multiplicity {
+            1 => String::new(),
+            times => format!(", multiplicity {times}"),
         };
         format!("{}{imaginary} 1/s  (within {}{times})", self.re, self.radius)
     }
@@ -133,9 +132,6 @@ fn distance(part: &Ball, printed: &str) -> Ball {
 
 /// A non-negative number as a short decimal that is not smaller.
 fn rounded_up(value: &Float) -> String {
-    if value.is_zero() {
-        return "0".into();
-    }
     let short = value.to_string_radix_round(10, Some(RADIUS_DIGITS), Round::Up);
     Float::parse(&short).map_or(short, |parsed| round_float(&Float::with_val(64, parsed), RADIUS_DIGITS))
 }

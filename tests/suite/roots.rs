@@ -57,6 +57,18 @@ fn the_radius_covers_the_rounding_of_the_printed_decimals() {
     }
 }
 
+/// A triple root at -5/2: between two numbers of one digit.
+#[test]
+fn a_root_between_two_decimals_has_all_digits() {
+    for (digits, expected, radius) in [("1", "-2", "0.5"), ("2", "-2.5", "0"), ("4", "-2.500", "0")] {
+        let root = &roots("2/13", "125/52", "27/52", digits)[0];
+        assert_eq!([&root["re"], &root["multiplicity"]], [&Value::from(expected), &Value::from(3)]);
+        let excess =
+            parse_decimal(root["radius"].as_str().unwrap()).unwrap() - parse_decimal(radius).unwrap();
+        assert!(excess >= 0 && excess < parse_decimal("0.01").unwrap(), "{root}");
+    }
+}
+
 #[test]
 fn the_text_for_people_has_one_line_a_root() {
     let arguments =

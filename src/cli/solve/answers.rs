@@ -3,7 +3,7 @@
 
 use serde_json::{Value, json};
 use slipmode::scene::{Quantity, cited, stem_of_key, unit_of};
-use slipmode_core::number::format::{certain_digits, exact_text, rational_to_decimal, round_digits};
+use slipmode_core::number::format::{exact_text, nearest_digits, rational_to_decimal, round_digits};
 use slipmode_core::number::{Rational, parse_decimal};
 use slipmode_core::stability::inverse::{
     Solution, SolutionKind, SolutionRange, Target, Undecided, solve, solve_over_box,
@@ -127,7 +127,7 @@ impl Question {
     fn printed(&self, solution: &Solution) -> (String, bool) {
         match solution.exact.as_ref().and_then(|value| self.exactly(value)) {
             Some(text) => (text, true),
-            None => (certain_digits(&solution.value, self.digits as usize), false),
+            None => (nearest_digits(&solution.value, self.digits as usize), false),
         }
     }
 

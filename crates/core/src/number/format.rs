@@ -152,6 +152,16 @@ pub fn certain_digits(ball: &Ball, max_digits: usize) -> String {
     format!("{}±{radius}", round_float(ball.centre(), 2))
 }
 
+/// So many digits of a ball that has two more: its centre, rounded to nearest. Others as [`certain_digits`], which has fewer at a tie.
+#[must_use]
+pub fn nearest_digits(ball: &Ball, digits: usize) -> String {
+    let known = -ball.relative_radius_log2() * std::f64::consts::LOG10_2;
+    if ball.contains_zero() || known < digits as f64 + 2.0 {
+        return certain_digits(ball, digits);
+    }
+    decimal_of_float(ball.centre(), digits, Round::Nearest).layout(true)
+}
+
 /// The rational as a decimal: exact when it has at most `significant` digits, rounded to nearest (ties to even) otherwise.
 #[must_use]
 pub fn rational_to_decimal(value: &Rational, significant: usize) -> String {
@@ -241,6 +251,12 @@ mod tests {
         assert_eq!(certain_digits(&ball(0.0, 0.0), 20), "0");
         assert_eq!(certain_digits(&ball(2.0, f64::INFINITY), 20), "0±inf");
         assert_eq!(certain_digits(&Ball::from(-3), 5), "-3.0000");
+        // A tie hides a digit that is known.
+        let tie = ball(-66.375, 1e-12);
+        assert_eq!([4, 6].map(|digits| nearest_digits(&tie, digits)), ["-66.38", "-66.3750"]);
+        assert_eq!(certain_digits(&tie, 4), "-66.4");
+        assert_eq!(nearest_digits(&ball(5890.0, 30.0), 4), "5.9e3");
+        assert_eq!(nearest_digits(&ball(0.0, 0.0), 4), "0");
     }
 
     #[test]
