@@ -70,14 +70,15 @@ fn install(parts: &Parts<'_>) -> String {
             .into();
     }
     format!(
-        "`{SOURCES_FILE}` has the sources of slipmode with all packages that it is built from. You need Rust {} or newer, a C compiler, make, m4 and diff, and no network:\n\n\
+        "`{SOURCES_FILE}` is meant to have the sources of slipmode with all packages that it is built from; the archive does not prove it. You need Rust {} or newer, a C compiler, make, m4 and diff, and no network:\n\n\
          ```sh\n\
          tar --extract --file {SOURCES_FILE}\n\
          cd slipmode-sources\n\
          cargo install --offline --locked --path . --root ../program\n\
          ```\n\n\
-         The program is then `program/bin/slipmode`. `docker build -t slipmode slipmode-sources` makes a container with it instead.",
-        env!("CARGO_PKG_RUST_VERSION")
+         The program is then `program/bin/slipmode`. `program/bin/slipmode --version` prints the digest of its sources, which must be {}. `docker build -t slipmode slipmode-sources` makes a container with it instead.",
+        env!("CARGO_PKG_RUST_VERSION"),
+        parts.facts.source_sha256,
     )
 }
 

@@ -15,13 +15,15 @@ use slipmode::report::{Folder, Product, produce, without_environment};
 use slipmode::theorems::{Published, archived};
 
 use crate::cli::answer::Answer;
-use crate::cli::claim::refuse_contradictions;
+use crate::cli::claim::{refuse_contradictions, warn_of_drift};
 use crate::cli::environment::{Environment, SOURCE_SHA256, versions};
 use crate::cli::failure::Failure;
 use crate::cli::folder::{Source, read_report_from};
-use crate::cli::output::Output;
+use crate::cli::options::refuse_stream_beside_json;
+use crate::cli::output::{Output, is_stream};
+use crate::cli::path_text::{json_path, shown_path};
 use crate::cli::progress::Progress;
-use crate::cli::report::{LimitOption, unrenderable, verdicts};
+use crate::cli::report::{LimitOption, published_copy, unrenderable, verdicts};
 
 /// Options of `archive`.
 #[derive(Debug, Args)]
@@ -29,13 +31,13 @@ pub struct Options {
     /// The report's folder, with report.toml, claims.toml, equations.toml, scenes/ and prose/
     #[arg(value_name = "DIR")]
     folder: PathBuf,
-    /// The archive to write; FILE.timings.json next to it records time and machine
+    /// The archive to write; FILE.timings.json next to it records time and machine; `-` is standard output, without that file
     #[arg(short, long, value_name = "FILE.zip")]
     output: PathBuf,
     /// Also prepares the archive for a CODECHECK certificate: codecheck.yml with the manifest, and LICENSE; authors and reference are those of [paper] in report.toml
     #[arg(long)]
     codecheck: bool,
-    /// Also packs the program's sources, so that a reader builds it without a network: FILE is what `cargo xtask sources` made in a checkout
+    /// Also packs the program's sources, so that a reader builds it without a network: FILE is what `cargo xtask sources` made in a checkout; it is not unpacked and checked
     #[arg(long, value_name = "FILE.tar.xz")]
     with_sources: Option<PathBuf>,
     /// One JSON object instead of text: the numbers of verdicts and the archive's SHA-256
@@ -52,8 +54,11 @@ pub struct Options {
 pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     let environment = Environment::start();
     let time = stated_time(std::env::var_os("SOURCE_DATE_EPOCH"))?;
-    let (mut archive, mut timings) =
-        (Output::create(&options.output)?, Output::create(&timings_file(&options.output))?);
+    refuse_stream_beside_json("--output", Some(&options.output), options.json)?;
+    published_copy(&options.folder)?;
+    let file = Some(options.output.as_path()).filter(|file| !is_stream(file));
+    let mut archive = Output::create(&options.output)?;
+    let timings = file.map(|file| Output::create(&timings_file(file))).transpose()?;
     let sources = options.with_sources.as_deref().map(read_sources).transpose()?;
     let (folder, inputs) = read_report_from(Source::Folder(options.folder.clone()), options.limit.limits()?)?;
     let product = recompute(&folder, &options.folder, progress)?;
@@ -62,21 +67,21 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     let theorems = theorems(&folder, &product.ledger)?;
     let parts = parts(&folder, &inputs, &product, &theorems, &facts, options.codecheck, sources.as_deref());
     let packed = pack(&contents(&parts), time).map_err(Failure::Refused)?;
-    archive.write_all(&packed)?;
-    timings.write_all(environment.to_json().as_bytes())?;
+    archive.write_all(&packed).and_then(|()| archive.flush())?;
+    timings.map_or(Ok(()), |timings| timings.finish(environment.to_json()))?;
     archive.commit()?;
-    timings.commit()?;
+    warn_of_drift(&product.ledger);
     let open = parts.codecheck.map_or_else(Vec::new, open_fields);
-    let place = options.output.display();
+    let place = shown_path(&options.output);
     let open_lines: String = open.iter().map(|field| format!("{CODECHECK_FILE}: open: {field}\n")).collect();
     let digest = sha256_hex(&packed);
-    Answer::to(json!({ "report": options.folder }))
+    Answer::to(json!({ "report": json_path(&options.folder) }))
         .and(verdicts(&product.ledger))
         .text(&format!("{open_lines}{digest}  {place}\n"))
         .with("sha256", &digest)
         .with("codecheck_open_fields", open)
-        .with("output", &options.output)
-        .print(options.json)
+        .with("output", json_path(&options.output))
+        .print_beside(options.json, Some(&options.output))
 }
 
 /// Computes a report without what depends on the machine.
@@ -136,12 +141,12 @@ pub fn parts<'p>(
     }
 }
 
-/// Reads a file of sources, which must look like one and fit into an archive that is read again.
+/// Reads a file of sources, which must begin and end like one and fit into an archive that is read again.
 fn read_sources(path: &Path) -> Result<Vec<u8>, Failure> {
     let most = Caps::default().file_bytes;
     let bytes = std::fs::read(path).map_err(|error| Failure::place(path, &error.to_string()))?;
-    if !bytes.starts_with(XZ) {
-        return Err(Failure::place(path, "is no .tar.xz file (`cargo xtask sources` makes one)"));
+    if !bytes.starts_with(XZ) || !bytes.ends_with(XZ_END) {
+        return Err(Failure::place(path, "is no whole .tar.xz file (`cargo xtask sources` makes one)"));
     }
     if bytes.len() as u64 > most {
         return Err(Failure::place(path, &format!("has {} bytes (allowed: {most})", bytes.len())));
@@ -149,8 +154,9 @@ fn read_sources(path: &Path) -> Result<Vec<u8>, Failure> {
     Ok(bytes)
 }
 
-/// The first bytes of each file that xz has compressed.
+/// The first and the last bytes of each file that xz has compressed.
 const XZ: &[u8] = b"\xfd7zXZ\0";
+const XZ_END: &[u8] = b"YZ";
 
 fn stated_time(variable: Option<OsString>) -> Result<ReleaseTime, Failure> {
     let Some(text) = variable else { return Ok(ReleaseTime::UNSTATED) };

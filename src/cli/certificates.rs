@@ -15,6 +15,7 @@ use crate::cli::folder::read_scene;
 use crate::cli::input::{lacks, read_small_file};
 use crate::cli::options::Arguments;
 use crate::cli::output::{Output, is_stream};
+use crate::cli::path_text::json_path;
 use crate::cli::progress::Progress;
 use crate::cli::report::LimitOption;
 use crate::cli::words::law_of_word;
@@ -45,8 +46,10 @@ pub struct Options {
 pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     let mut arguments = Arguments::default();
     let law = options.law.as_ref().and_then(|word| arguments.number("--law", word, law_of_word));
+    let output = options.output.as_deref();
+    arguments.refuse_stream("--output", output.filter(|_| options.json), "the object");
     let law = arguments.finish(Some(law))?;
-    match law.zip(options.output.as_deref()) {
+    match law.zip(output) {
         Some((law, place)) => options.certify(law, place, *progress),
         None => options.prove(*progress),
     }
@@ -61,21 +64,17 @@ impl Options {
             return Err(lacks(&self.scene, "simulations", allowed).into());
         };
         let is_stdout = is_stream(place);
-        if self.json && is_stdout {
-            let why = "needs a file: standard output has the object of --json";
-            return Err(Failure::Refused(format!("--output = -: {why}")));
-        }
         let output = Output::create(place)?;
         let rows = progress.spinner("certifying", || certify_grid(&parameters.slider, section, law));
         let text = written(&rows);
         let digest = sha256_hex(text.as_bytes());
         output.finish(text)?;
         let line = if is_stdout { String::new() } else { format!("sha256 = \"{digest}\"\n") };
-        Answer::to(json!({ "scene": self.scene, "law": law.as_str() }))
+        Answer::to(json!({ "scene": json_path(&self.scene), "law": law.as_str() }))
             .with("points", rows.len())
             .with("certificates", rows.iter().filter(|row| row.certificate.is_ok()).count())
             .with("sha256", &digest)
-            .with("output", place)
+            .with("output", json_path(place))
             .text(&line)
             .print(self.json)
     }
@@ -99,7 +98,7 @@ impl Options {
             0 => String::new(),
             without => format!("; {without} of {} points have none", rows.len()),
         };
-        Answer::to(json!({ "scene": self.scene }))
+        Answer::to(json!({ "scene": json_path(&self.scene) }))
             .with("points", rows.len())
             .with("certificates", again.len())
             .with("proved_again", proved)

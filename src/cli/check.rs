@@ -15,6 +15,7 @@ use crate::cli::claim::{account, listed, print_warnings, problems};
 use crate::cli::failure::Failure;
 use crate::cli::folder::claim_faults;
 use crate::cli::input::read_small_file;
+use crate::cli::path_text::json_path;
 use crate::cli::report::{claim_line, verdicts};
 
 /// Options of `check`.
@@ -42,12 +43,12 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         None => &claims[..],
     };
     let outcome = Outcome::default();
-    let name = options.file.display().to_string();
+    let name = json_path(&options.file);
     let ledger = Ledger::decide(&name, wanted, &Context::new(&equations, &outcome));
     print_warnings(&ledger);
     let text = |entry: &Entry| if options.claim.is_some() { account(entry) } else { claim_line(entry) };
     let problems = problems(&ledger);
-    Answer::to(json!({ "file": options.file, "claim": options.claim }))
+    Answer::to(json!({ "file": json_path(&options.file), "claim": options.claim }))
         .text(&ledger.claims.iter().map(text).collect::<String>())
         .and(verdicts(&ledger))
         .with("claims", &ledger.claims)
@@ -58,7 +59,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
 
 fn read(options: &Options) -> Result<(Equations, Vec<ClaimEntry>), Faults> {
     let bytes = read_small_file(&options.file).map_err(|fault| vec![fault])?;
-    let file = options.file.display().to_string();
+    let file = json_path(&options.file);
     let (equations, claims) = read_equations_and_claims(&file, &bytes, &procedures())?;
     let faults = claim_faults(&file, &claims, Some(&equations));
     if faults.is_empty() { Ok((equations, claims)) } else { Err(faults) }

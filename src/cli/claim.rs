@@ -61,9 +61,18 @@ pub fn print_warnings(ledger: &Ledger) {
     let of = |entry: &Entry| {
         entry.warnings().map(|warning| format!("warning: {}: {warning}", entry.id)).collect::<Vec<_>>()
     };
-    let others = |more| format!("warning: and {more} more like these");
-    let warnings = first_lines(ledger.claims.iter().flat_map(of), others);
-    warnings.iter().for_each(|warning| terminal::message(warning));
+    warn(ledger.claims.iter().flat_map(of));
+}
+
+/// Warns of verdicts that are not the recorded ones.
+pub fn warn_of_drift(ledger: &Ledger) {
+    let lines = drift(ledger).into_iter();
+    warn(lines.map(|line| format!("warning: {line}; `verify` and `replay` exit with 1")));
+}
+
+fn warn(lines: impl Iterator<Item = String>) {
+    let lines = first_lines(lines, |more| format!("warning: and {more} more like these"));
+    lines.iter().for_each(|line| terminal::message(line));
 }
 
 /// The claim of a report or file with this id.

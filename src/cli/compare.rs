@@ -76,7 +76,8 @@ pub struct Options {
 pub fn run(options: &Options, progress: Progress) -> Result<(), Failure> {
     let environment = Environment::start();
     let command = options.command()?;
-    let folder = options.report.as_deref().map(OutputFolder::create).transpose()?;
+    let create = |place: &Path| OutputFolder::create(place, &["index.html", "report.md"]);
+    let folder = options.report.as_deref().map(create).transpose()?;
     let rows = open_csv(&options.runs, options.dialect.dialect())?;
     let started = Started::new(rows, command, options.keep_going, progress)?;
     let output = options.output.as_deref().map(Output::create).transpose()?;

@@ -9,6 +9,7 @@ use slipmode::archive::{REPORT_FOLDER, ledger_differences};
 use crate::cli::answer::Answer;
 use crate::cli::failure::Failure;
 use crate::cli::input::read_file_up_to;
+use crate::cli::path_text::{json_path, shown_path};
 use crate::cli::replay::open;
 use crate::cli::terminal::count_of;
 
@@ -35,11 +36,11 @@ pub struct Options {
 /// When one cannot be read, or they differ.
 pub fn run(options: &Options) -> Result<(), Failure> {
     let (first, second) = (ledger(&options.first)?, ledger(&options.second)?);
-    let (one, other) = (options.first.display(), options.second.display());
+    let (one, other) = (shown_path(&options.first), shown_path(&options.second));
     let differences = ledger_differences(&first, &second, |old, new| old == new)
         .map_err(|fault| Failure::Refused(format!("{one}, {other}: {fault}")))?;
     let lines: String = differences.iter().map(|line| format!("{line}\n")).collect();
-    Answer::to(json!({ "first": options.first, "second": options.second }))
+    Answer::to(json!({ "first": json_path(&options.first), "second": json_path(&options.second) }))
         .with("differences", &differences)
         .text(if differences.is_empty() { "no differences\n" } else { &lines })
         .print(options.json)?;

@@ -1,14 +1,30 @@
 //! What a result depends on without being part of it: versions, machine, time. It is written apart and never compared.
 
 use std::collections::BTreeMap;
+use std::io::Read;
+use std::path::Path;
 use std::sync::LazyLock;
 use std::time::{Instant, SystemTime, UNIX_EPOCH};
 
 use gmp_mpfr_sys::{gmp, mpc, mpfr};
 use slipmode::report::FactView;
+use slipmode::scene::MAX_FILE_BYTES;
+
+use crate::cli::input::open_regular;
 
 /// The file of an output folder that holds the environment; it also marks the folder as one of ours.
 pub const ENVIRONMENT_FILE: &str = "environment.json";
+
+const FINISHED: &str = "finished, seconds since 1970";
+const COMPUTED_IN: &str = "computed in, seconds";
+
+/// Whether the environment of a folder is one that slipmode has written.
+pub fn is_in(folder: &Path) -> bool {
+    let Ok(file) = open_regular(&folder.join(ENVIRONMENT_FILE)) else { return false };
+    let facts: Result<BTreeMap<String, String>, _> = serde_json::from_reader(file.take(MAX_FILE_BYTES));
+    let has = |name: &&str| facts.as_ref().is_ok_and(|facts| facts.contains_key(*name));
+    ["slipmode", "machine", "threads", FINISHED, COMPUTED_IN].iter().all(has)
+}
 
 /// The program, the libraries it computes with and its compiler, each with its version.
 pub fn versions() -> [(&'static str, String); 5] {
@@ -65,8 +81,8 @@ impl Environment {
         let mut facts: BTreeMap<String, String> =
             self.facts().into_iter().map(|fact| (fact.name, fact.value)).collect();
         let since_epoch = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
-        facts.insert("finished, seconds since 1970".into(), since_epoch.as_secs().to_string());
-        facts.insert("computed in, seconds".into(), format!("{:.2}", self.started.elapsed().as_secs_f64()));
+        facts.insert(FINISHED.into(), since_epoch.as_secs().to_string());
+        facts.insert(COMPUTED_IN.into(), format!("{:.2}", self.started.elapsed().as_secs_f64()));
         format!("{:#}\n", serde_json::json!(facts))
     }
 }

@@ -20,6 +20,7 @@ use crate::cli::inputs::slider_json;
 use crate::cli::new::Ranges;
 use crate::cli::options::{Arguments, operating_point};
 use crate::cli::output::{Output, is_stream};
+use crate::cli::path_text::{json_path, quoted, shown_path, word_of};
 
 /// Options of `explore`.
 #[derive(Debug, Args)]
@@ -69,11 +70,12 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let families =
         Families::of(&parameters.slider, parameters.error_bars.as_ref(), points, &scene.threshold());
     let file = options.scene.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let word = word_of(file.as_ref());
     let page = ExplorerPage {
         title: &scene.title,
         slider: &parameters.slider,
         marks: &marks,
-        command: &format!("slipmode explore {file}{} --output {}.html", options.typed_point(), scene.name),
+        command: &format!("slipmode explore {word}{} --output {}.html", options.typed_point(), scene.name),
         scene: &file,
         digest: &sha256_hex(&bytes),
         live: live.as_ref(),
@@ -86,12 +88,12 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     }
     output.finish(html)?;
     let own = own.as_ref().map(point_json);
-    let line = if is_stream(&place) { String::new() } else { format!("{}\n", place.display()) };
-    Answer::to(json!({ "scene": options.scene, "operating_point": own }))
+    let line = if is_stream(&place) { String::new() } else { format!("{}\n", shown_path(&place)) };
+    Answer::to(json!({ "scene": json_path(&options.scene), "operating_point": own }))
         .with("scene_sha256", page.digest)
         .with("slider", slider_json(&parameters.slider))
         .part("points", followed)
-        .with("output", &place)
+        .with("output", json_path(&place))
         .text(&line)
         .print(options.json)
 }
@@ -121,7 +123,7 @@ impl Options {
     /// The operating point as it was typed, for the command that makes the page again.
     fn typed_point(&self) -> String {
         match (&self.normal_stress_pa, &self.loading_velocity_m_per_s) {
-            (Some(stress), Some(velocity)) => format!(" -s '{stress}' -v '{velocity}'"),
+            (Some(stress), Some(velocity)) => format!(" -s {} -v {}", quoted(stress), quoted(velocity)),
             _ => String::new(),
         }
     }

@@ -6,6 +6,8 @@ use std::path::Path;
 
 use slipmode::scene::{Fault, Faults, first_lines};
 
+use crate::cli::path_text::shown_path;
+
 /// Exit code: a check failed.
 pub const CHECK_FAILED: u8 = 1;
 /// Exit code: bad input, or an output that cannot be written.
@@ -25,7 +27,7 @@ pub enum Failure {
 impl Failure {
     /// An action on a path that the operating system refuses.
     pub fn io(path: &Path, action: &str, error: &io::Error) -> Self {
-        Self::Refused(format!("{}: {action}: {error}", path.display()))
+        Self::Refused(format!("{}: {action}: {error}", shown_path(path)))
     }
 
     /// Something the machine does not give.
@@ -35,12 +37,12 @@ impl Failure {
 
     /// A place that is not written, and why.
     pub fn place(place: &Path, why: &str) -> Self {
-        Self::Refused(format!("{}: {why}", place.display()))
+        Self::Refused(format!("{}: {why}", shown_path(place)))
     }
 
     /// Faults of a place, a line each.
     pub fn place_lines(place: &Path, faults: impl IntoIterator<Item = impl fmt::Display>) -> Self {
-        let lines = faults.into_iter().map(|fault| format!("{}: {fault}", place.display()));
+        let lines = faults.into_iter().map(|fault| format!("{}: {fault}", shown_path(place)));
         Self::Refused(lines.collect::<Vec<_>>().join("\n"))
     }
 

@@ -14,6 +14,7 @@ use crate::cli::answer::Answer;
 use crate::cli::failure::Failure;
 use crate::cli::options::Arguments;
 use crate::cli::output::Output;
+use crate::cli::path_text::{json_path, shown_path};
 use crate::cli::sweep::MOST_SHARDS;
 use crate::cli::sweep::block_file::{Contents, Heading, OpenBlock, Origin, block_name, block_of_name};
 use whole::Whole;
@@ -32,7 +33,7 @@ pub struct Options {
     /// Number of shards, used to name the missing ones [default: as many as blocks]
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     shards: Option<String>,
-    /// One JSON object instead of text: blocks, points, and shards to run; needs a file for the rows, or --missing
+    /// One JSON object instead of text: blocks, and shards to run; needs a file for the rows, or --missing
     #[arg(long)]
     json: bool,
 }
@@ -74,7 +75,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         let missing = array_string(found.missing);
         return Err(Failure::Check(format!(
             "{}: {} of {} blocks are missing; the shards to run, of {shards}: {missing}",
-            options.folder.display(),
+            shown_path(&options.folder),
             found.missing_blocks,
             folder.origin.blocks,
         )));
@@ -86,12 +87,12 @@ pub fn run(options: &Options) -> Result<(), Failure> {
 impl Options {
     /// States the sweep, and the shards that are to run.
     fn answer(&self, folder: &Folder<'_>, shards: u64, missing: &BTreeSet<u64>) -> Answer {
-        Answer::to(json!({ "folder": self.folder, "shards": shards }))
+        Answer::to(json!({ "folder": json_path(&self.folder), "shards": shards }))
             .with("version", &folder.origin.version)
             .with("scene_sha256", &folder.origin.scene)
             .with("blocks", folder.origin.blocks)
             .with("missing_shards", missing)
-            .with("output", (!self.missing && missing.is_empty()).then_some(&self.output))
+            .with("output", (!self.missing && missing.is_empty()).then(|| json_path(&self.output)))
     }
 }
 
@@ -227,7 +228,7 @@ impl<'f> Folder<'f> {
 }
 
 fn naming(place: &Path, name: &str, reason: &str) -> String {
-    format!("{}: {reason}", place.join(name).display())
+    format!("{}: {reason}", shown_path(&place.join(name)))
 }
 
 /// How one block is.

@@ -24,6 +24,7 @@ mod merge;
 mod new;
 mod options;
 mod output;
+mod path_text;
 mod planted_faults;
 mod points;
 mod progress;

@@ -20,6 +20,7 @@ use crate::cli::folder::{Source, read_report_from};
 use crate::cli::inputs::given_json;
 use crate::cli::options::{Arguments, QUANTITIES, SliderOptions, option_of};
 use crate::cli::output::OutputFolder;
+use crate::cli::path_text::{json_path, word_of};
 use crate::cli::progress::Progress;
 use crate::cli::tree::{Files, listing};
 
@@ -68,12 +69,12 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
         check_report_name(&options.name, &mut arguments);
         arguments.finish(Some(()))?;
         let place = free_place(options)?;
-        let written = OutputFolder::create(&place)?;
+        let written = OutputFolder::create(&place, &[])?;
         return options.write(written, &paper::files(&options.name), "verify", &place, Answer::default());
     }
     let (typed, parameters) = read(options)?;
     let place = free_place(options)?;
-    let output = OutputFolder::create(&place)?;
+    let output = OutputFolder::create(&place, &[])?;
     let files = drafted(&typed, &parameters, &place, *progress)?;
     let ranges = typed
         .own
@@ -106,7 +107,7 @@ pub fn write_fitted(
     };
     let (typed, parameters) = read(&options)?;
     let place = free_place(&options)?;
-    let output = OutputFolder::create(&place)?;
+    let output = OutputFolder::create(&place, &[])?;
     let typed = Typed { fitted: Some(fitted), ..typed };
     output.commit(&drafted(&typed, &parameters, &place, progress)?)
 }
@@ -148,9 +149,9 @@ impl Options {
         inputs: Answer,
     ) -> Result<(), Failure> {
         output.commit(files)?;
-        let next = format!("slipmode {next} {}", place.display());
+        let next = format!("slipmode {next} {}", word_of(place));
         Answer::to(inputs.with("name", &self.name).with("paper", self.paper).json())
-            .with("output", place)
+            .with("output", json_path(place))
             .with("files", files.keys().collect::<Vec<_>>())
             .text(&format!("{}next: {next}\n", listing(files, place)))
             .with("next", &next)

@@ -193,6 +193,16 @@ pub fn operating_point(
     }))
 }
 
+/// Refuses standard output for a file where it has the object of `--json`.
+///
+/// # Errors
+/// When the place is standard output and the object is requested.
+pub fn refuse_stream_beside_json(option: &str, place: Option<&Path>, as_json: bool) -> Result<(), Failure> {
+    let mut arguments = Arguments::default();
+    arguments.refuse_stream(option, place.filter(|_| as_json), "the object");
+    arguments.finish(Some(()))
+}
+
 /// What takes error bars, where a command does not.
 const WITHOUT_ERROR_BAR: &str = "a value without an error bar; ranges over error bars come from `classify` (roots, frequency, slip modes), \
     `simulate`, `boundary`, `solve` and `tolerance`";

@@ -23,6 +23,7 @@ use crate::cli::failure::Failure;
 use crate::cli::folder::{Source, read_report_from};
 use crate::cli::input::read_file_up_to;
 use crate::cli::options::Arguments;
+use crate::cli::path_text::{json_path, word_of};
 use crate::cli::progress::Progress;
 use crate::cli::report::{LimitOption, verdicts};
 use watch::Watch;
@@ -86,7 +87,7 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
         differences.extend(not_verified.iter().map(|line| format!("{line}: cannot be verified")));
     }
     let open: String = not_verified.iter().map(|line| format!("not verified: {line}\n")).collect();
-    Answer::to(json!({ "archive": options.archive }))
+    Answer::to(json!({ "archive": json_path(&options.archive) }))
         .and(verdicts(&product.ledger))
         .with("compared", replay.compared())
         .with("not_verified", &not_verified)
@@ -117,7 +118,7 @@ fn other_build_text(other: &Facts, this: &Facts, archive: &Path) -> String {
         "archived by another build (slipmode {}; this is {}); compare with: slipmode replay --other-build {}",
         build(other),
         build(this),
-        archive.display()
+        word_of(archive)
     )
 }
 

@@ -1,5 +1,6 @@
 //! `slipmode run`, `report` and `verify`: scenes and report folders in, folders of pages, tables and figures out.
 
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -11,12 +12,13 @@ use slipmode::report::{
 use slipmode::scene::{Limits, Source, first_lines};
 
 use crate::cli::answer::Answer;
-use crate::cli::claim::{print_warnings, problems, refuse_contradictions, verify_claim};
+use crate::cli::claim::{print_warnings, problems, refuse_contradictions, verify_claim, warn_of_drift};
 use crate::cli::environment::{ENVIRONMENT_FILE, Environment};
 use crate::cli::failure::Failure;
 use crate::cli::folder::{read_report, read_scene};
-use crate::cli::options::Arguments;
+use crate::cli::options::{Arguments, refuse_stream_beside_json};
 use crate::cli::output::{Output, OutputFolder, note_input_folder};
+use crate::cli::path_text::{json_path, shown_path, word_of};
 use crate::cli::planted_faults::verify_planted_faults;
 use crate::cli::progress::Progress;
 use crate::cli::terminal::count_of;
@@ -24,6 +26,9 @@ use crate::cli::tree::{Files, differences, listing};
 
 /// The file name of a report's page.
 const PAGE: &str = "index.html";
+
+/// The files of a report besides its tables and figures.
+const REPORT_FILES: [&str; 5] = [PAGE, "ledger.json", "ledger.md", "report.md", "theorems.md"];
 
 /// The limit on grids, shared by the commands that read scenes.
 #[derive(Debug, Args)]
@@ -66,7 +71,7 @@ pub struct ReportOptions {
     /// The folder to write [default: target/report/NAME, with the report's name]
     #[arg(short, long, value_name = "OUT")]
     output: Option<PathBuf>,
-    /// Writes what a published copy contains: no versions and times, and no page if report.toml has `publish_page = false`
+    /// Writes what a published copy contains: no versions and times but in environment.json, and no page if report.toml has `publish_page = false`
     #[arg(long)]
     for_publication: bool,
     /// One JSON object instead of text: the numbers of verdicts and the page's place; of `verify` also claims and differences
@@ -87,7 +92,7 @@ pub struct VerifyOptions {
     /// Alters the equations one place at a time, writes nothing, and prints which claims notice
     #[arg(long, conflicts_with_all = ["output", "for_publication", "claim", "json"])]
     planted_faults: bool,
-    /// Also writes the result as a file in the form of JUnit, with a test for each claim; `-` is standard output, without the text
+    /// Also writes the result as a file in the form of JUnit, with a test for each claim; `-` is standard output, without the text or --json
     #[arg(long, value_name = "FILE.xml", conflicts_with_all = ["claim", "planted_faults"])]
     junit: Option<PathBuf>,
 }
@@ -100,14 +105,14 @@ pub fn run(options: &RunOptions, progress: &Progress) -> Result<(), Failure> {
     let environment = Environment::start();
     let lone = read_scene(&options.scene, options.limit.limits()?)?;
     let place = options.output.clone().unwrap_or_else(|| Path::new("target/run").join(&lone.scene.name));
-    let output = OutputFolder::create(&place)?;
+    let output = OutputFolder::create(&place, &[])?;
     let mut files =
         progress.items(|progress| produce_scene(&lone.scene, &lone.equations, &lone.references, progress));
     let (names, listing) = (json!(files.keys().collect::<Vec<_>>()), listing(&files, &place));
     files.insert(ENVIRONMENT_FILE.into(), environment.to_json());
     output.commit(&files)?;
-    Answer::to(json!({ "scene": options.scene }))
-        .with("output", &place)
+    Answer::to(json!({ "scene": json_path(&options.scene) }))
+        .with("output", json_path(&place))
         .with("files", names)
         .text(&listing)
         .print(options.json)
@@ -118,15 +123,17 @@ pub fn run(options: &RunOptions, progress: &Progress) -> Result<(), Failure> {
 /// # Errors
 /// When the report's files are at fault or the folder cannot be written, and when a verdict does not pass the last gate.
 pub fn report(options: &ReportOptions, progress: &Progress) -> Result<(), Failure> {
-    let Made { product, place, publish_page } = make(options, progress)?;
+    let Made { product, place, publish_page, output, files } = make(options, progress)?;
+    output.commit(&files)?;
+    warn_of_drift(&product.ledger);
     let sound = refuse_contradictions(&product.ledger);
     let main_file = if options.for_publication && !publish_page { "report.md" } else { PAGE };
     let place = place.join(main_file);
-    Answer::to(json!({ "report": options.folder }))
+    Answer::to(json!({ "report": json_path(&options.folder) }))
         .and(verdicts(&product.ledger))
         .with("operating_points", &product.ledger.operating_points)
-        .with("output", &place)
-        .text(&format!("{}\n", place.display()))
+        .with("output", json_path(&place))
+        .text(&format!("{}\n", shown_path(&place)))
         .print(options.json)?;
     sound
 }
@@ -143,10 +150,10 @@ pub fn verify(options: &VerifyOptions, progress: &Progress) -> Result<(), Failur
     if let Some(id) = claim {
         return verify_claim(&read_report(&options.folder, options.limit.limits()?)?, id, progress);
     }
-    let junit_output = junit.as_deref().map(Output::create).transpose()?;
-    let published = options.folder.join("published");
-    note_input_folder(&published).map_err(|why| Failure::place(&published, why))?;
-    let Made { product, place, publish_page } = make(options, progress)?;
+    refuse_stream_beside_json("--junit", junit.as_deref(), options.json)?;
+    let mut junit_output = junit.as_deref().map(Output::create).transpose()?;
+    let published = published_copy(&options.folder)?;
+    let Made { product, place, publish_page, output, files } = make(options, progress)?;
     let mut moved = if published.exists() {
         differences(&published_files(&product.files, publish_page), &published)?
     } else {
@@ -162,19 +169,22 @@ pub fn verify(options: &VerifyOptions, progress: &Progress) -> Result<(), Failur
     let place = place.join(PAGE);
     let copy =
         if published.exists() { "" } else { "there is no published copy: only the verdicts were compared\n" };
-    let answer = Answer::to(json!({ "report": options.folder }))
+    let answer = Answer::to(json!({ "report": json_path(&options.folder) }))
         .list("claims", product.ledger.claims.iter().map(claim_part))
         .and(verdicts(&product.ledger))
         .text(&format!("{steps}, {argued} of them without a certificate\n"))
-        .text(&format!("{}\n{copy}", place.display()))
+        .text(&format!("{}\n{copy}", shown_path(&place)))
         .with("operating_points", &product.ledger.operating_points)
-        .with("output", &place)
+        .with("output", json_path(&place))
         .with("has_published_copy", published.exists())
         .with("differences", drift.iter().chain(&moved).collect::<Vec<_>>());
-    if let Some(output) = junit_output {
+    if let Some(junit) = &mut junit_output {
         let result = slipmode::report::junit(&product.ledger, &drift, &moved);
-        output.finish(result.map_err(|error| unrenderable(&options.folder, &error))?)?;
+        let result = result.map_err(|error| unrenderable(&options.folder, &error))?;
+        junit.write_all(result.as_bytes()).and_then(|()| junit.flush())?;
     }
+    output.commit(&files)?;
+    junit_output.map_or(Ok(()), Output::commit)?;
     if junit.as_deref() != Some(Path::new("-")) {
         answer.print(options.json)?;
     }
@@ -190,7 +200,7 @@ fn refuse_differences(drift: Vec<String>, moved: Vec<String>, folder: &Path) -> 
     let counts = format!("differences: {verdicts}, {files}");
     let hint = format!(
         "check the differences; `slipmode report {} -o NEW --for-publication` writes the copy to publish",
-        folder.display()
+        word_of(folder)
     );
     let differences =
         first_lines(drift.into_iter().chain(moved), |more| format!("and {more} more; --json lists all"));
@@ -203,20 +213,22 @@ fn over_budget(bytes: usize) -> Option<String> {
     (bytes > PAGE_BUDGET_BYTES).then(|| format!("{PAGE}: {bytes} bytes (allowed: {PAGE_BUDGET_BYTES})"))
 }
 
-/// A report that was computed and written.
+/// A report that was computed, with its folder and the files to write there.
 struct Made {
     product: Product,
     place: PathBuf,
     publish_page: bool,
+    output: OutputFolder,
+    files: Files,
 }
 
-/// Reads, computes and writes a report.
+/// Reads and computes a report.
 fn make(options: &ReportOptions, progress: &Progress) -> Result<Made, Failure> {
     let environment = Environment::start();
     let folder = read_report(&options.folder, options.limit.limits()?)?;
     let name = &folder.plan.name;
     let place = options.output.clone().unwrap_or_else(|| Path::new("target/report").join(name));
-    let output = OutputFolder::create(&place)?;
+    let output = OutputFolder::create(&place, &REPORT_FILES)?;
     let product = progress
         .items(|progress| produce(&folder, environment.facts(), progress))
         .map_err(|error| unrenderable(&options.folder, &error))?;
@@ -227,8 +239,20 @@ fn make(options: &ReportOptions, progress: &Progress) -> Result<Made, Failure> {
         files.values_mut().for_each(|text| *text = without_environment(text));
     }
     files.insert(ENVIRONMENT_FILE.into(), environment.to_json());
-    output.commit(&files)?;
-    Ok(Made { product, place, publish_page })
+    Ok(Made { product, place, publish_page, output, files })
+}
+
+/// The folder of a report's published copy, in which the command writes nothing then.
+///
+/// # Errors
+/// When something else is there, such as a link to a folder that is not mounted, or an output of the command lies there.
+pub fn published_copy(folder: &Path) -> Result<PathBuf, Failure> {
+    let place = folder.join("published");
+    if place.symlink_metadata().is_ok() && !place.is_dir() {
+        return Err(Failure::place(&place, "is no folder and no link to one"));
+    }
+    note_input_folder(&place).map_err(|why| Failure::place(&place, why))?;
+    Ok(place)
 }
 
 /// The files of a report, with the page or without it.

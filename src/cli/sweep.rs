@@ -24,6 +24,7 @@ use slipmode::sweep::{Blocks, Shard};
 use crate::cli::answer::Answer;
 use crate::cli::failure::Failure;
 use crate::cli::options::Arguments;
+use crate::cli::path_text::json_path;
 use crate::cli::progress::Progress;
 use crate::cli::terminal;
 use block_file::{Content, OpenBlock, Origin, write_block};
@@ -93,9 +94,9 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     arguments.refuse("--out", options.plan && options.out.is_some(), "no --plan, which writes nothing");
     let shard = arguments.finish(shard)?;
     let loaded = load::load(&options.scene)?;
-    let inputs = options
-        .json
-        .then(|| json!({ "scene": options.scene, "minutes": computes_nothing.then_some(minutes) }));
+    let inputs = options.json.then(
+        || json!({ "scene": json_path(&options.scene), "minutes": computes_nothing.then_some(minutes) }),
+    );
     match &options.out {
         Some(out) if options.slurm => {
             slurm::write_scripts(&loaded, [&options.scene, out], minutes, shards, &inputs)
@@ -142,9 +143,8 @@ fn compute_shard(
     done?;
     let unanswered = writer.unanswered.into_inner();
     if unanswered > 0 {
-        terminal::message(&format!(
-            "{unanswered} points have no result; see their columns `status` or `error`"
-        ));
+        let points = terminal::count_of(usize::try_from(unanswered).unwrap_or(usize::MAX), "point");
+        terminal::message(&format!("{points} without a result; see the columns `status` or `error`"));
     }
     let Some(inputs) = inputs else { return Ok(()) };
     Answer::to(inputs)
@@ -153,7 +153,7 @@ fn compute_shard(
         .with("blocks", shard_blocks)
         .with("computed_blocks", writer.computed.into_inner())
         .with("points_without_result", unanswered)
-        .with("output", out)
+        .with("output", json_path(out))
         .print(true)
 }
 

@@ -42,7 +42,7 @@ pub struct Options {
 /// # Errors
 /// When a report or its ledger cannot be read, or the folder cannot be written.
 pub fn run(options: &Options) -> Result<(), Failure> {
-    let folder = OutputFolder::create(&options.out)?;
+    let folder = OutputFolder::create(&options.out, &[])?;
     let published = options.reports.iter().map(|root| {
         let report = read_report(root, Limits::default())?;
         Ok(Published {

@@ -6,7 +6,7 @@ use super::ReportError;
 use super::templates::Templates;
 use crate::claims::{Entry, Ledger, Verdict};
 
-/// A test for every claim, and one for every file that moved.
+/// A test for every claim, and one for every file that moved, with the name that its line in `moved` begins with.
 ///
 /// A claim fails when something is said of it in `drift`, lines that begin with its id and a colon: that its verdict is not the recorded one. One
 /// that is not checked, as recorded, is skipped. A verdict `fails` that is the recorded one passes: the claim is decided as before.
@@ -17,7 +17,9 @@ pub fn junit(ledger: &Ledger, drift: &[String], moved: &[String]) -> Result<Stri
     let claims: Vec<Value> = ledger.claims.iter().map(|entry| claim(entry, drift)).collect();
     let files: Vec<Value> = match moved {
         [] => vec![json!({ "name": "every file is as published" })],
-        moved => moved.iter().map(|line| json!({ "name": "a file", "failure": line })).collect(),
+        moved => {
+            moved.iter().map(|line| json!({ "name": line.split(':').next(), "failure": line })).collect()
+        }
     };
     let count = |cases: &[Value], key: &str| {
         cases.iter().filter(|case| case.get(key).is_some_and(Value::is_string)).count()

@@ -56,14 +56,29 @@ fn an_archive_is_replayed_in_another_place() {
 }
 
 #[test]
+fn an_archive_on_standard_output_is_the_same_and_alone_there() {
+    let place = archived();
+    let before = place.names();
+    let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_slipmode"));
+    let output = command.args(["archive", "small", "-o", "-"]).current_dir(place.path("")).output().unwrap();
+    assert!(output.status.success() && output.stdout == fs::read(place.path("small.zip")).unwrap());
+    assert!(String::from_utf8(output.stderr).unwrap().ends_with("  -\n"));
+    place.run(["archive", "small", "-o", "-", "--json"]).expect_refusal(&["--output = -: needs a file"]);
+    assert_eq!(place.names(), before);
+}
+
+#[test]
 fn sources_are_packed_as_they_are_and_replay_says_that_nothing_proves_them() {
     let place = small_report();
     place.write("sources.zip", "PK");
     place
         .run(["archive", "small", "-o", "a.zip", "--with-sources", "sources.zip"])
-        .expect_refusal(&["sources.zip: is no .tar.xz file (`cargo xtask sources` makes one)"]);
+        .expect_refusal(&["sources.zip: is no whole .tar.xz file (`cargo xtask sources` makes one)"]);
     assert!(!place.path("a.zip").exists());
-    let sources = b"\xfd7zXZ\0and more";
+    let sources = b"\xfd7zXZ\0and moreYZ";
+    place.write("sources.tar.xz", &sources[..8]);
+    let cut = place.run(["archive", "small", "-o", "a.zip", "--with-sources", "sources.tar.xz"]);
+    cut.expect_refusal(&["is no whole .tar.xz file"]);
     place.write("sources.tar.xz", sources);
     place.run(["archive", "small", "-o", "a.zip", "--with-sources", "sources.tar.xz"]).expect_success();
     let said = place.run(["replay", "a.zip"]).expect_success();

@@ -53,6 +53,8 @@ fn new_run_and_explore_name_what_they_wrote() {
     let paper = object(&place, &["new", "p", "--paper", "--json"], 0);
     assert_eq!(paper["inputs"], json!({ "name": "p", "paper": true }));
     assert_eq!((&paper["output"], &paper["next"]), (&json!("p"), &json!("slipmode verify p")));
+    let quoted = object(&place, &["new", "q", "--paper", "--json", "--output=-it's"], 0);
+    assert_eq!(quoted["next"], "slipmode verify './-it'\\''s'");
     for file in paper["files"].as_array().unwrap() {
         assert!(place.path("p").join(file.as_str().unwrap()).is_file(), "{file}");
     }

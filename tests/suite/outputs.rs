@@ -59,8 +59,35 @@ fn a_folder_replaces_an_earlier_output_and_nothing_else() {
     place.write("out/tables/stale.csv", "old");
     assert_eq!(place.run(["run", "s.toml", "-o", "out/"]).expect_success().replace("//", "/"), first);
     assert!(!place.path("out/tables/stale.csv").exists());
+    place.write("out/.t.csv.x.partial", "what a kill has left");
+    place.run(["run", "s.toml", "-o", "out"]).expect_success();
     assert_eq!(place.read("theirs/letter.txt"), "precious");
     assert_eq!(place.names(), ["in.csv", "out", "s.toml", "theirs"]);
+}
+
+/// What others have put into a folder stays there, whatever file of ours the folder has as well.
+#[test]
+fn a_folder_with_files_of_others_is_never_replaced() {
+    let place = workplace();
+    let run = || place.run(["run", "s.toml", "-o", "out"]);
+    run().expect_success();
+    let ours = place.read("out/environment.json");
+    let cases = [
+        ("out/environment.json", "out: is not empty and not an earlier output"),
+        ("out/notes.md", "notes.md"),
+        ("out/.git/HEAD", ".git/"),
+        ("out/tables/old/t.csv", "tables/old/"),
+        ("out/tables/t.xlsx", "tables/t.xlsx"),
+        ("out/figures/\u{e4}.svg", "figures/\u{e4}.svg"),
+        ("out/index.html", "index.html"),
+    ];
+    for (file, named) in cases {
+        fs::remove_dir_all(place.path("out")).unwrap();
+        place.write("out/environment.json", &ours);
+        place.write(file, "{}");
+        run().expect_refusal(&[named]);
+        assert_eq!(place.read(file), "{}");
+    }
 }
 
 #[test]
@@ -130,6 +157,65 @@ fn an_output_never_overwrites_an_input() {
     let two = ["compare", "--runs", "runs.csv", "--report", "out", "-o", "out/rows.csv"];
     fs::create_dir(place.path("out")).unwrap();
     place.run(two).expect_refusal(&["is or holds another output of this command"]);
+}
+
+/// The name of a file changes no result. Only scripts need names that a shell can be given.
+#[cfg(target_os = "linux")]
+#[test]
+fn names_that_are_not_utf8_are_read_written_and_reported() {
+    use std::ffi::OsString;
+    use std::os::unix::ffi::OsStringExt;
+    let name = |text: &str| {
+        let bytes = text.bytes().map(|byte| if byte == b'?' { 0xff } else { byte });
+        OsString::from_vec(bytes.collect())
+    };
+    let place = crate::archive::small_report();
+    crate::certificates::write_certified(&place);
+    place.write("s.toml", SCENE);
+    let sweep = "[sweep]\nwork = \"classify\"\nblock_points = 2\n[sweep.grid]\n\
+        normal_stress_pa = { from = 1e3, to = 1e7, points = 5 }\nloading_velocity_m_per_s = { from = 1e-6, to = 1e-1, points = 2 }\n";
+    let sweep = SCENE.replace("[boundary]\npoints = 3\ndigits = 20\n", sweep);
+    place.write("w.toml", &sweep);
+    place.write("k.toml", include_str!("../../examples/check/laser.toml"));
+    for (from, to) in [
+        ("small", "p?"),
+        ("s.toml", "s?.toml"),
+        ("w.toml", "w?.toml"),
+        ("k.toml", "k?.toml"),
+        ("certified.toml", "f?.toml"),
+    ] {
+        fs::rename(place.path(from), place.path("").join(name(to))).unwrap();
+    }
+    let run = |arguments: &str| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_slipmode"));
+        command.args(arguments.split(' ').map(name)).current_dir(place.path(""));
+        Ended::from(command.output().unwrap())
+    };
+    for arguments in [
+        "explore s?.toml -o e?.html",
+        "run s?.toml -o r?",
+        "report p? -o o?",
+        "verify p? -o o?",
+        "archive p? -o a?.zip",
+        "replay a?.zip",
+        "diff a?.zip a?.zip",
+        "check k?.toml",
+        "sweep w?.toml --out b?",
+        "merge b? -o m?.csv",
+        "merge b? --missing",
+        "certificates f?.toml",
+        "certificates new.toml --law slip -o c?.csv",
+        "new n --paper -o n?",
+    ] {
+        run(arguments).expect_warnings();
+        let again = run(&format!("{} --json", arguments.replace("-o n?", "-o m?")));
+        let found: serde_json::Value = serde_json::from_str(&again.expect_warnings()).unwrap();
+        assert!(found["inputs"].is_object(), "{found}");
+    }
+    run("sweep w?.toml --out b --slurm").expect_refusal(&["a path that is not UTF-8"]);
+    place.write("w.toml", sweep);
+    let script = ["sweep", "w.toml", "--out", "b\ntouch x #", "--slurm", "--shards", "2"];
+    place.run(script).expect_refusal(&["b\\u{a}touch x #: a script cannot contain a path", "line break"]);
 }
 
 /// Redirections hide the name of a file, and not the file.

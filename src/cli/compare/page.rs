@@ -12,6 +12,7 @@ use crate::cli::compare::rows::{ComparedRow, counts, within_error_bars};
 use crate::cli::compare::tables::tables;
 use crate::cli::environment::{ENVIRONMENT_FILE, Environment};
 use crate::cli::failure::Failure;
+use crate::cli::path_text::word_of;
 use crate::cli::points::Done;
 use crate::cli::tree::Files;
 
@@ -63,7 +64,7 @@ pub fn files(runs: &Path, done: &Done<ComparedRow>, environment: &Environment) -
 
 /// The command without the folders of this machine.
 fn command(runs: &Path) -> String {
-    let name = runs.file_name().map_or_else(|| "-".into(), |name| name.to_string_lossy());
+    let name = runs.file_name().map_or_else(|| "-".into(), |name| word_of(name.as_ref()));
     format!("slipmode compare --runs {name} --report DIR")
 }
 

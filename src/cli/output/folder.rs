@@ -1,41 +1,44 @@
 //! Output folders: written next to their place and exchanged with it when complete.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use slipmode::scene::{check_name, same_name};
 
-use crate::cli::environment::ENVIRONMENT_FILE;
+use crate::cli::environment::{self, ENVIRONMENT_FILE};
 use crate::cli::failure::Failure;
 use crate::cli::output::partial::{PartialFolder, folder_of};
 use crate::cli::output::places;
-use crate::cli::tree::Files;
+use crate::cli::tree::{Files, list};
 
 /// A folder under writing; what was written so far is removed unless it is committed.
 #[derive(Debug)]
 pub struct OutputFolder {
     place: PathBuf,
     partial: PartialFolder,
+    own: &'static [&'static str],
 }
 
 impl OutputFolder {
-    /// Starts a folder, so that a place that cannot be written is known before anything is computed.
+    /// Starts a folder, so that a place that cannot be written is known before anything is computed. It may replace an earlier
+    /// output with these files besides tables and figures.
     ///
     /// # Errors
     /// When the place is a file or a link, holds something else than an earlier output or an input of the command, or cannot
     /// be created.
-    pub fn create(place: &Path) -> Result<Self, Failure> {
+    pub fn create(place: &Path, own: &'static [&'static str]) -> Result<Self, Failure> {
         let Some(name) = place.file_name() else {
             return Err(Failure::place(place, "is not a name that can be written"));
         };
         let place = place.with_file_name(name);
-        check_place(&place)?;
+        check_place(&place, own)?;
         let above = folder_of(&place);
         fs::create_dir_all(above).map_err(|error| Failure::io(above, "cannot be created", &error))?;
         places::note_output(&place, true).map_err(|why| Failure::place(&place, why))?;
         let partial = PartialFolder::beside(&place)
             .map_err(|error| Failure::io(&place, "cannot be written", &error))?;
-        Ok(Self { place, partial })
+        Ok(Self { place, partial, own })
     }
 
     /// Writes all files and puts the folder in its place, where it replaces an earlier output whole.
@@ -44,18 +47,19 @@ impl OutputFolder {
     /// When a name is not safe, two names differ in case only, or the file system refuses; the place is as it was then.
     pub fn commit(self, files: &Files) -> Result<(), Failure> {
         check_names(files)?;
-        let Self { place, partial } = self;
+        let Self { place, partial, own } = self;
         for (name, text) in files {
             let written = partial.write(name, text.as_bytes());
             written.map_err(|error| Failure::io(&place.join(name), "cannot be written", &error))?;
         }
+        check_place(&place, own)?;
         places::check_output(&place, true).map_err(|why| Failure::place(&place, why))?;
         partial.persist(&place).map_err(|error| Failure::io(&place, "cannot be put in place", &error))
     }
 }
 
-/// Only a new folder, an empty one or an earlier output of ours may be written.
-fn check_place(place: &Path) -> Result<(), Failure> {
+/// Only a new folder, an empty one or an earlier output of ours, to which nothing was added, may be written.
+fn check_place(place: &Path, own: &[&str]) -> Result<(), Failure> {
     let Ok(metadata) = fs::symlink_metadata(place) else { return Ok(()) };
     let refuse = |why: &str| Err(Failure::place(place, why));
     if metadata.file_type().is_symlink() {
@@ -64,13 +68,36 @@ fn check_place(place: &Path) -> Result<(), Failure> {
     if !metadata.is_dir() {
         return refuse("is a file; name a folder");
     }
-    let mut entries = fs::read_dir(place).map_err(|error| Failure::io(place, "cannot be read", &error))?;
-    if entries.next().is_some() && !place.join(ENVIRONMENT_FILE).is_file() {
+    let cannot = |error| Failure::io(place, "cannot be read", &error);
+    if fs::read_dir(place).map_err(cannot)?.next().is_none() {
+        return Ok(());
+    }
+    if !environment::is_in(place) {
         return refuse(
-            "is not empty and not an earlier output (it has no environment.json); name another folder",
+            "is not empty and not an earlier output (it has no environment.json of slipmode); name another folder",
         );
     }
-    Ok(())
+    let mut names = BTreeSet::new();
+    list(place, "", &mut names).map_err(cannot)?;
+    match names.into_iter().find(|name| !is_own(name, own)) {
+        Some(name) => Err(Failure::place(
+            &place.join(name),
+            "is no file of an earlier output, which would be replaced whole; move it, or name another folder",
+        )),
+        None => Ok(()),
+    }
+}
+
+/// Whether an output has such a file or folder. What a kill has left of a file is in nobody's way.
+fn is_own(name: &str, own: &[&str]) -> bool {
+    match name.split_once('/') {
+        Some(("tables" | "figures", "")) => true,
+        Some(("tables", file)) => file.ends_with(".csv") && check_name(file).is_ok(),
+        Some(("figures", file)) => file.ends_with(".svg") && check_name(file).is_ok(),
+        Some(_) => false,
+        None if name.starts_with('.') => name.ends_with(".partial"),
+        None => name == ENVIRONMENT_FILE || own.contains(&name),
+    }
 }
 
 fn check_names(files: &Files) -> Result<(), Failure> {

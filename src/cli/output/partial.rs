@@ -1,6 +1,6 @@
 //! Unfinished outputs: hidden next to their place, under a name that nothing else has, removed on errors and on signals.
 //!
-//! INT, TERM and HUP are caught. KILL and a power cut are not: they can leave `.NAME.RANDOM.partial` behind, which no later
+//! The signals that users and schedulers send are caught. KILL and a power cut are not: they can leave `.NAME.RANDOM.partial` behind, which no later
 //! run reads, needs or stumbles over, and which may be removed at any time.
 
 use std::collections::BTreeSet;
@@ -220,7 +220,7 @@ fn sync_folder(folder: &Path) -> io::Result<()> {
     }
 }
 
-/// Has INT, TERM and HUP remove what is unfinished before they end the process as they always do.
+/// Has [`caught_signals`] remove what is unfinished before they end the process as they always do.
 ///
 /// # Errors
 /// When the system gives no thread or signals.
@@ -252,13 +252,14 @@ fn remove_on_signals() -> io::Result<()> {
 /// The signals to catch: not those that the caller has had ignored, as `nohup` does with HUP.
 #[cfg(unix)]
 fn caught_signals() -> Vec<i32> {
-    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+    use signal_hook::consts::{SIGALRM, SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGUSR1, SIGUSR2, SIGXCPU};
+    const CAUGHT: [i32; 7] = [SIGINT, SIGTERM, SIGUSR1, SIGUSR2, SIGQUIT, SIGALRM, SIGXCPU];
     match ignored_signals() {
         Some(mask) => {
-            [SIGINT, SIGTERM, SIGHUP].into_iter().filter(|signal| mask >> (signal - 1) & 1 == 0).collect()
+            CAUGHT.into_iter().chain([SIGHUP]).filter(|signal| mask >> (signal - 1) & 1 == 0).collect()
         }
         // Where the system does not tell, HUP is left alone for the sake of `nohup`.
-        None => vec![SIGINT, SIGTERM],
+        None => CAUGHT.to_vec(),
     }
 }
 

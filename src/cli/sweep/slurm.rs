@@ -8,6 +8,7 @@ use serde_json::Value;
 use crate::cli::answer::Answer;
 use crate::cli::failure::Failure;
 use crate::cli::output::Output;
+use crate::cli::path_text::{json_path, word_of};
 use crate::cli::sweep::create_folder;
 use crate::cli::sweep::load::Loaded;
 use crate::cli::sweep::plan::Plan;
@@ -15,7 +16,7 @@ use crate::cli::sweep::plan::Plan;
 /// Writes the scripts for a sweep; `inputs` are repeated by the JSON object, when one is printed.
 ///
 /// # Errors
-/// When the list is at fault, a path is not UTF-8, or a file cannot be written.
+/// When the list is at fault, a path is not UTF-8 or has a line break, or a file cannot be written.
 pub fn write_scripts(
     loaded: &Loaded,
     [scene, out]: [&Path; 2],
@@ -59,33 +60,19 @@ pub fn write_scripts(
     let plural = if shards == 1 { "" } else { "s" };
     Answer::to(inputs)
         .with("shards", shards)
-        .with("output", out)
+        .with("output", json_path(out))
         .with("files", files.map(|(name, _)| name))
         .text(&format!("{shards} shard{plural}; submit with: sh {script_out}/submit.sh\n"))
         .print(inputs.is_some())
 }
 
-/// A path as one word of a shell.
+/// A path as one word of a shell, without a line break: it also stands in comments.
 fn absolute(path: &Path) -> Result<String, Failure> {
     let path = fs::canonicalize(path).map_err(|error| Failure::io(path, "cannot be found", &error))?;
-    let refused = || Failure::place(&path, "a script cannot contain a path that is not UTF-8");
-    path.to_str().map(quoted).ok_or_else(refused)
-}
-
-/// A text that the shell takes as it is.
-fn quoted(text: &str) -> String {
-    let is_plain = |byte: u8| byte.is_ascii_alphanumeric() || b"/._-".contains(&byte);
-    if text.bytes().all(is_plain) { text.to_string() } else { format!("'{}'", text.replace('\'', "'\\''")) }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_path_is_one_word_whatever_it_holds() {
-        assert_eq!(quoted("/a/b-c_d.toml"), "/a/b-c_d.toml");
-        assert_eq!(quoted("/a b/$HOME"), "'/a b/$HOME'");
-        assert_eq!(quoted("it's"), "'it'\\''s'");
+    match path.to_str() {
+        Some(text) if !text.contains(char::is_control) => Ok(word_of(&path)),
+        _ => {
+            Err(Failure::place(&path, "a script cannot contain a path that is not UTF-8 or has a line break"))
+        }
     }
 }
