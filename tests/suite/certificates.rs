@@ -70,6 +70,33 @@ fn a_changed_byte_is_refused_and_a_changed_bound_with_its_digest_is_not_proved()
     assert!(ended.stderr.contains("slip law: the stored peak velocity is another one"), "{}", ended.stderr);
 }
 
+/// What a row's certificate does not have stays empty, and a cycle attracts.
+#[test]
+fn a_cell_that_no_certificate_of_its_kind_has_is_refused() {
+    let place = Workplace::new();
+    write_certified(&place);
+    let right = place.read("c.csv");
+    let lines: Vec<&str> = right.lines().collect();
+    let columns: Vec<&str> = lines[0].split(',').collect();
+    for (kind, column, value) in [
+        ("decay", "period_low_s", "abc"),
+        ("decay", "period_high_s", "5"),
+        ("decay", "contraction_factor", "0.5"),
+        ("decay", "second_coordinate", "psi"),
+        ("cycle", "captured_after_s", "1"),
+        ("cycle", "contraction_factor", "1"),
+        ("cycle", "contraction_factor", "-0.1"),
+    ] {
+        let row = lines.iter().position(|line| line.split(',').nth(8) == Some(kind)).unwrap();
+        let mut cells: Vec<&str> = lines[row].split(',').collect();
+        cells[columns.iter().position(|name| *name == column).unwrap()] = value;
+        let (changed, mut rows) = (cells.join(","), lines[1..].to_vec());
+        rows[row - 1] = &changed;
+        with_rows(&place, lines[0], &rows)
+            .expect_refusal(&[&format!("c.csv:{}: {column} = {value}: ", row + 1)]);
+    }
+}
+
 /// Stores these rows with the digest of their file in the scene, and proves them again.
 fn with_rows(place: &Workplace, header: &str, rows: &[&str]) -> Ended {
     let text: String = std::iter::once(&header).chain(rows).map(|line| format!("{line}\n")).collect();

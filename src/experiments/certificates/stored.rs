@@ -196,14 +196,13 @@ impl Stored {
                 section_log_velocity: number(15)?,
                 state_box: ends(16)?,
                 second_box: ends(19)?,
-                is_on_slow_manifold: match [true, false]
+                is_on_slow_manifold: [true, false]
                     .into_iter()
                     .find(|is| second_coordinate(*is) == cell(18))
-                {
-                    Some(is) => is,
-                    None => return Err((18, allowed("`psi` or `force`"))),
-                },
-                contraction: number(21)?,
+                    .ok_or_else(|| (18, allowed("`psi` or `force`")))?,
+                contraction: Some(number(21)?)
+                    .filter(|factor| (0.0..1.0).contains(factor))
+                    .ok_or_else(|| (21, allowed("0 to below 1")))?,
                 period_s: ends(11)?,
             }),
             "decay" => Ok(Proved::Decay { captured_after_s: number(22)? }),
@@ -219,7 +218,10 @@ impl Stored {
             Err(reason) => Err(reason),
         };
         let inputs = (0..INPUTS).map(|at| cell(at).to_string()).collect();
-        Ok(Self { parameters: Parameters::from(texts), law, certificate, inputs })
+        let stored = Self { parameters: Parameters::from(texts), law, certificate, inputs };
+        let unread =
+            stored.cells().iter().zip(record).position(|(own, given)| own.is_empty() && !given.is_empty());
+        unread.map_or(Ok(stored), |at| Err((at, allowed("nothing in a row of this certificate"))))
     }
 }
 
