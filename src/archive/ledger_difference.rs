@@ -82,10 +82,25 @@ impl Comparison {
             }
             (Value::String(old), Value::String(new)) if (self.same)(old, new) => {}
             (old, new) if old == new => {}
+            (Value::String(old), Value::String(new)) => {
+                let [old, new] = from_difference([old, new]);
+                self.found.push(format!("{place}: {old} -> {new}"));
+            }
             (old, new) => self.found.push(format!("{place}: {} -> {}", text(old), text(new))),
         }
     }
 }
+
+/// Two texts as messages show them; without most of a long beginning that both have.
+fn from_difference([old, new]: [&String; 2]) -> [String; 2] {
+    let same = old.chars().zip(new.chars()).take_while(|(old, new)| old == new).count();
+    let left_out = if same < MOST_SAME { 0 } else { same - MOST_SAME / 2 };
+    let mark = if left_out == 0 { "" } else { "…" };
+    [old, new].map(|text| format!("{mark}{}", shown(&text.chars().skip(left_out).collect::<String>())))
+}
+
+/// The longest beginning that two texts may share as messages show them, in characters.
+const MOST_SAME: usize = 60;
 
 fn text(value: &Value) -> String {
     match value {
@@ -122,6 +137,15 @@ mod tests {
                 "A9: only in the second ledger"
             ]
         );
+    }
+
+    #[test]
+    fn texts_that_differ_late_are_shown_from_there() {
+        let [one, other] =
+            ["y", "z"].map(|end| OLD.replace("\"W\"", &format!("\"{}{end}\"", "x".repeat(100))));
+        let found = ledger_differences(one.as_bytes(), other.as_bytes(), |old, new| old == new).unwrap();
+        let same = "x".repeat(30);
+        assert_eq!(found, [format!("A1: words: …{same}y -> …{same}z")]);
     }
 
     #[test]

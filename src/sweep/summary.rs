@@ -186,8 +186,9 @@ impl Summary {
             let tally = tally(&mut self.tallies, &key, fields)?;
             tally.rows = tally.rows.checked_add(rows).ok_or(SummaryError::Malformed)?;
             for ((value, field), cell) in tally.values.iter_mut().zip(fields).zip(&row[keys + 1..]) {
-                if !cell.is_empty() {
-                    field.statistic.combine(value, number(cell).ok_or(SummaryError::Malformed)?);
+                if !cell.is_empty() || field.statistic == Statistic::Count {
+                    let number = field.statistic.read(cell, rows).ok_or(SummaryError::Malformed)?;
+                    field.statistic.combine(value, number);
                 }
             }
         }

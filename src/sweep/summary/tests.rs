@@ -48,10 +48,12 @@ fn a_column_that_is_not_there_is_named() {
 fn lines_of_another_form_are_refused() {
     assert_eq!(Summary::of_columns(b"x_bin,rows,y_mean\n", 1), Err(SummaryError::Malformed));
     assert_eq!(Summary::of_columns(b"x_bin,law\n", 2), Err(SummaryError::Malformed));
-    let mut summary = Summary::of_columns(b"law,rows,y_sum\n", 1).unwrap();
-    for bad in ["slip,1\n", "slip,-1,2\n", "slip,1,x\n"] {
+    let mut summary = Summary::of_columns(b"law,rows,y_count,y_least,y_greatest,y_sum\n", 1).unwrap();
+    let bad = ["", ",1,1,1", ",,1,1,1", ",-1,1,1,1", ",1.5,1,1,1", ",3,1,1,1", ",1,1,1,x"];
+    for bad in bad.map(|cells| format!("slip,2{cells}\n")).iter().chain(&["slip,-1,0,,,\n".to_string()]) {
         assert_eq!(summary.add_summary(bad.as_bytes()), Err(SummaryError::Malformed), "{bad}");
     }
+    assert_eq!(summary.add_summary(b"slip,2,2,-1,1,0\nslip,3,0,,,\n"), Ok(5));
 }
 
 proptest! {

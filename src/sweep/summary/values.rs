@@ -27,6 +27,12 @@ impl Statistic {
         });
     }
 
+    /// A cell of a key with so many rows as a number; none where it is no value of this statistic.
+    pub(crate) fn read(self, cell: &[u8], rows: u64) -> Option<f64> {
+        let is_count = |value: f64| (0.0..=rows as f64).contains(&value) && value.fract() == 0.0;
+        number(cell).filter(|value| self != Self::Count || is_count(*value))
+    }
+
     /// As a cell.
     pub(crate) fn written(self, value: Option<f64>) -> String {
         match (self, value) {
