@@ -1,10 +1,7 @@
 //! What an experiment is: a section of a scene, what is computed for it, and the tables and figures that show it.
 
-use crate::experiments::{Drawer, References, Scene, SceneOutcome, TableMaker, Work};
+use crate::experiments::{Drawer, References, SceneOutcome, TableMaker, Work};
 use crate::scene::section::ReadSection;
-use slipmode_core::friction::Slider;
-use slipmode_core::number::Rational;
-use slipmode_core::stability::InertialThreshold;
 
 /// A section that states a computation.
 pub trait Experiment: ReadSection {
@@ -23,9 +20,13 @@ pub trait Experiment: ReadSection {
     /// What the section asks of the machine.
     fn work(&self) -> Work;
 
-    /// Computes the outcome; `None` when the setting lacks what the section refers to.
-    fn run(&self, setting: &Setting<'_>) -> Option<Self::Outcome>;
+    /// Computes the outcome from what was computed for the scene before, in the order of the registry, and from the content of the files
+    /// that scenes name; `None` when these lack what the section refers to.
+    fn run(&self, earlier: &SceneOutcome, references: &References) -> Option<Self::Outcome>;
 }
+
+/// How the section of an experiment computes its outcome.
+pub(crate) type RunOf<E> = fn(&E, &SceneOutcome, &References) -> Option<<E as Experiment>::Outcome>;
 
 /// Declares an experiment: the keys of its section, as [`crate::scene::section::keys`] takes them, and how it implements [`Experiment`].
 macro_rules! experiment {
@@ -55,9 +56,13 @@ macro_rules! experiment {
                 work(self)
             }
 
-            fn run(&self, setting: &$crate::experiments::Setting<'_>) -> Option<Self::Outcome> {
-                let run: fn(&Self, &$crate::experiments::Setting<'_>) -> Option<Self::Outcome> = $run;
-                run(self, setting)
+            fn run(
+                &self,
+                earlier: &$crate::experiments::SceneOutcome,
+                references: &$crate::experiments::References,
+            ) -> Option<Self::Outcome> {
+                let run: $crate::experiments::RunOf<Self> = $run;
+                run(self, earlier, references)
             }
         }
     };
@@ -75,33 +80,4 @@ pub enum Requirement {
     OperatingPoint,
     /// A slider with b > a: no other has a critical normal stress.
     CriticalNormalStress,
-}
-
-/// What an experiment is run with, besides its own section.
-#[derive(Debug, Clone, Copy)]
-pub struct Setting<'s> {
-    /// What was computed for the scene before, in the order of the registry.
-    pub earlier: &'s SceneOutcome,
-    /// The content of the files that scenes name.
-    pub references: &'s References,
-}
-
-impl<'s> Setting<'s> {
-    /// The scene.
-    #[must_use]
-    pub fn scene(&self) -> &'s Scene {
-        &self.earlier.scene
-    }
-
-    /// The slider, where the scene states one.
-    #[must_use]
-    pub fn slider(&self) -> Option<&'s Slider<Rational>> {
-        self.earlier.slider()
-    }
-
-    /// The threshold between inertial and non-inertial oscillations.
-    #[must_use]
-    pub fn threshold(&self) -> InertialThreshold {
-        self.scene().threshold()
-    }
 }

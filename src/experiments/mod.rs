@@ -34,13 +34,14 @@ pub mod work;
 pub mod zones;
 
 pub use context::Context;
-pub(crate) use experiment::experiment;
-pub use experiment::{Experiment, Requirement, Setting};
+pub use experiment::{Experiment, Requirement};
+pub(crate) use experiment::{RunOf, experiment};
 pub use figures::{Drawer, Figure, FigureMaker, Words};
 pub use outcome::{Outcome, References};
 pub use run::{Needs, Progress, all_needs, run};
 pub use scene::check_distinct_scene_names;
 pub use tables::TableMaker;
+pub(crate) use tables::{Rows, table_of};
 pub use work::Work;
 
 use std::sync::LazyLock;
@@ -84,8 +85,8 @@ macro_rules! experiments {
             fn compute(self, outcome: &mut SceneOutcome, references: &References) {
                 match self {
                     $($(#[cfg($condition)])? Self::$word => {
-                        let setting = Setting { earlier: outcome, references };
-                        outcome.$key = setting.scene().$key.as_ref().and_then(|section| section.run(&setting));
+                        let section = outcome.scene.$key.as_ref();
+                        outcome.$key = section.and_then(|section| section.run(outcome, references));
                     })*
                 }
             }

@@ -27,5 +27,5 @@ experiment! {
     figures: [figures::FIGURES],
     // On each of two arcs.
     work: |section| Work::certified_points(f64::from(section.points) * 2.0, section.digits),
-    run: |section, setting| Some(run::boundary_outcome(setting.slider()?, *section)),
+    run: |section, earlier, _| Some(run::boundary_outcome(earlier.slider()?, *section)),
 }

@@ -1,8 +1,7 @@
 //! Tables of the boundary: its points, its marks, and the agreement of the routes.
 
 use crate::experiments::boundary::LinePoint;
-use crate::experiments::tables::table_of;
-use crate::experiments::{Context, Need, TableMaker};
+use crate::experiments::{Context, Need, TableMaker, table_of};
 use slipmode_core::number::format::round_float;
 use slipmode_core::stability::boundary::BoundaryPoint;
 use slipmode_plot::table::{Cell, Table};

@@ -31,8 +31,8 @@ experiment! {
     outcome: Certificates,
     tables: [tables::TABLES],
     work: |section| Work::certificates(section.files.len() * (section.prove_again + EXTREMES)),
-    run: |section, setting| {
-        let of = |file: &CertificateFile| setting.references.certificates.get(&file.name).cloned();
+    run: |section, _, references| {
+        let of = |file: &CertificateFile| references.certificates.get(&file.name).cloned();
         let files = section.files.iter().map(of).collect::<Option<_>>()?;
         Some(Certificates::of(files, section.prove_again))
     },

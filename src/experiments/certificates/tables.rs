@@ -1,8 +1,7 @@
 //! The table of the certificates: how many there are, how wide their bounds are, and how many this run proved again.
 
 use crate::experiments::certificates::{Certificates, Stored};
-use crate::experiments::tables::table_of;
-use crate::experiments::{Context, Need, TableMaker};
+use crate::experiments::{Context, Need, TableMaker, table_of};
 use slipmode_certified::Certificate;
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_plot::table::Table;

@@ -4,7 +4,7 @@ pub(crate) mod figures;
 pub(crate) mod run;
 pub(crate) mod tables;
 
-pub use run::{SweepOutcome, SweepRow};
+pub use run::SweepRow;
 
 use crate::experiments::work::certified_point_s;
 use crate::experiments::{Work, experiment};
@@ -21,12 +21,12 @@ experiment! {
         pub near_equal: Vec<Rational> = |section, key| section.any_decimals(key, AllowedRange::OPEN_UNIT),
     }
     requires: Nothing,
-    outcome: SweepOutcome,
+    outcome: Vec<SweepRow>,
     tables: [tables::TABLES],
     figures: [figures::FIGURES],
     work: |section| {
         let ratios = f64::from(section.effect_ratio.points) + 2.0 * section.near_equal.len() as f64;
         Work::points(ratios, 10.0 * certified_point_s(0.0))
     },
-    run: |section, _| Some(run::sweep_effect_ratio(section)),
+    run: |section, _, _| Some(run::sweep_effect_ratio(section)),
 }

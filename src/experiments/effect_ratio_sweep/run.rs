@@ -16,18 +16,11 @@ pub struct SweepRow {
     pub errors: CornerErrors,
 }
 
-/// Rows by ascending β.
-#[derive(Debug, Clone)]
-pub struct SweepOutcome {
-    /// The rows.
-    pub rows: Vec<SweepRow>,
-}
-
 /// Digits of each enclosure: more than any table or figure shows.
 const DIGITS: u32 = 20;
 
-/// Computes the worst errors along the axis, and at β = 1 ± each near-equal distance.
-pub(super) fn sweep_effect_ratio(section: &EffectRatioSweepSection) -> SweepOutcome {
+/// Computes the worst errors along the axis, and at β = 1 ± each near-equal distance: rows by ascending β.
+pub(super) fn sweep_effect_ratio(section: &EffectRatioSweepSection) -> Vec<SweepRow> {
     let near = section
         .near_equal
         .iter()
@@ -38,5 +31,5 @@ pub(super) fn sweep_effect_ratio(section: &EffectRatioSweepSection) -> SweepOutc
     ratios.dedup();
     let row =
         |ratio: &Rational| SweepRow { errors: corner_errors(ratio, DIGITS), effect_ratio: ratio.clone() };
-    SweepOutcome { rows: parallel::map(&ratios, row) }
+    parallel::map(&ratios, row)
 }

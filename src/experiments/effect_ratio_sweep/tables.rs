@@ -1,8 +1,7 @@
 //! The table of the asymptotes' largest row.errors.
 
 use crate::experiments::shared::cells::ERROR_DIGITS;
-use crate::experiments::tables::table_of;
-use crate::experiments::{Context, Need, TableMaker};
+use crate::experiments::{Context, Need, TableMaker, table_of};
 use slipmode_plot::table::Table;
 
 pub(crate) const TABLES: &[TableMaker] =
@@ -10,7 +9,7 @@ pub(crate) const TABLES: &[TableMaker] =
 
 fn corners(context: &Context) -> Option<Table> {
     let sweeps = context.outcome.each(|scene| &scene.effect_ratio_sweep);
-    table_of("corners", sweeps.flat_map(|(_, sweep)| &sweep.rows))
+    table_of("corners", sweeps.flat_map(|(_, rows)| rows))
         .digits("effect_ratio", 15, |row| &row.effect_ratio)
         .digits("upper_worst_log10", ERROR_DIGITS, |row| row.errors.upper_worst_log10.as_ref())
         .digits("upper_eq15_error", ERROR_DIGITS, |row| {

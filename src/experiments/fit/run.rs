@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::FitSection;
-use crate::experiments::Setting;
+use crate::experiments::{References, SceneOutcome};
 use crate::fitting::{FitFailure, Fits, StepRecord, sampled_modes};
 use slipmode_core::stability::SlipMode;
 
@@ -19,11 +19,11 @@ pub struct FitOutcome {
 }
 
 impl FitOutcome {
-    pub(super) fn of(section: &FitSection, setting: &Setting<'_>) -> Option<Self> {
-        let record = setting.references.records.get(&section.record)?.clone();
+    pub(super) fn of(section: &FitSection, earlier: &SceneOutcome, references: &References) -> Option<Self> {
+        let record = references.records.get(&section.record)?.clone();
         let fits = Fits::of(&record, &section.laws, &section.given());
-        let point = setting.scene().parameters.as_ref().and_then(|parameters| parameters.point());
-        let threshold = setting.threshold();
+        let point = earlier.scene.parameters.as_ref().and_then(|parameters| parameters.point());
+        let threshold = earlier.scene.threshold();
         let modes = fits
             .as_ref()
             .ok()

@@ -2,8 +2,7 @@
 
 use super::words::digits;
 use crate::experiments::shared::cells::Digits;
-use crate::experiments::tables::table_of;
-use crate::experiments::{Context, Need, TableMaker};
+use crate::experiments::{Context, Need, TableMaker, table_of};
 use crate::fitting::Fit;
 use slipmode_plot::table::Table;
 

@@ -34,7 +34,7 @@ experiment! {
         let lines = section.normal_stress_over_critical.len() as f64;
         Work::points(f64::from(section.loading_velocity_m_per_s.points) * lines, DECISION_S)
     },
-    run: |section, setting| Some(run::frequency_lines(setting.slider()?, section)),
+    run: |section, earlier, _| Some(run::frequency_lines(earlier.slider()?, section)),
 }
 
 /// A positive ratio: a decimal or a fraction n/d of decimals.

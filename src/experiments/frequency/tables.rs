@@ -1,7 +1,6 @@
 //! The table of frequencies.
 
-use crate::experiments::tables::table_of;
-use crate::experiments::{Context, Need, TableMaker};
+use crate::experiments::{Context, Need, TableMaker, table_of};
 use slipmode_core::number::Wide;
 use slipmode_core::number::format::round_digits;
 use slipmode_plot::table::{Cell, Table};

@@ -47,7 +47,7 @@ experiment! {
         let starts = section.points.len() as f64 * section.laws.len() as f64 * section.amplitudes.len() as f64 * 3.0;
         Work::simulations(starts, 1e-8)
     },
-    run: |section, setting| Some(linear_regime(setting.slider()?, section, &setting.threshold())),
+    run: |section, earlier, _| Some(linear_regime(earlier.slider()?, section, &earlier.scene.threshold())),
 }
 
 /// The number of combinations of members of several lists.

@@ -2,8 +2,7 @@
 
 use crate::experiments::linear_regime::ModeRuns;
 use crate::experiments::linear_regime::figures::runs_of;
-use crate::experiments::tables::table_of;
-use crate::experiments::{Context, Need, Outcome, TableMaker};
+use crate::experiments::{Context, Need, Outcome, TableMaker, table_of};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_plot::table::Table;
 

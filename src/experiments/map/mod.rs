@@ -21,5 +21,5 @@ experiment! {
     tables: [tables::TABLES],
     figures: [figures::FIGURES],
     work: |section| Work::map(&section.rectangle),
-    run: |section, setting| Some(classify_rectangle(setting.slider()?, &section.rectangle, &setting.threshold())),
+    run: |section, earlier, _| Some(classify_rectangle(earlier.slider()?, &section.rectangle, &earlier.scene.threshold())),
 }

@@ -1,7 +1,6 @@
 //! The table of precision levels.
 
-use crate::experiments::tables::table_of;
-use crate::experiments::{Context, Need, TableMaker};
+use crate::experiments::{Context, Need, TableMaker, table_of};
 use slipmode_core::roots::PrecisionLevel;
 use slipmode_plot::table::Table;
 

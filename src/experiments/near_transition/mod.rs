@@ -50,7 +50,7 @@ experiment! {
         let runs = (grid + section.edge_inertial_parameter.len() as f64) * 10.0;
         Work::simulations(runs, nearest_f64(&section.tolerance))
     },
-    run: |section, setting| Some(near_transition(setting.slider()?, section)),
+    run: |section, earlier, _| Some(near_transition(earlier.slider()?, section)),
 }
 
 keys! {

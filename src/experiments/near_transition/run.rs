@@ -3,7 +3,6 @@
 use crate::experiments::near_transition::NearTransitionSection;
 use crate::experiments::near_transition::cycle_families::{CycleFamilyOutcome, cycle_families};
 use crate::experiments::near_transition::kicks::{SmallestKick, smallest_kicks};
-use crate::experiments::simulations::run::options;
 use crate::parallel;
 use slipmode_core::dynamics::{
     Decay, Failure, LongTerm, Model, Options, Oscillation, Outcome, simulate_model,
@@ -96,7 +95,7 @@ pub fn near_transition(
             section.stiffness_over_critical.iter().map(move |ratio| (law, inertial, ratio))
         })
         .collect();
-    let options = options(&section.tolerance);
+    let options = Options::at(nearest_f64(&section.tolerance));
     let effect_ratio = parameters.effect_ratio();
     let runs = parallel::map(&cases, |&(law, inertial, ratio)| {
         let family =

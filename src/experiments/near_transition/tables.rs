@@ -2,8 +2,7 @@
 
 use crate::experiments::near_transition::bistability::DIGITS;
 use crate::experiments::near_transition::{CycleFamilyOutcome, NearRun, NearTransitionOutcome, SmallestKick};
-use crate::experiments::tables::table_of;
-use crate::experiments::{Context, Need, TableMaker};
+use crate::experiments::{Context, Need, TableMaker, table_of};
 use slipmode_core::dynamics::Outcome;
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::format::round_digits;

@@ -61,5 +61,5 @@ experiment! {
         let runs = runs * section.normal_stress_pa.len() as f64 + stress_runs;
         Work::simulations(runs, nearest_f64(&section.tolerance))
     },
-    run: |section, setting| Some(onset(setting.slider()?, section, &setting.threshold())),
+    run: |section, earlier, _| Some(onset(earlier.slider()?, section, &earlier.scene.threshold())),
 }

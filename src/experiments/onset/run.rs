@@ -6,8 +6,7 @@ use crate::experiments::map::run::exactly;
 use crate::experiments::onset::search::{GivenCoordinate, Line};
 use crate::experiments::onset::theory::{DIGITS, inertial_velocity, stable_boundary, stable_boundary_stress};
 use crate::experiments::onset::{Located, OnsetSection, SeenOnset, Swing};
-use crate::experiments::simulations::run::options;
-use slipmode_core::dynamics::{Behaviour, simulate};
+use slipmode_core::dynamics::{Behaviour, Options, simulate};
 use slipmode_core::friction::Slider;
 use slipmode_core::number::{Ball, Rational, bits_for_digits, nearest_f64};
 use slipmode_core::stability::asymptote::{
@@ -192,7 +191,8 @@ fn shown_run(
 fn in_other_unit(parameters: &Slider<Rational>, section: &OnsetSection, stress: Rational) -> OtherUnit {
     let velocity = inertial_lower_velocity_m_per_s(&parameters.map(nearest_f64), &nearest_f64(&stress));
     let point = parameters.at(stress.clone(), exactly(velocity));
-    let run = section.laws.first().map(|&law| simulate(&point, law, &options(&section.tolerance)));
+    let run =
+        section.laws.first().map(|&law| simulate(&point, law, &Options::at(nearest_f64(&section.tolerance))));
     OtherUnit {
         has_boundary: stable_boundary(parameters, &stress).is_some(),
         always_unstable: parameters.has_transition() && stress > parameters.critical_normal_stress_pa(),

@@ -2,8 +2,7 @@
 
 use crate::experiments::onset::{Located, Onset, OnsetOutcome, OtherUnit, SeenOnset};
 use crate::experiments::shared::cells::Rounded;
-use crate::experiments::tables::{Rows, table_of};
-use crate::experiments::{Context, Need, SceneOutcome, TableMaker};
+use crate::experiments::{Context, Need, Rows, SceneOutcome, TableMaker, table_of};
 use slipmode_core::friction::Slider;
 use slipmode_core::number::{Rational, nearest_f64};
 use slipmode_core::stability::Asymptote;

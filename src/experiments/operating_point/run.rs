@@ -2,7 +2,7 @@
 
 use super::error_bars::{Bar, bars, modes};
 use super::reach::{DIGITS, reach};
-use crate::experiments::Setting;
+use crate::experiments::SceneOutcome;
 use crate::experiments::map::run::exactly;
 use crate::scene::Quantity;
 use slipmode_core::friction::Parameters;
@@ -48,11 +48,11 @@ const STEP: f64 = 1.05;
 
 impl OperatingPointOutcome {
     /// Decides all for the middle values, and for all values within the error bars where there are some.
-    pub(super) fn of(setting: &Setting<'_>) -> Option<Self> {
-        let stated = setting.scene().parameters.as_ref()?;
+    pub(super) fn of(earlier: &SceneOutcome) -> Option<Self> {
+        let stated = earlier.scene.parameters.as_ref()?;
         let parameters = Parameters { slider: stated.slider.clone(), point: stated.point()? };
         let region = stated.error_bars.clone().or_else(|| ParameterBox::of(parameters.clone()))?;
-        let threshold = setting.threshold();
+        let threshold = earlier.scene.threshold();
         let found = Point { parameters: &parameters, region: &region, threshold: &threshold };
         let changes = Unknown::ALL.into_iter().map(|unknown| found.change(unknown)).collect::<Option<_>>()?;
         let limits = limits(&region);

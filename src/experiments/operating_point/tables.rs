@@ -4,8 +4,7 @@ use super::reach::{digits_of_factor, in_words, range_in_words, reach};
 use super::run::{Change, OperatingPointOutcome};
 use super::words::{error_bars, mode_list, name, settling};
 use crate::experiments::shared::cells::Digits;
-use crate::experiments::tables::table_of;
-use crate::experiments::{Context, Need, TableMaker};
+use crate::experiments::{Context, Need, TableMaker, table_of};
 use crate::scene::unit_of;
 use slipmode_plot::table::{Cell, Table};
 

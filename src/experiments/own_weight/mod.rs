@@ -25,7 +25,7 @@ experiment! {
     outcome: OwnWeightOutcome,
     figures: [figures::FIGURES],
     work: |section| Work::points(section.points() as f64, DECISION_S),
-    run: |section, setting| Some(own_weight(setting.slider()?, section, &setting.threshold())),
+    run: |section, earlier, _| Some(own_weight(earlier.slider()?, section, &earlier.scene.threshold())),
 }
 
 impl OwnWeightSection {

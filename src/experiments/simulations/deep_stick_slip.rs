@@ -2,8 +2,7 @@
 
 use super::{LeastPeak, SimulatedPoint};
 use crate::experiments::shared::cells::Rounded;
-use crate::experiments::tables::table_of;
-use crate::experiments::{Context, Need, SceneOutcome, TableMaker};
+use crate::experiments::{Context, Need, SceneOutcome, TableMaker, table_of};
 use crate::fitting::{EFFECT_RATIOS, LEAST_ROWS, PeakGiven, PeakRow, fit_peaks};
 use slipmode_core::dynamics::{
     Behaviour, DEEP, DeepCycle, PeakLaw, Simulation, drop_over_impedance, least_loading,

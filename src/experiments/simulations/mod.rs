@@ -42,5 +42,5 @@ experiment! {
         let runs = rectangle_points(&section.rectangle) * section.laws.len() as f64;
         Work::simulations(runs, nearest_f64(&section.tolerance))
     },
-    run: |section, setting| Some(simulations(setting.slider()?, section, &setting.threshold())),
+    run: |section, earlier, _| Some(simulations(earlier.slider()?, section, &earlier.scene.threshold())),
 }

@@ -97,11 +97,6 @@ impl SimulatedPoint {
     }
 }
 
-/// The options of a run at a relative tolerance.
-pub(crate) fn options(tolerance: &Rational) -> Options {
-    Options::at(nearest_f64(tolerance))
-}
-
 /// Simulates every point of the section's grid with each law, and the other computations of the section.
 #[must_use]
 pub fn simulations(
@@ -109,7 +104,7 @@ pub fn simulations(
     section: &SimulationsSection,
     threshold: &InertialThreshold,
 ) -> SimulationsOutcome {
-    let options = options(&section.tolerance);
+    let options = Options::at(nearest_f64(&section.tolerance));
     let grid = |&law: &EvolutionLaw| (law, simulate_grid(parameters, section, law, threshold, &options));
     SimulationsOutcome {
         grids: section.laws.iter().map(grid).collect(),

@@ -29,5 +29,5 @@ experiment! {
         let runs = section.points.len() as f64 * section.laws.len() as f64 * 4.0;
         Work::simulations(runs, nearest_f64(&section.tolerance))
     },
-    run: |section, setting| Some(start_sensitivity(setting.slider()?, section, &setting.threshold())),
+    run: |section, earlier, _| Some(start_sensitivity(earlier.slider()?, section, &earlier.scene.threshold())),
 }

@@ -1,8 +1,7 @@
 //! Tables of what the unstated part of the start decides.
 
 use crate::experiments::start_sensitivity::{Early, StartGroup, StartRun};
-use crate::experiments::tables::table_of;
-use crate::experiments::{Context, Need, TableMaker};
+use crate::experiments::{Context, Need, TableMaker, table_of};
 use slipmode_core::dynamics::{Behaviour, Simulation, Start};
 use slipmode_plot::table::Table;
 

@@ -25,8 +25,8 @@ experiment! {
     tables: [tables::TABLES],
     figures: [figures::FIGURES],
     work: |_| Work::on_a_file(),
-    run: |section, setting| {
-        let of = |entry: &SweptEntry| setting.references.swept.get(&entry.name).cloned();
+    run: |section, _, references| {
+        let of = |entry: &SweptEntry| references.swept.get(&entry.name).cloned();
         Some(section.sweeps.iter().filter_map(of).collect())
     },
 }

@@ -7,8 +7,7 @@ use crate::experiments::swept::Swept;
 use crate::experiments::swept::figures::{
     all, bin_place, measured, simulated, value_place, word_place, worst_by_effect_ratio,
 };
-use crate::experiments::tables::table_of;
-use crate::experiments::{Context, Need, TableMaker};
+use crate::experiments::{Context, Need, TableMaker, table_of};
 use crate::sweep::SummarySection;
 use slipmode_core::number::Rational;
 use slipmode_plot::table::Table;

@@ -20,7 +20,7 @@ experiment! {
     outcome: Vec<Rational>,
     tables: [tables::TABLES],
     work: |_| Work::on_a_file(),
-    run: |section, setting| Some(quasi_static_critical_stiffness(setting.slider()?, section)),
+    run: |section, earlier, _| Some(quasi_static_critical_stiffness(earlier.slider()?, section)),
 }
 
 mod tests {

@@ -1,7 +1,6 @@
 //! The table of the test experiment.
 
-use crate::experiments::tables::table_of;
-use crate::experiments::{Context, Need, TableMaker};
+use crate::experiments::{Context, Need, TableMaker, table_of};
 use slipmode_plot::table::Table;
 
 pub(crate) const TABLES: &[TableMaker] = &[TableMaker {

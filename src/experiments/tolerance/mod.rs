@@ -26,5 +26,5 @@ experiment! {
     tables: [tables::TABLES],
     figures: [figures::FIGURES],
     work: |section| Work::points(section.relative.len() as f64, 100.0 * certified_point_s(0.0)),
-    run: |section, setting| Some(tolerance_limits(setting.slider()?, section)),
+    run: |section, earlier, _| Some(tolerance_limits(earlier.slider()?, section)),
 }

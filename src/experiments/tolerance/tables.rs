@@ -1,8 +1,7 @@
 //! Tables of the asymptotes' errors: limits of use, and convergence.
 
 use crate::experiments::shared::cells::ERROR_DIGITS;
-use crate::experiments::tables::table_of;
-use crate::experiments::{Context, Need, TableMaker};
+use crate::experiments::{Context, Need, TableMaker, table_of};
 use slipmode_core::number::Ball;
 use slipmode_core::stability::Asymptote;
 use slipmode_core::stability::tolerance::Limit;

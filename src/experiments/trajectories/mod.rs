@@ -32,7 +32,7 @@ experiment! {
         let runs = section.points.iter().map(|point| point.laws.len()).sum::<usize>();
         Work::simulations(runs as f64, nearest_f64(&section.tolerance))
     },
-    run: |section, setting| Some(trajectories(setting.slider()?, section, &setting.threshold())),
+    run: |section, earlier, _| Some(trajectories(earlier.slider()?, section, &earlier.scene.threshold())),
 }
 
 keys! {

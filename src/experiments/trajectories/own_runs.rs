@@ -1,11 +1,10 @@
 //! The runs of a laboratory's own points, each with both laws: a table and a sentence.
 
 use crate::experiments::operating_point::reach::{in_words, is_within_reach};
-use crate::experiments::tables::table_of;
 use crate::experiments::trajectories::TrajectoryRun;
 use crate::experiments::trajectories::curves::runs_of;
 use crate::experiments::trajectories::tables::{certain_of, period, stress_drop};
-use crate::experiments::{Context, Need, Outcome, SceneOutcome, TableMaker};
+use crate::experiments::{Context, Need, Outcome, SceneOutcome, TableMaker, table_of};
 use crate::scene::Quantity;
 use slipmode_core::dynamics::{Behaviour, Simulation};
 use slipmode_core::friction::EvolutionLaw;

@@ -2,7 +2,6 @@
 
 use crate::parallel;
 
-use crate::experiments::simulations::run::options;
 use crate::experiments::trajectories::{TrajectoriesSection, TrajectoryPoint};
 use slipmode_core::dynamics::{
     Control, Failure, Model, Options, Radau, Sample, Simulation, State, simulate, trajectory,
@@ -64,7 +63,7 @@ pub fn trajectories(
     section: &TrajectoriesSection,
     threshold: &InertialThreshold,
 ) -> Vec<TrajectoryRun> {
-    let options = options(&section.tolerance);
+    let options = Options::at(nearest_f64(&section.tolerance));
     let runs: Vec<(&TrajectoryPoint, EvolutionLaw)> =
         section.points.iter().flat_map(|point| point.laws.iter().map(move |&law| (point, law))).collect();
     parallel::map(&runs, |&(point, law)| follow(parameters, point, law, threshold, &options))

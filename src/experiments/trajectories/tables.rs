@@ -1,9 +1,8 @@
 //! Tables of the trajectories: what each run showed, and the samples that the figures draw.
 
 use crate::experiments::shared::cells::Digits;
-use crate::experiments::tables::table_of;
 use crate::experiments::trajectories::{DRAWING_TOLERANCE, TrajectoryRun};
-use crate::experiments::{Context, Need, TableMaker};
+use crate::experiments::{Context, Need, TableMaker, table_of};
 use slipmode_core::dynamics::Simulation;
 use slipmode_core::number::nearest_f64;
 use slipmode_plot::table::{Cell, Table};

@@ -4,7 +4,7 @@ pub(crate) mod figures;
 pub(crate) mod run;
 pub(crate) mod tables;
 
-pub use run::{InertialLine, LineCount, ThresholdShare, ZonesOutcome, compare_zones};
+pub use run::{InertialLine, ThresholdShare, ZonesOutcome, compare_zones};
 
 use crate::experiments::map::classify_rectangle;
 use crate::experiments::{Work, experiment};
@@ -21,13 +21,13 @@ experiment! {
     tables: [tables::TABLES],
     figures: [figures::FIGURES],
     work: |section| Work::map(&section.rectangle),
-    run: |section, setting| {
-        let slider = setting.slider()?;
+    run: |section, earlier, _| {
+        let slider = earlier.slider()?;
         // A map of the same rectangle has the exact half already.
-        let same = setting.scene().map.as_ref().is_some_and(|map| map.rectangle == section.rectangle);
-        Some(match setting.earlier.map.as_ref().filter(|_| same) {
+        let same = earlier.scene.map.as_ref().is_some_and(|map| map.rectangle == section.rectangle);
+        Some(match earlier.map.as_ref().filter(|_| same) {
             Some(map) => compare_zones(slider, map),
-            None => compare_zones(slider, &classify_rectangle(slider, &section.rectangle, &setting.threshold())),
+            None => compare_zones(slider, &classify_rectangle(slider, &section.rectangle, &earlier.scene.threshold())),
         })
     },
 }

@@ -26,15 +26,6 @@ slipmode_algebra::named! {
     }
 }
 
-/// How many points a map with one of these lines puts into another slip mode than the exact one.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct LineCount {
-    /// The line.
-    pub line: InertialLine,
-    /// The points.
-    pub misplaced: usize,
-}
-
 /// Exact slip modes next to those the simplified map assigns.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ZonesOutcome {
@@ -52,8 +43,9 @@ pub struct ZonesOutcome {
     /// How far a line of the map with the straight line between the corners is from where the slip mode changes, at most, in decades
     /// along an axis.
     pub modes_off_dex: f64,
-    /// How often the simplified map is wrong with each line between inertial and non-inertial, in the order of the list.
-    pub inertial_lines: Vec<LineCount>,
+    /// How many points a map with each line between inertial and non-inertial puts into another slip mode than the exact one, in the
+    /// order of the list.
+    pub inertial_lines: Vec<(InertialLine, usize)>,
     /// How the map depends on the threshold between inertial and non-inertial.
     pub thresholds: Vec<ThresholdShare>,
 }
@@ -87,7 +79,7 @@ pub fn compare_zones(parameters: &Slider<Rational>, map: &Grid<MapPoint>) -> Zon
     // For a = b eqs 15 and 18 are infinite, and there is no corner between them.
     let drawn =
         InertialLine::ALL.into_iter().filter(|line| *line != InertialLine::Corners || lines.has_corners());
-    let inertial_lines = drawn.map(|line| LineCount { line, misplaced: misplaced(&zones(line)) }).collect();
+    let inertial_lines = drawn.map(|line| (line, misplaced(&zones(line)))).collect();
     let simplified = zones(InertialLine::CriticalVelocity);
     let pairs = map.values.iter().zip(&simplified.values);
     let exact = map.map(|point| point.slip_mode);

@@ -2,9 +2,8 @@
 
 use crate::experiments::shared::Grid;
 use crate::experiments::shared::cells::Digits;
-use crate::experiments::tables::table_of;
-use crate::experiments::zones::{InertialLine, LineCount, ZonesOutcome};
-use crate::experiments::{Context, Need, SceneOutcome, TableMaker};
+use crate::experiments::zones::{InertialLine, ZonesOutcome};
+use crate::experiments::{Context, Need, SceneOutcome, TableMaker, table_of};
 use crate::scene::cited;
 use slipmode_core::number::Ball;
 use slipmode_core::stability::SlipMode;
@@ -48,16 +47,18 @@ fn zones(context: &Context) -> Option<Table> {
 }
 
 fn inertial_lines(context: &Context) -> Option<Table> {
-    let counts = zoned(context)
-        .flat_map(|(scene, zones)| zones.inertial_lines.iter().map(move |count| (scene, zones, count)));
-    let drawn = |count: &LineCount| count.line == InertialLine::Corners;
+    let counts = zoned(context).flat_map(|(scene, zones)| {
+        zones.inertial_lines.iter().map(move |(line, count)| (scene, zones, *line, count))
+    });
     table_of("inertial-lines", counts)
         .text("scene", |(scene, ..)| scene.scene.name.as_str())
         .text("slider", |(scene, ..)| scene.slider_words())
-        .text("line", |(.., count)| cited(count.line.as_str()))
-        .number("misplaced", |(.., count)| count.misplaced)
-        .number("points", |(_, zones, _)| zones.exact.values.len())
-        .digits("off_dex", 4, |(_, zones, count)| drawn(count).then_some(zones.modes_off_dex))
+        .text("line", |(_, _, line, _)| cited(line.as_str()))
+        .number("misplaced", |(.., misplaced)| *misplaced)
+        .number("points", |(_, zones, ..)| zones.exact.values.len())
+        .digits("off_dex", 4, |(_, zones, line, _)| {
+            (line == InertialLine::Corners).then_some(zones.modes_off_dex)
+        })
         .table()
 }
 
