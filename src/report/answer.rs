@@ -10,6 +10,7 @@ use crate::experiments::simulations::range_of_velocities;
 use crate::experiments::tolerance::accuracy_of_asymptotes;
 use crate::experiments::trajectories::own_run_words;
 use crate::report::AnswerView;
+use crate::report::parts::{Words, words_of_source};
 use crate::scene::{InAnswer, Question, Source, Subject};
 use slipmode_plot::table::escape_markdown;
 
@@ -171,17 +172,7 @@ fn of_source(source: Source, claims: &[&Entry]) -> Option<AnswerView> {
         counted(claims, Verdict::Fails, ["fails", "fail"]),
     ];
     let found: Vec<&str> = found.iter().map(String::as_str).filter(|part| !part.starts_with("0 ")).collect();
-    let [lead, one, several] = match source {
-        Source::Paper => return None,
-        Source::Standard => ["Known in the field", "standard result", "standard results"],
-        Source::Question => {
-            ["Not answered by the paper", "question of this report", "questions of this report"]
-        }
-        Source::Assumption => {
-            ["Not stated by the paper", "assumption of this report", "assumptions of this report"]
-        }
-        Source::Result => ["New here", "result of our own", "results of our own"],
-    };
+    let Words { lead, names: [one, several], .. } = words_of_source(source)?;
     let of = if claims.len() == 1 { one } else { several };
     let text = format!("{lead}, {} {of}: {}.", claims.len(), listed(&found)?);
     Some(AnswerView { is_list: true, ..AnswerView::new(text, claims.iter().map(|entry| &entry.id)) })

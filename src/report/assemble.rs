@@ -13,6 +13,7 @@ use crate::report::citation::citation;
 use crate::report::claim_text::code_span;
 use crate::report::claims_picture::claims_picture;
 use crate::report::math::check_size;
+use crate::report::parts::words_of_source;
 use crate::report::{
     CardView, ChapterView, ClaimGroupView, ClaimView, EquationView, EvidenceView, FactView, InputView,
     PartView, ProofLineView, ProvenanceView, ReadingView, ReportView,
@@ -169,19 +170,11 @@ fn groups(ledger: &Ledger, place: &str) -> Vec<ClaimGroupView> {
         .iter()
         .map(|subject| group(&subject.title, &|one| of_paper(one) && one.subject.as_ref() == Some(*subject)));
     let others = Source::ALL.into_iter().filter(|source| *source != Source::Paper);
-    let others = others.map(|source| group(source_title(source), &|entry| entry.sentence.source == source));
+    let others = others.map(|source| {
+        let title = words_of_source(source).map_or("", |words| &words.title);
+        group(title, &|entry| entry.sentence.source == source)
+    });
     known.chain([unknown]).chain(others).filter(|group| !group.claims.is_empty()).collect()
-}
-
-/// The heading of the claims of a source, the paper's apart.
-const fn source_title(source: Source) -> &'static str {
-    match source {
-        Source::Paper => "Claims of the paper",
-        Source::Standard => "Standard results",
-        Source::Question => "Questions of this report",
-        Source::Assumption => "Assumptions of this report",
-        Source::Result => "New results of this project",
-    }
 }
 
 /// The kind of a sentence, with the words that make it so.

@@ -41,25 +41,17 @@ fn number(before: Option<char>, rest: &str) -> Set {
     Some((if mantissa == "1" { ten } else { format!("{mantissa} × {ten}") }, word.len()))
 }
 
-const GREEK: [(&str, char); 17] = [
-    ("alpha", 'α'),
-    ("beta", 'β'),
-    ("gamma", 'γ'),
-    ("delta", 'δ'),
-    ("epsilon", 'ε'),
-    ("zeta", 'ζ'),
-    ("eta", 'η'),
-    ("theta", 'θ'),
-    ("kappa", 'κ'),
-    ("lambda", 'λ'),
-    ("mu", 'μ'),
-    ("rho", 'ρ'),
-    ("sigma", 'σ'),
-    ("tau", 'τ'),
-    ("phi", 'φ'),
-    ("omega", 'ω'),
-    ("Delta", 'Δ'),
+/// The names of the Greek letters that are set, and the letters.
+const GREEK: [&str; 2] = [
+    "alpha beta gamma delta epsilon zeta eta theta kappa lambda mu rho sigma tau phi omega Delta",
+    "αβγδεζηθκλμρστφωΔ",
 ];
+
+/// The Greek letter of this name.
+fn greek(name: &str) -> Option<char> {
+    let mut letters = GREEK[0].split(' ').zip(GREEK[1].chars());
+    letters.find(|(known, _)| *known == name).map(|(_, letter)| letter)
+}
 
 /// A symbol, or a word that stays.
 fn name(before: Option<char>, rest: &str) -> Set {
@@ -71,7 +63,7 @@ fn name(before: Option<char>, rest: &str) -> Set {
     let letters = run(word, |c| c.is_ascii_alphabetic());
     let in_a_word = before == Some('-')
         || rest[letters.len()..].starts_with('-') && !rest[letters.len()..].starts_with("->");
-    let greek = GREEK.iter().find(|(spelled, _)| *spelled == letters && !in_a_word);
+    let greek = greek(letters).filter(|_| !in_a_word);
     if letters == "Delta" && rest[letters.len()..].starts_with('_') {
         let (set, length) = name(None, &rest[letters.len() + 1..])?;
         return Some((format!("Δ{set}"), letters.len() + 1 + length));
@@ -79,8 +71,7 @@ fn name(before: Option<char>, rest: &str) -> Set {
     if letters == "sqrt" && rest[letters.len()..].starts_with('(') {
         return Some(("√".into(), letters.len()));
     }
-    let (letter, length) =
-        greek.map_or((first, first.len_utf8()), |(spelled, letter)| (*letter, spelled.len()));
+    let (letter, length) = greek.map_or((first, first.len_utf8()), |letter| (letter, letters.len()));
     let tail = &rest[length..];
     let index = match tail.strip_prefix('_') {
         Some(after) => Some(index_of(after)).filter(|index| !after[index.len()..].starts_with('_')),
@@ -172,7 +163,7 @@ fn sign(before: Option<char>, rest: &str) -> Set {
 /// Whether the text begins with a letter that stands for itself, or the name of a Greek one.
 fn is_symbol(text: &str) -> bool {
     let letters = run(text, |c| c.is_ascii_alphabetic());
-    letters.len() == 1 || GREEK.iter().any(|(spelled, _)| *spelled == letters)
+    letters.len() == 1 || greek(letters).is_some()
 }
 
 /// The index that the text begins with: a comma belongs to it when more of the index follows at once.

@@ -7,42 +7,23 @@ use super::ReportError;
 use super::symbols::{escape_html, set_symbols};
 use slipmode_plot::table::escape_markdown;
 
+/// The templates with these names, each with its text.
+macro_rules! sources {
+    ($($name:literal)*) => { [$(($name, include_str!(concat!("../../templates/", $name))),)*] };
+}
+
 /// Templates of the page, and of the results of a verification. Every one is escaped for HTML, whatever its name.
-const HTML: [(&str, &str); 23] = [
-    ("report.html", include_str!("../../templates/report.html")),
-    ("edition.html", include_str!("../../templates/edition.html")),
-    ("part.html", include_str!("../../templates/part.html")),
-    ("verdicts.html", include_str!("../../templates/verdicts.html")),
-    ("ledger.html", include_str!("../../templates/ledger.html")),
-    ("appendix.html", include_str!("../../templates/appendix.html")),
-    ("paper.html", include_str!("../../templates/paper.html")),
-    ("contents.html", include_str!("../../templates/contents.html")),
-    ("chip.html", include_str!("../../templates/chip.html")),
-    ("claim.html", include_str!("../../templates/claim.html")),
-    ("claim_result.html", include_str!("../../templates/claim_result.html")),
-    ("claim_body.html", include_str!("../../templates/claim_body.html")),
-    ("figure.html", include_str!("../../templates/figure.html")),
-    ("proof.html", include_str!("../../templates/proof.html")),
-    ("folded_proof.html", include_str!("../../templates/folded_proof.html")),
-    ("rows.html", include_str!("../../templates/rows.html")),
-    ("table.html", include_str!("../../templates/table.html")),
-    ("equation.html", include_str!("../../templates/equation.html")),
-    ("verdict.html", include_str!("../../templates/verdict.html")),
-    ("environment.html", include_str!("../../templates/environment.html")),
-    ("live.html", include_str!("../../templates/live.html")),
-    ("explore.html", include_str!("../../templates/explore.html")),
-    ("junit.xml", include_str!("../../templates/junit.xml")),
-];
+const HTML: [(&str, &str); 23] = sources! {
+    "report.html" "edition.html" "part.html" "verdicts.html" "ledger.html" "appendix.html"
+    "paper.html" "contents.html" "chip.html" "claim.html" "claim_result.html" "claim_body.html"
+    "figure.html" "proof.html" "folded_proof.html" "rows.html" "table.html" "equation.html"
+    "verdict.html" "environment.html" "live.html" "explore.html" "junit.xml"
+};
 
 /// Templates of the Markdown report. Every one is escaped for Markdown.
-const MARKDOWN: [(&str, &str); 6] = [
-    ("report.md", include_str!("../../templates/report.md")),
-    ("ledger.md", include_str!("../../templates/ledger.md")),
-    ("verdicts.md", include_str!("../../templates/verdicts.md")),
-    ("claims.md", include_str!("../../templates/claims.md")),
-    ("part.md", include_str!("../../templates/part.md")),
-    ("claim.md", include_str!("../../templates/claim.md")),
-];
+const MARKDOWN: [(&str, &str); 6] = sources! {
+    "report.md" "ledger.md" "verdicts.md" "claims.md" "part.md" "claim.md"
+};
 
 /// A set of templates with one way of escaping.
 #[derive(Debug)]

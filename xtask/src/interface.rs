@@ -12,14 +12,12 @@ const METHOD: &str = "class=\"method\">";
 /// # Errors
 /// When there are too many, or no page can be read.
 pub fn count(target: &Path) -> Result {
-    let mut functions = 0;
-    for page in entries(&target.join("doc/slipmode_core"))? {
-        functions += match file_name(&page) {
-            name if name.starts_with("fn.") => 1,
-            name if name.ends_with(".html") => read(&page)?.matches(METHOD).count(),
-            _ => 0,
-        };
-    }
+    let on_page = |page: &PathBuf| match file_name(page) {
+        name if name.starts_with("fn.") => Ok(1),
+        name if name.ends_with(".html") => Ok(read(page)?.matches(METHOD).count()),
+        _ => Ok(0),
+    };
+    let functions = entries(&target.join("doc/slipmode_core"))?.iter().map(on_page).sum::<Result<usize>>()?;
     println!("slipmode-core has {functions} public functions (at most {MOST_FUNCTIONS})");
     let wrong = || format!("slipmode-core: {functions} public functions, wanted: 1 to {MOST_FUNCTIONS}");
     ensure((1..=MOST_FUNCTIONS).contains(&functions), || Failure::check(wrong()))
