@@ -38,10 +38,14 @@ pub struct Control {
     pub id: &'static str,
     /// What it is.
     pub name: &'static str,
-    /// The slider's values as words, ascending.
-    pub steps: Vec<String>,
+    /// The slider's values as words, ascending, with `|` between them.
+    pub steps: String,
+    /// The place of the last of them.
+    pub last: usize,
     /// The place of the slider's own value.
     pub base: usize,
+    /// Its words.
+    pub text: String,
 }
 
 /// What is known of a point.
@@ -53,12 +57,8 @@ pub struct PointRow {
     pub stress: String,
     /// V0 in m/s.
     pub velocity: String,
-    /// Slip mode.
-    pub mode: Varying,
-    /// Largest Im(s) in 1/s.
-    pub imaginary: Varying,
-    /// Frequency in Hz.
-    pub frequency: Varying,
+    /// Slip mode, largest Im(s) in 1/s, and frequency in Hz.
+    pub fields: [Varying; 3],
 }
 
 /// The part of the plane that is shown.
@@ -108,9 +108,11 @@ fn point_row(
         name: point.name.clone(),
         stress: rational_to_decimal(&point.place.normal_stress_pa, DIGITS),
         velocity: rational_to_decimal(&point.place.loading_velocity_m_per_s, DIGITS),
-        mode: of(PointState::mode),
-        imaginary: of(|state| round_digits(state.imaginary(), DIGITS)),
-        frequency: of(|state| round_digits(state.imaginary() / std::f64::consts::TAU, DIGITS)),
+        fields: [
+            of(PointState::mode),
+            of(|state| round_digits(state.imaginary(), DIGITS)),
+            of(|state| round_digits(state.imaginary() / std::f64::consts::TAU, DIGITS)),
+        ],
     }
 }
 
@@ -134,7 +136,10 @@ fn controls(families: &Families) -> Vec<Control> {
         .zip(&effects.values)
         .map(|(text, times)| format!("{text}, β = b/a = {}", beta(times)))
         .collect();
-    let control = |id, name, steps, factors: &Factors| Control { id, name, steps, base: factors.base };
+    let control = |id, name, steps: Vec<String>, &Factors { base, .. }: &Factors| {
+        let text = steps.get(base).cloned().unwrap_or_default();
+        Control { id, name, steps: steps.join("|"), last: steps.len().saturating_sub(1), base, text }
+    };
     let stiffness_steps = step(stiffnesses, &own.stiffness_pa_per_m, " Pa/m");
     let mass_steps = step(masses, &own.mass_per_area_kg_per_m2, " kg/m²");
     vec![

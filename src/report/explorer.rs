@@ -46,24 +46,6 @@ pub fn render_explorer(explorer: &Explorer, page: &ExplorerPage<'_>) -> Result<S
     }
     let style_css = explorer_style_sheet();
     let script_js = format!("{EXPLORER_SCRIPT}{LIVE_SCRIPT}");
-    let controls = explorer.controls.iter().map(|control| {
-        json!({
-            "id": control.id,
-            "name": control.name,
-            "last": control.steps.len().saturating_sub(1),
-            "base": control.base,
-            "text": control.steps.get(control.base).map_or("", String::as_str),
-            "steps": control.steps.join("|"),
-        })
-    });
-    let points = explorer.points.iter().map(|point| {
-        json!({
-            "name": point.name,
-            "stress": point.stress,
-            "velocity": point.velocity,
-            "fields": [&point.mode, &point.imaginary, &point.frequency],
-        })
-    });
     let grid = format!(
         "The page stores {} combinations of b, K and M, each the scene’s value times one of the factors in the tables. It does not interpolate between them.",
         explorer.combinations
@@ -75,10 +57,10 @@ pub fn render_explorer(explorer: &Explorer, page: &ExplorerPage<'_>) -> Result<S
         "live": page.live,
         "policy": content_policy(&style_css, &script_js),
         "style_css": style_css,
-        "controls": controls.collect::<Vec<_>>(),
+        "controls": explorer.controls,
         "drawing_svg": within_html(&explorer.svg),
         "marks": page.marks,
-        "points": points.collect::<Vec<_>>(),
+        "points": explorer.points,
         "formulas": explorer.formulas,
         "tables_html": tables_html,
         "grid": grid,
