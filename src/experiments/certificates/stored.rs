@@ -184,10 +184,7 @@ impl Stored {
             let ends = [number(at)?, number(at + 1)?];
             if ends[0] <= ends[1] { Ok(ends) } else { Err((at, allowed("at most the upper end"))) }
         };
-        let mut texts = Vec::new();
-        for at in 0..INPUTS {
-            texts.push(positive(at)?);
-        }
+        let texts = (0..INPUTS).map(positive).collect::<Result<Vec<_>, _>>()?;
         let texts: [Rational; INPUTS] = texts.try_into().map_err(|_| (0, allowed("seven decimals")))?;
         let law = EvolutionLaw::from_word(cell(INPUTS));
         let law = law.ok_or_else(|| (INPUTS, allowed("`slip` or `aging`")))?;
@@ -206,10 +203,12 @@ impl Stored {
                 period_s: ends(11)?,
             }),
             "decay" => Ok(Proved::Decay { captured_after_s: number(22)? }),
-            word => match word.strip_prefix(NONE) {
-                Some(reason) => Err(reason.to_string()),
-                None => return Err((8, allowed("`cycle`, `decay` or `none: ` with a reason"))),
-            },
+            word => {
+                let reason = word.strip_prefix(NONE);
+                Err(reason
+                    .ok_or_else(|| (8, allowed("`cycle`, `decay` or `none: ` with a reason")))?
+                    .to_string())
+            }
         };
         let certificate = match proved {
             Ok(proved) => {

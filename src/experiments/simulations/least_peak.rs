@@ -171,22 +171,37 @@ impl Line<'_> {
         [side(lower.into_iter().rev().find(high)), side(upper.into_iter().find(high))]
     }
 
-    /// The first change from stick-slip to harmonic vibration among the samples and as far again beyond them, refined.
-    fn cycle_mode_change(&self, samples: &[(f64, Simulation)]) -> Option<f64> {
-        let harmonic = |found: &Simulation| found.slip_mode == SlipMode::HarmonicVibration;
-        let holds = |offset: f64| self.cycle(offset).as_ref().map(harmonic);
-        let known = samples.iter().map(|(offset, found)| (*offset, Some(harmonic(found))));
+    /// The first two neighbours among the samples, and among so many more beyond them, of which the second has the property and the first has
+    /// it not yet; none when a cycle before them is missing.
+    fn first_change<V: Copy>(
+        &self,
+        (samples, beyond): (&[(f64, Simulation)], i32),
+        value: impl Fn(&Simulation) -> Option<V>,
+        has_changed: impl Fn(V) -> bool,
+    ) -> Option<[(f64, V); 2]> {
         let last = samples.last()?.0;
-        let beyond = (1..SAMPLES).map(|index| f64::from(index).mul_add(SAMPLE_STEP_DEX, last));
-        let mut places = known.chain(beyond.map(|offset| (offset, holds(offset))));
-        let mut without = places.next().filter(|first| first.1 == Some(false))?.0;
-        for (offset, answer) in places {
-            if answer? {
-                return border_between(holds, (without, offset), SIDE_WIDTH).map(|(_, with)| with);
+        let beyond = (1..beyond).map(|index| f64::from(index).mul_add(SAMPLE_STEP_DEX, last));
+        let known = samples.iter().map(|(offset, found)| (*offset, value(found)));
+        let mut places =
+            known.chain(beyond.map(|offset| (offset, self.cycle(offset).as_ref().and_then(&value))));
+        let (first, value) = places.next()?;
+        let mut before = (first, value.filter(|value| !has_changed(*value))?);
+        for (offset, value) in places {
+            let here = (offset, value?);
+            if has_changed(here.1) {
+                return Some([before, here]);
             }
-            without = offset;
+            before = here;
         }
         None
+    }
+
+    /// The first change from stick-slip to harmonic vibration among the samples and as far again beyond them, refined.
+    fn cycle_mode_change(&self, samples: &[(f64, Simulation)]) -> Option<f64> {
+        let harmonic = |found: &Simulation| Some(found.slip_mode == SlipMode::HarmonicVibration);
+        let [without, with] = self.first_change((samples, SAMPLES), harmonic, |is_harmonic| is_harmonic)?;
+        let holds = |offset: f64| harmonic(&self.cycle(offset)?);
+        border_between(holds, (without.0, with.0), SIDE_WIDTH).map(|(_, with)| with)
     }
 
     fn period_over_natural(&self, cycle: &Simulation) -> Option<f64> {
@@ -197,21 +212,8 @@ impl Line<'_> {
     /// Where the period falls below a multiple of the natural one, among the samples and twice as far beyond them.
     fn period_change(&self, samples: &[(f64, Simulation)], level: f64) -> Option<f64> {
         let excess = |found: &Simulation| Some(libm::log(self.period_over_natural(found)? / level));
-        let at = |offset: f64| excess(&self.cycle(offset)?);
-        let known = samples.iter().map(|(offset, found)| (*offset, excess(found)));
-        let last = samples.last()?.0;
-        let beyond = (1..2 * SAMPLES).map(|index| f64::from(index).mul_add(SAMPLE_STEP_DEX, last));
-        let mut places = known.chain(beyond.map(|offset| (offset, at(offset))));
-        let first = places.next()?;
-        let mut before = (first.0, first.1.filter(|excess| *excess > 0.0)?);
-        for (offset, excess) in places {
-            let here = (offset, excess?);
-            if here.1 <= 0.0 {
-                return zero_between(at, [before, here], SIDE_WIDTH);
-            }
-            before = here;
-        }
-        None
+        let ends = self.first_change((samples, 2 * SAMPLES), excess, |excess| excess <= 0.0)?;
+        zero_between(|offset| excess(&self.cycle(offset)?), ends, SIDE_WIDTH)
     }
 
     fn theory_mode_change(&self, threshold: &InertialThreshold) -> Option<f64> {
