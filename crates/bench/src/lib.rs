@@ -11,6 +11,7 @@ pub mod cost;
 pub mod counts;
 pub mod coverage;
 pub mod cpu_clock;
+mod digit_columns;
 pub mod error_bound;
 pub mod integrators;
 mod least_squares;

@@ -2,7 +2,7 @@
 
 use slipmode_core::number::format::{certain_digits, rational_to_decimal, round_digits};
 use slipmode_core::number::{Ball, Rational};
-use slipmode_plot::table::{Cell, TableRows};
+use slipmode_plot::table::Cell;
 
 /// A value that is shown with some significant digits.
 pub trait Digits {
@@ -51,30 +51,3 @@ impl<D: Digits> Digits for Option<D> {
 
 /// Digits of an error: enough to compare, few enough to read.
 pub(crate) const ERROR_DIGITS: usize = 6;
-
-/// Columns of numbers with the same digits in every row.
-pub trait DigitColumns<R>: Sized {
-    /// One more column, with its unit and its significant digits.
-    #[must_use]
-    fn digits<D: Digits>(
-        self,
-        name: &str,
-        header: &str,
-        unit: &str,
-        digits: usize,
-        value: impl Fn(R) -> D,
-    ) -> Self;
-}
-
-impl<R: Copy> DigitColumns<R> for TableRows<R> {
-    fn digits<D: Digits>(
-        self,
-        name: &str,
-        header: &str,
-        unit: &str,
-        digits: usize,
-        value: impl Fn(R) -> D,
-    ) -> Self {
-        self.number(name, header, unit, |row| value(row).cell(digits))
-    }
-}

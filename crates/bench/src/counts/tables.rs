@@ -1,7 +1,7 @@
 //! Tables of work against error by counts: roots, classes, a point of the boundary, a sweep.
 
 use super::SpeedCounts;
-use slipmode::experiments::shared::cells::DigitColumns;
+use crate::digit_columns::DigitColumns;
 use slipmode_plot::table::{Cell, Table};
 
 /// The four tables.

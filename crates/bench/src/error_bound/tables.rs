@@ -1,7 +1,7 @@
 //! The table of true and estimated errors.
 
 use super::BoundCheck;
-use slipmode::experiments::shared::cells::DigitColumns;
+use crate::digit_columns::DigitColumns;
 use slipmode_plot::table::Table;
 
 /// The table, by tolerance and observable.

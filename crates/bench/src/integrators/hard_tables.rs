@@ -1,7 +1,7 @@
 //! Tables of cycles where integrators go wrong: a column per method.
 
 use super::{HardCycleOutcome, MethodAnswer, MethodVerdict};
-use slipmode::experiments::shared::cells::DigitColumns;
+use crate::digit_columns::DigitColumns;
 use slipmode_core::dynamics::Failure;
 use slipmode_core::number::format::round_digits;
 use slipmode_plot::table::{Column, Table};

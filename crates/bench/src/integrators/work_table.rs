@@ -1,8 +1,8 @@
 //! The table of work against error.
 
 use super::WorkCase;
+use crate::digit_columns::DigitColumns;
 use crate::paper::{place_cells, place_columns};
-use slipmode::experiments::shared::cells::DigitColumns;
 use slipmode_plot::table::Table;
 
 /// A row for each method and setting.

@@ -1,7 +1,7 @@
 //! The table of hard cases by family.
 
 use super::FamilyOutcome;
-use slipmode::experiments::shared::cells::DigitColumns;
+use crate::digit_columns::DigitColumns;
 use slipmode_plot::table::Table;
 
 /// The table.

@@ -1,8 +1,8 @@
 //! Tables of the original scheme: bias, order, transition, and figs 3a and 5 under it.
 
 use super::{SchemeOutcome, SchemeSeries, SchemeStep};
+use crate::digit_columns::DigitColumns;
 use crate::paper::{place_cells, place_columns};
-use slipmode::experiments::shared::cells::DigitColumns;
 use slipmode_plot::table::{Table, TableRows};
 
 /// The five tables.

@@ -7,8 +7,8 @@ use super::{
     Aim, Bound, COST_FILE, CostSeries, PEERS_FILE, PeerRow, Reached, Timings, aims, cost_series,
     cycle_groups, micro, work_groups,
 };
+use crate::digit_columns::DigitColumns;
 use crate::least_squares::Law;
-use slipmode::experiments::shared::cells::DigitColumns;
 use slipmode_core::number::format::round_digits;
 use slipmode_plot::table::{Cell, Table};
 
