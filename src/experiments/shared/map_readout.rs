@@ -1,14 +1,13 @@
 //! What the maps of the (V, σ) plane read out at a point: slip mode, frequency, how far the nearest asymptote is off, and
 //! what was simulated there.
 
-use std::borrow::Borrow;
-
 use crate::experiments::boundary::BoundaryOutcome;
 use crate::experiments::map::run::MapPoint;
 use crate::experiments::shared::Grid;
 use crate::experiments::shared::axes::place;
 use crate::experiments::simulations::run::SimulatedPoint;
 use slipmode_core::dynamics::Behaviour;
+use slipmode_core::number::Wide;
 use slipmode_core::stability::SlipMode;
 use slipmode_core::stability::boundary::BoundaryPoint;
 use slipmode_plot::figure::{Readout, Words};
@@ -21,20 +20,16 @@ const THEORY: &str = "V = {x} m/s, σ = {y} Pa: {0}; max Im(s) = {1} 1/s. Neares
 
 /// The words at a coarse part of the map's grid.
 pub(crate) fn readout(map: &Grid<MapPoint>, boundary: &BoundaryOutcome) -> Readout {
-    let of_point = |point: &MapPoint| (point.slip_mode, point.max_imaginary_per_s.to_f64().unwrap_or(0.0));
-    words(map, &boundary.points, THEORY, |_, point| theory(of_point(point)).to_vec())
+    words(map, &boundary.points, THEORY, |_, point| {
+        theory(point.slip_mode, &point.max_imaginary_per_s).to_vec()
+    })
 }
 
 /// The words of a map of simulations: those of theory, and what the run did.
-pub(crate) fn simulated_readout<P: Borrow<SimulatedPoint>>(
-    grid: &Grid<P>,
-    boundary: &BoundaryOutcome,
-) -> Readout {
+pub(crate) fn simulated_readout(grid: &Grid<SimulatedPoint>, boundary: &BoundaryOutcome) -> Readout {
     let sentence = format!("{THEORY} Simulated: {{4}}, peak {{5}} V_l.");
     words(grid, &boundary.points, &sentence, |velocity, point| {
-        let point = point.borrow();
-        let theory_says =
-            theory((point.theory.slip_mode, point.theory.max_imaginary_per_s.to_f64().unwrap_or(0.0)));
+        let theory_says = theory(point.theory.slip_mode, &point.theory.max_imaginary_per_s);
         theory_says.into_iter().chain(simulated(velocity, point)).collect()
     })
 }
@@ -46,7 +41,8 @@ fn words<T>(
     fields_at: impl Fn(f64, &T) -> Vec<String>,
 ) -> Readout {
     let (velocities, stresses) = (&grid.loading_velocity_m_per_s, &grid.normal_stress_pa);
-    let places: Vec<BoundaryPlace<'_>> = boundary.iter().map(BoundaryPlace::of).collect();
+    let places: Vec<BoundaryPlace<'_>> =
+        boundary.iter().map(|point| (point, logarithms(place(point)))).collect();
     let mut fields: Vec<Vec<String>> = Vec::new();
     for row in chosen(stresses.len()) {
         for column in chosen(velocities.len()) {
@@ -66,8 +62,8 @@ fn words<T>(
     })
 }
 
-fn theory((mode, frequency): (SlipMode, f64)) -> [String; 2] {
-    [mode.words().into(), three_digits(frequency)]
+fn theory(mode: SlipMode, max_imaginary_per_s: &Wide) -> [String; 2] {
+    [mode.words().into(), three_digits(max_imaginary_per_s.to_f64().unwrap_or(0.0))]
 }
 
 /// What a run did, and its largest velocity over the loading velocity.
@@ -86,30 +82,24 @@ fn chosen(count: usize) -> impl Iterator<Item = usize> {
     (0..shown).map(move |index| index * last / (shown.max(2) - 1))
 }
 
-/// A point of the boundary on the logarithmic plane.
-struct BoundaryPlace<'b> {
-    point: &'b BoundaryPoint,
-    logarithms: (f64, f64),
-}
+/// A point of the boundary, and where it lies on the logarithmic plane.
+type BoundaryPlace<'b> = (&'b BoundaryPoint, (f64, f64));
 
-impl<'b> BoundaryPlace<'b> {
-    fn of(point: &'b BoundaryPoint) -> Self {
-        let (velocity, stress) = place(point);
-        Self { point, logarithms: (libm::log10(velocity), libm::log10(stress)) }
-    }
+fn logarithms((velocity, stress): (f64, f64)) -> (f64, f64) {
+    (libm::log10(velocity), libm::log10(stress))
 }
 
 /// The asymptote that is nearest at the boundary's nearest point, and its error there in percent; nothing without a boundary.
 fn nearest(places: &[BoundaryPlace<'_>], velocity: f64, stress: f64) -> [String; 2] {
-    let here = (libm::log10(velocity), libm::log10(stress));
-    let distance = |place: &BoundaryPlace<'_>| {
-        let (dx, dy) = (place.logarithms.0 - here.0, place.logarithms.1 - here.1);
+    let here = logarithms((velocity, stress));
+    let distance = |(_, there): &BoundaryPlace<'_>| {
+        let (dx, dy) = (there.0 - here.0, there.1 - here.1);
         dx * dx + dy * dy
     };
     let found = places.iter().min_by(|one, two| distance(one).total_cmp(&distance(two)));
-    found.map_or_else(Default::default, |place| {
-        let percent = 100.0 * place.point.relative_error.to_f64();
-        [place.point.asymptote.as_str().replace("eq", "eq "), three_digits(percent)]
+    found.map_or_else(Default::default, |(point, _)| {
+        let percent = 100.0 * point.relative_error.to_f64();
+        [point.asymptote.as_str().replace("eq", "eq "), three_digits(percent)]
     })
 }
 

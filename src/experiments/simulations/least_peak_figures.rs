@@ -51,7 +51,7 @@ fn map(scene: &SceneOutcome, words: &mut Words) -> Option<String> {
     let shown = Grid {
         loading_velocity_m_per_s: grid.loading_velocity_m_per_s.clone(),
         normal_stress_pa: grid.normal_stress_pa[first..].to_vec(),
-        values: grid.values[first * columns..].iter().collect::<Vec<_>>(),
+        values: grid.values[first * columns..].to_vec(),
     };
     let said = scene.boundary.as_ref().map(|boundary| simulated_readout(&shown, boundary));
     words.fill(&[("law", law.as_str())]);
