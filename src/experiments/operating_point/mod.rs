@@ -11,7 +11,7 @@ pub(crate) mod words;
 pub use error_bars::Bar;
 pub use run::{Change, OperatingPointOutcome};
 pub(crate) use words::{
-    error_bars, operating_point_words, range_words, what_decides_words, what_leaves_words,
+    error_bars, first_point, operating_point_words, range_words, what_decides_words, what_leaves_words,
 };
 
 use crate::experiments::{Work, experiment};

@@ -15,7 +15,7 @@ use slipmode_core::stability::{
 };
 
 /// The first scene with an operating point, and this point.
-fn first_point(outcome: &Outcome) -> Option<(&SceneOutcome, Parameters<Rational>)> {
+pub(crate) fn first_point(outcome: &Outcome) -> Option<(&SceneOutcome, Parameters<Rational>)> {
     outcome.scenes.iter().find_map(|scene| {
         Some((scene, Parameters { slider: scene.slider()?.clone(), point: point_of(scene)? }))
     })

@@ -1,5 +1,6 @@
 //! Tables of what the unstated part of the start decides.
 
+use crate::experiments::described::extent;
 use crate::experiments::start_sensitivity::{Early, StartGroup, StartRun};
 use crate::experiments::{Context, Need, TableMaker, table_of};
 use slipmode_core::dynamics::{Behaviour, Simulation, Start};
@@ -63,7 +64,7 @@ fn starts(context: &Context) -> Option<Table> {
 /// Largest over least of positive values, less 1; none when one is missing or there are fewer than two.
 fn relative_spread(values: &[Option<f64>]) -> Option<f64> {
     let values: Vec<f64> = values.iter().copied().collect::<Option<_>>()?;
-    let (least, most) = values.iter().fold((f64::INFINITY, 0.0f64), |(l, m), v| (l.min(*v), m.max(*v)));
+    let (least, most) = extent(values.iter().copied())?;
     (values.len() > 1 && least > 0.0).then(|| most / least - 1.0)
 }
 
@@ -76,7 +77,7 @@ struct Spread<'c> {
     /// Sum of the two largest errors of the peak.
     two_errors: Option<f64>,
     /// The smallest and the largest.
-    first_peaks: [Option<f64>; 2],
+    first_peaks: Option<[f64; 2]>,
 }
 
 impl<'c> Spread<'c> {
@@ -95,15 +96,14 @@ impl<'c> Spread<'c> {
         let periods: Vec<Option<f64>> =
             if alike { &long_term } else { &cycles }.iter().map(|long_term| long_term.period_s).collect();
         let first = group.runs.iter().filter_map(|run| run.early.as_ref().ok()?.0.first_log_peak);
-        let (least, most) = first.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, m), v| (l.min(v), m.max(v)));
-        let seen = |value: f64| value.is_finite().then(|| libm::exp(value));
+        let first = extent(first).map(|(least, most)| [least, most].map(libm::exp));
         Self {
             scene,
             group,
             peak: relative_spread(&peaks),
             period: relative_spread(&periods),
             two_errors: (errors.len() > 1).then(|| errors[0] + errors[1]),
-            first_peaks: [seen(least), seen(most)],
+            first_peaks: first,
         }
     }
 }
@@ -121,8 +121,8 @@ fn spread(context: &Context) -> Option<Table> {
         .digits("late_peak_spread", 2, |of| of.peak)
         .digits("late_peak_allowed", 2, |of| of.two_errors)
         .digits("late_period_spread", 2, |of| of.period)
-        .digits("first_peak_least", 6, |of| of.first_peaks[0])
-        .digits("first_peak_most", 6, |of| of.first_peaks[1])
+        .digits("first_peak_least", 6, |of| Some(of.first_peaks?[0]))
+        .digits("first_peak_most", 6, |of| Some(of.first_peaks?[1]))
         .table()
 }
 

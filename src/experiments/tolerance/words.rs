@@ -3,7 +3,7 @@
 use crate::experiments::Outcome;
 use crate::experiments::tolerance::tables::place_of_limit;
 use crate::experiments::tolerance::{ToleranceOutcome, ToleranceRow};
-use slipmode_core::number::format::{Side, rational_to_decimal, round_digits, rounded};
+use slipmode_core::number::format::{Side, rational_to_decimal, rounded};
 use slipmode_core::number::{Ball, Rational};
 use slipmode_core::stability::boundary::ErrorPair;
 
@@ -39,7 +39,7 @@ fn row_words(row: &ToleranceRow) -> String {
     let unit = if limit.asymptote.is_quasi_static() { "m/s" } else { "Pa" };
     let place = place_of_limit(limit.asymptote, limit.whole_branch);
     let side = if place.ends_with("above") { Side::Above } else { Side::Below };
-    format!("{equation} for {place} {} {unit}", scientific(&row.in_si, Some(side)))
+    format!("{equation} for {place} {} {unit}", scientific(&row.in_si, side))
 }
 
 /// The largest error of each asymptote: of eqs 15 and 18 at the V0 of their corner, of eqs 16 and 20 at the cusp.
@@ -65,12 +65,9 @@ pub(crate) fn at_most_per_cent(error: &Ball) -> String {
     format!("{} %", rounded(error, PER_CENT_DIGITS, side).replace('-', "−"))
 }
 
-/// The value as `$6.2\times10^{-5}$`, or as it is between a hundredth and ten thousand, rounded to one side or else to nearest.
-pub(crate) fn scientific(value: &Ball, side: Option<Side>) -> String {
-    let shown = |value: f64| match side {
-        Some(side) => rounded(value, DIGITS, side),
-        None => round_digits(value, DIGITS),
-    };
+/// The value as `$6.2\times10^{-5}$`, or as it is between a hundredth and ten thousand, rounded to one side.
+pub(crate) fn scientific(value: &Ball, side: Side) -> String {
+    let shown = |value: f64| rounded(value, DIGITS, side);
     let value = value.to_f64();
     let exponent = libm::floor(libm::log10(value));
     if (-2.0..4.0).contains(&exponent) {
@@ -86,7 +83,7 @@ mod tests {
     #[test]
     fn powers_of_ten_are_set_where_they_help() {
         let shown = |value: f64, side: Side| {
-            scientific(&Ball::from_rational(&Rational::from_f64(value).unwrap(), 64), Some(side))
+            scientific(&Ball::from_rational(&Rational::from_f64(value).unwrap(), 64), side)
         };
         assert_eq!(shown(6.24e-5, Side::Below), "$6.2\\times10^{-5}$");
         assert_eq!(shown(6.24e-5, Side::Above), "$6.3\\times10^{-5}$");

@@ -3,10 +3,9 @@
 
 use crate::experiments::described::{extent, over};
 use crate::experiments::trajectories::curves::{power_markup, runs_of, stress_unit};
-use crate::experiments::trajectories::own_runs::{LAWS, by_point};
+use crate::experiments::trajectories::own_runs::{LAWS, by_point, cycle};
 use crate::experiments::trajectories::{Moment, TrajectoryRun};
 use crate::experiments::{Drawer, SceneOutcome, Words};
-use slipmode_core::dynamics::Behaviour;
 use slipmode_core::friction::{EvolutionLaw, SlipMode};
 use slipmode_core::number::nearest_f64;
 use slipmode_plot::figure::{Panel, Scale, Series};
@@ -119,8 +118,7 @@ fn all_of(run: &TrajectoryRun) -> &[Moment] {
 /// The last return of a limit cycle, and the whole of a decay.
 fn last_return(run: &TrajectoryRun) -> &[Moment] {
     let moments = all_of(run);
-    let found = run.simulation.as_ref().ok().filter(|found| found.behaviour == Behaviour::Periodic);
-    let return_s = found.and_then(|found| found.period_s).unwrap_or(f64::INFINITY);
+    let return_s = cycle(run).and_then(|found| found.period_s).unwrap_or(f64::INFINITY);
     let end_s = moments.last().map_or(0.0, |moment| moment.time_s);
     // From the last moment before the return, so that the loop closes.
     let before = moments.partition_point(|moment| end_s - moment.time_s >= return_s);

@@ -1,5 +1,6 @@
 //! The runs of a laboratory's own points, each with both laws: a table and a sentence.
 
+use crate::experiments::operating_point::first_point;
 use crate::experiments::operating_point::reach::{in_words, is_within_reach};
 use crate::experiments::trajectories::TrajectoryRun;
 use crate::experiments::trajectories::curves::runs_of;
@@ -7,7 +8,7 @@ use crate::experiments::trajectories::tables::{certain_of, period, stress_drop};
 use crate::experiments::{Context, Need, Outcome, SceneOutcome, TableMaker, table_of};
 use crate::scene::Quantity;
 use slipmode_core::dynamics::{Behaviour, Simulation};
-use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::friction::{EvolutionLaw, Parameters};
 use slipmode_plot::table::Table;
 
 pub(crate) const TABLES: &[TableMaker] =
@@ -25,7 +26,7 @@ pub(crate) fn by_point(scene: &SceneOutcome) -> Vec<&[TrajectoryRun]> {
 }
 
 /// The limit cycle that a run ends on.
-fn cycle(run: &TrajectoryRun) -> Option<&Simulation> {
+pub(super) fn cycle(run: &TrajectoryRun) -> Option<&Simulation> {
     run.simulation.as_ref().ok().filter(|found| found.behaviour == Behaviour::Periodic)
 }
 
@@ -51,8 +52,7 @@ fn runs(context: &Context) -> Option<Table> {
 
 /// What the runs at the first scene's own operating point do; `None` when none is there.
 pub(crate) fn own_run_words(outcome: &Outcome) -> Option<String> {
-    let (scene, point) =
-        outcome.scenes.iter().find_map(|scene| Some((scene, scene.scene.parameters.as_ref()?.point()?)))?;
+    let (scene, Parameters { point, .. }) = first_point(outcome)?;
     let is_there = |run: &&TrajectoryRun| {
         [&run.point.normal_stress_pa, &run.point.loading_velocity_m_per_s]
             == [&point.normal_stress_pa, &point.loading_velocity_m_per_s]
