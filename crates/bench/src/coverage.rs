@@ -26,40 +26,34 @@ const FILES_NAMED: usize = 3;
 /// Without the tool, or when the build fails or the file cannot be written. A test that fails is named, and no error:
 /// slower code exceeds a limit of time first, and it ran its lines all the same.
 pub fn run() -> Result<(), String> {
-    if tool(&["--version"]).output().is_ok_and(|output| !output.status.success()) {
+    if tool("--version").output().is_ok_and(|output| !output.status.success()) {
         return Err(format!(
             "coverage wants {TOOL}: `cargo install {TOOL}` and `rustup component add llvm-tools`"
         ));
     }
-    process::check(&mut tool(&["clean", "--workspace"]))?;
-    let measured = ["--no-report", "--ignore-run-fail", "--locked"];
-    let packages = ["--package", "slipmode", "--package", "slipmode-core", "--package", "slipmode-plot"];
-    process::check(tool(&["--lib", "--bins", "--test", "suite"]).args(packages).args(measured))?;
+    process::check(&mut tool("clean --workspace"))?;
+    let measured = "--no-report --ignore-run-fail --locked";
+    let packages = "--package slipmode --package slipmode-core --package slipmode-plot";
+    process::check(&mut tool(&format!("--lib --bins --test suite {packages} {measured}")))?;
     let by_tests = record()?;
     for report in repository::reports()? {
-        let place = "target/coverage-report";
-        process::check(tool(&["run"]).args(measured).args([
-            "--",
-            "verify",
-            &format!("reports/{report}"),
-            "-o",
-            place,
-        ]))?;
+        let verify = format!("verify reports/{report} -o target/coverage-report");
+        process::check(&mut tool(&format!("run {measured} -- {verify}")))?;
     }
     write(&by_tests, &record()?)
 }
 
-fn tool(arguments: &[&str]) -> Command {
-    let mut command = process::cargo(&["llvm-cov"]);
+fn tool(words: &str) -> Command {
+    let mut command = process::cargo(&format!("llvm-cov {words}"));
     // The suite starts thousands of processes: four files between them instead of one each.
-    command.args(arguments).env("LLVM_PROFILE_FILE_NAME", "slipmode-%4m.profraw");
+    command.env("LLVM_PROFILE_FILE_NAME", "slipmode-%4m.profraw");
     command
 }
 
 /// What was run until now, in the format LCOV.
 fn record() -> Result<String, String> {
     let path = repository::root().join("target/coverage.lcov");
-    process::check(tool(&["report", "--lcov", "--output-path"]).arg(&path))?;
+    process::check(tool("report --lcov --output-path").arg(&path))?;
     fs::read_to_string(path).map_err(failed)
 }
 
@@ -78,7 +72,7 @@ fn write(by_tests: &str, with_verify: &str) -> Result<(), String> {
     let mut facts = measured_on::facts();
     // Which lines run does not depend on the processor.
     facts.retain(|(key, _)| key == "date" || key == "compiler");
-    let version = process::output(&mut tool(&["--version"]))?;
+    let version = process::output(&mut tool("--version"))?;
     let version = version.trim().trim_start_matches(TOOL).trim().to_string();
     facts.extend([(TOOL.to_string(), version), ("command".to_string(), "cargo xtask coverage".to_string())]);
     measured_on::write(FILE, &facts)?;

@@ -6,10 +6,10 @@ use std::process::{Command, Stdio};
 
 use crate::repository;
 
-/// The cargo that started this program.
-pub fn cargo(arguments: &[&str]) -> Command {
+/// The cargo that started this program, with the arguments that stand in `words`, separated by spaces.
+pub fn cargo(words: &str) -> Command {
     let mut command = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-    command.args(arguments).current_dir(repository::root());
+    command.args(words.split_whitespace()).current_dir(repository::root());
     command
 }
 
@@ -25,7 +25,7 @@ pub fn rustc_version() -> String {
 /// # Errors
 /// When the build fails.
 pub fn build_dist() -> Result<PathBuf, String> {
-    check(&mut cargo(&["build", "--profile", "dist", "--locked", "--bin", "slipmode"]))?;
+    check(&mut cargo("build --profile dist --locked --bin slipmode"))?;
     Ok(repository::root().join("target/dist/slipmode"))
 }
 

@@ -67,9 +67,12 @@ fn file(folder: &Path, family: &str) -> PathBuf {
     folder.join(format!("points-{family}.f64"))
 }
 
-fn signs_differ(pair: SignPair, answers: &Answers) -> bool {
-    f64::from(pair.transition_sign()) != answers.transition_sign
-        || f64::from(pair.boundary_sign()) != answers.boundary_sign
+fn signs_differ(transition_sign: i8, boundary_sign: i8, answers: &Answers) -> bool {
+    [transition_sign, boundary_sign].map(f64::from) != [answers.transition_sign, answers.boundary_sign]
+}
+
+fn pair_differs(pair: SignPair, answers: &Answers) -> bool {
+    signs_differ(pair.transition_sign(), pair.boundary_sign(), answers)
 }
 
 /// The signs of one family of points, or of the grid.
@@ -82,7 +85,7 @@ pub fn play_signs(family: &str, folder: &Path) {
     let inputs = columns.inputs();
     let (seconds, (signs, _)) = best_of(REPETITIONS, || signs_of_points(&inputs).unwrap());
     let wrong =
-        signs.iter().enumerate().filter(|(i, pair)| signs_differ(**pair, &columns.answers(*i))).count();
+        signs.iter().enumerate().filter(|(i, pair)| pair_differs(**pair, &columns.answers(*i))).count();
     Row {
         work: format!("signs-{family}"),
         method: "slipmode-signs",
@@ -130,10 +133,7 @@ fn print_extremes(
     for (i, found) in found.iter().enumerate() {
         let answers = columns.answers(i);
         let part = |value: &Wide| value.to_f64().unwrap_or(f64::INFINITY);
-        wrong += usize::from(
-            f64::from(found.transition_sign) != answers.transition_sign
-                || f64::from(found.boundary_sign) != answers.boundary_sign,
-        );
+        wrong += usize::from(signs_differ(found.transition_sign, found.boundary_sign, &answers));
         error = error.max((part(&found.max_real_per_s) - answers.max_real).abs() / answers.modulus);
         if answers.max_imaginary > 0.0 {
             error = error.max((part(&found.max_imaginary_per_s) / answers.max_imaginary - 1.0).abs());
@@ -204,7 +204,7 @@ fn play_grid(some: &Columns) {
     let side = SIDE / STRIDE;
     let wrong = (0..some.len())
         .filter(|i| {
-            signs_differ(cells[(i / side) * STRIDE * SIDE + (i % side) * STRIDE].signs(), &some.answers(*i))
+            pair_differs(cells[(i / side) * STRIDE * SIDE + (i % side) * STRIDE].signs(), &some.answers(*i))
         })
         .count();
     Row {

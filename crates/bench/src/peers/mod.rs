@@ -50,8 +50,8 @@ const ROUNDS: usize = 3;
 /// # Errors
 /// When a benchmark fails.
 pub fn bench(arguments: &[String]) -> Result<(), String> {
-    let mut command = process::cargo(&["bench", "--locked", "--package", "slipmode-bench", "--benches"]);
-    process::check(command.args(arguments))?;
+    let bench = "bench --locked --package slipmode-bench --benches";
+    process::check(process::cargo(bench).args(arguments))?;
     if arguments.is_empty() { beside_scipy() } else { Ok(()) }
 }
 

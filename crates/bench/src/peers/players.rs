@@ -154,17 +154,9 @@ impl Player {
     /// The command that does a piece of work, in the repository's root, on one thread.
     pub fn command(&self, work: &str) -> Command {
         let mut command = match self.program {
-            Program::Bench(_) => process::cargo(&[
-                "bench",
-                "--quiet",
-                "--locked",
-                "-p",
-                "slipmode-bench",
-                "--bench",
-                "peers",
-                "--",
-                "play",
-            ]),
+            Program::Bench(_) => {
+                process::cargo("bench --quiet --locked -p slipmode-bench --bench peers -- play")
+            }
             Program::Python(script) => program("python3", &[&path_of(script)]),
             Program::Gp(script) => program("gp", &["-q", "-f", "-s", "1000000000", &path_of(script)]),
             Program::Compiled { source, .. } => program(&executable(source), &[]),

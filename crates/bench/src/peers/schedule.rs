@@ -12,18 +12,8 @@ use crate::process;
 /// # Errors
 /// When our own benchmark cannot be built or fails.
 pub fn prepare() -> Result<(), String> {
-    let words = [
-        "bench",
-        "--locked",
-        "-p",
-        "slipmode-bench",
-        "--bench",
-        "peers",
-        "--",
-        "prepare",
-        "target/peers/inputs",
-    ];
-    process::check(&mut process::cargo(&words))
+    let words = "bench --locked -p slipmode-bench --bench peers -- prepare target/peers/inputs";
+    process::check(&mut process::cargo(words))
 }
 
 /// Asks every player for every work that it does, round after round, and keeps the best rows in the order of the works.
