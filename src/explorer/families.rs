@@ -9,7 +9,7 @@ use crate::parallel;
 use slipmode_core::friction::{OperatingPoint, Parameters, Slider};
 
 use crate::experiments::boundary::END_ERROR;
-use slipmode_core::number::{Rational, Wide};
+use slipmode_core::number::{Rational, Wide, parse_decimal};
 use slipmode_core::stability::boundary::{BoundaryCurve, BoundaryPoint};
 use slipmode_core::stability::{InertialThreshold, ParameterBox, SlipMode, classify, over_box};
 
@@ -42,8 +42,7 @@ pub struct Factors {
 
 impl Factors {
     fn of(texts: &'static [&'static str]) -> Self {
-        let values =
-            texts.iter().filter_map(|text| slipmode_core::number::parse_decimal(text).ok()).collect();
+        let values = texts.iter().filter_map(|text| parse_decimal(text).ok()).collect();
         Self { texts, values, base: texts.iter().position(|text| *text == "1").unwrap_or(0) }
     }
 }
@@ -132,13 +131,13 @@ impl Families {
     #[must_use]
     pub fn effects(&self) -> Vec<Slider<Rational>> {
         let one = Rational::from(1);
-        self.factors[0].values.iter().map(|effect| self.relative([effect, &one, &one])).collect()
+        self.factors[0].values.iter().map(|effect| scaled(&self.parameters, [effect, &one, &one])).collect()
     }
 
     /// Every combination, M varying fastest, b slowest.
     #[must_use]
     pub fn sliders(&self) -> Vec<Slider<Rational>> {
-        self.combinations().into_iter().map(|factors| self.relative(factors)).collect()
+        self.combinations().into_iter().map(|factors| scaled(&self.parameters, factors)).collect()
     }
 
     /// The error bars of the slider with each b, and its own K and M: a factor multiplies both ends.
@@ -177,7 +176,7 @@ impl Families {
         point: &NamedPoint,
         threshold: &InertialThreshold,
     ) -> PointState {
-        let place = Parameters { slider: self.relative(factors), point: point.place.clone() };
+        let place = Parameters { slider: scaled(&self.parameters, factors), point: point.place.clone() };
         let found = classify(&place, threshold);
         let over = self.region(factors, Some(point)).and_then(|region| over_box(&region, threshold));
         let possible = over.map_or_else(Vec::new, |over| {
@@ -192,10 +191,6 @@ impl Families {
     pub fn place(&self, [effect, stiffness, mass]: [usize; 3]) -> usize {
         let [_, stiffnesses, masses] = &self.factors;
         (effect * stiffnesses.values.len() + stiffness) * masses.values.len() + mass
-    }
-
-    fn relative(&self, factors: [&Rational; 3]) -> Slider<Rational> {
-        scaled(&self.parameters, factors)
     }
 }
 
@@ -272,7 +267,7 @@ mod tests {
         let families = families();
         // K twice and M five times: σ doubles, V grows by √(2/5).
         let [two, five] = ["2", "5"].map(|text| parse_decimal(text).unwrap());
-        let moved = boundary(&families.relative([&Rational::from(1), &two, &five]));
+        let moved = boundary(&scaled(&families.parameters, [&Rational::from(1), &two, &five]));
         let own = &families.boundaries[families.factors[0].base];
         assert_eq!(moved.len(), own.len());
         let close = |ratio: f64, expected: f64| (ratio / expected - 1.0).abs() < 1e-12;
