@@ -78,11 +78,7 @@ impl<'c> Context<'c> {
     /// # Errors
     /// When the equations do not give the stated coefficient.
     pub fn hopf_coefficient(&self, law: EvolutionLaw) -> Result<&HopfCoefficient, Refutation> {
-        let [slip, aging] = &*self.hopf;
-        let derived = match law {
-            EvolutionLaw::Slip => slip,
-            EvolutionLaw::Aging => aging,
-        };
+        let derived = &self.hopf[law as usize];
         derived.get_or_init(|| coefficient(&self.equations.in_symbols(), law)).as_ref().map_err(Clone::clone)
     }
 }

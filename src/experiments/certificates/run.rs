@@ -126,8 +126,7 @@ fn extremes(rows: &[Stored]) -> impl Iterator<Item = usize> {
         -libm::fabs(libm::log(a / b))
     };
     let near = cycles().zip(cycles().skip(1)).filter(|((row, _), (next, _))| row + 1 == *next);
-    let nearest = near.map(|((row, one), (_, other))| (row, gap(one, other)));
-    let nearest = greatest(nearest);
+    let nearest = greatest(near.map(|((row, one), (_, other))| (row, gap(one, other))));
     let found: [Option<usize>; EXTREMES] =
         [greatest(weakest), greatest(widest), nearest, nearest.map(|row| row + 1)];
     found.into_iter().flatten()

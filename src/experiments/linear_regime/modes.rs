@@ -45,15 +45,10 @@ fn times(a: &Complex, b: &Complex) -> Complex {
     Complex::with_val(BITS, a * b)
 }
 
-/// e^z − 1 by the power series where the difference would cancel.
-fn excess(z: &Complex) -> Complex {
-    // not f64: MPC's own, correctly rounded; |z| is of order 1 or the 160 bits have digits to spare.
-    z.clone().exp() - 1
-}
-
 /// (e^{λT} − 1)/λ.
 fn response(rate: &Complex, time: f64) -> Complex {
-    excess(&Complex::with_val(BITS, rate * time)) / rate
+    // not f64: MPC's own, correctly rounded; |λT| is of order 1 or the 160 bits have digits to spare.
+    (Complex::with_val(BITS, rate * time).exp() - 1) / rate
 }
 
 impl Mode {
@@ -81,15 +76,11 @@ impl Mode {
     }
 
     fn direction(&self, direction: Direction) -> [Float; 3] {
-        self.right.each_ref().map(|component| {
-            Float::with_val(
-                BITS,
-                match direction {
-                    Direction::RealPart => component.real(),
-                    Direction::ImaginaryPart => component.imag(),
-                },
-            )
-        })
+        let part = match direction {
+            Direction::RealPart => Complex::real,
+            Direction::ImaginaryPart => Complex::imag,
+        };
+        self.right.each_ref().map(|component| Float::with_val(BITS, part(component)))
     }
 
     /// The factor that gives a direction the wanted largest component.

@@ -184,24 +184,18 @@ struct Methods {
 
 fn run_case(case: &Case<'_>, amplitudes: &[f64], methods: &Methods) -> Result<ModeRuns, Failure> {
     let fine = Model::new(case.groups.map(Dd::from_rational), case.law);
-    let measured = |amplitude: f64| -> Result<(Complex, Complex), Failure> {
+    let measured = |&amplitude: &f64| {
         let start = case.mode.start(case.direction, amplitude);
         let states = snapshots(&fine, methods.fine.clone(), start, FINE, case.time)?;
-        Ok((
-            projected_rate(&case.mode, &states, case.time),
-            rate_of_snapshots(&states, case.mode.is_real(), case.time),
-        ))
+        let projected = projected_rate(&case.mode, &states, case.time);
+        let seen = rate_of_snapshots(&states, case.mode.is_real(), case.time);
+        Ok::<_, Failure>((mismatch(&case.mode, amplitude, &projected, &seen), projected))
     };
-    let mut mismatches = Vec::with_capacity(amplitudes.len());
-    let mut last = None;
-    for &amplitude in amplitudes {
-        let (projected, seen) = measured(amplitude)?;
-        mismatches.push(mismatch(&case.mode, amplitude, &projected, &seen));
-        last = Some((amplitude, projected));
-    }
-    let difference_of_64_bit = match last {
+    let (mismatches, projected): (Vec<Mismatch>, Vec<Complex>) =
+        amplitudes.iter().map(measured).collect::<Result<_, _>>()?;
+    let difference_of_64_bit = match amplitudes.iter().zip(projected).next_back() {
         None => 0.0,
-        Some((amplitude, reference)) => {
+        Some((&amplitude, reference)) => {
             let model = Model::new(case.groups.map(nearest_f64), case.law);
             let start = case.mode.start(case.direction, amplitude).map(|component| component.hi());
             let states = snapshots(&model, methods.coarse.clone(), start, COARSE, case.time)?;
