@@ -68,12 +68,10 @@ pub(crate) fn trajectory_picture(moments: &[(Moment, f64)], loading_velocity_m_p
     let velocity = |moment: &Moment| loading_velocity_m_per_s * libm::exp(moment.log_velocity_ratio);
     let (unit, size) = stress_unit(moments.iter().map(|(moment, _)| moment.stress_change_pa));
     let (slip_unit, slip_size) = slip_unit(moments.iter().map(|(_, slip)| *slip));
-    let values: Vec<[f64; 4]> = moments
-        .iter()
-        .map(|(moment, slip)| {
-            [moment.time_s, velocity(moment), moment.stress_change_pa / size, slip / slip_size]
-        })
-        .collect();
+    let of_moment = |(moment, slip): &(Moment, f64)| {
+        [moment.time_s, velocity(moment), moment.stress_change_pa / size, slip / slip_size]
+    };
+    let values: Vec<[f64; 4]> = moments.iter().map(of_moment).collect();
     let of = |index: usize| values.iter().map(move |value| value[index]);
     let mut panels: Panels = picture("trajectory");
     for (panel, (index, unit)) in panels.panels.iter_mut().zip((1..).zip(["m/s", unit, slip_unit])) {

@@ -153,14 +153,10 @@ fn cards(ledger: &Ledger) -> Vec<CardView> {
 fn groups(ledger: &Ledger, place: &str) -> Vec<ClaimGroupView> {
     let certificates = Certificates::of(ledger);
     let subjects = ledger.subjects();
+    let view = |entry: &Entry| claim_view(entry, ledger, &certificates, place);
     let group = |title: &str, belongs: &dyn Fn(&Entry) -> bool| ClaimGroupView {
         title: title.into(),
-        claims: ledger
-            .claims
-            .iter()
-            .filter(|entry| belongs(entry))
-            .map(|entry| claim_view(entry, ledger, &certificates, place))
-            .collect(),
+        claims: ledger.claims.iter().filter(|entry| belongs(entry)).map(view).collect(),
     };
     let of_paper = |entry: &Entry| entry.sentence.source == Source::Paper;
     // Claims that a report states as formulas may have any letter.

@@ -204,10 +204,8 @@ impl Stored {
             }),
             "decay" => Ok(Proved::Decay { captured_after_s: number(22)? }),
             word => {
-                let reason = word.strip_prefix(NONE);
-                Err(reason
-                    .ok_or_else(|| (8, allowed("`cycle`, `decay` or `none: ` with a reason")))?
-                    .to_string())
+                let reason = word.strip_prefix(NONE).map(str::to_string);
+                Err(reason.ok_or_else(|| (8, allowed("`cycle`, `decay` or `none: ` with a reason")))?)
             }
         };
         let certificate = match proved {

@@ -21,10 +21,8 @@ const DIGITS: u32 = 20;
 
 /// Computes the worst errors along the axis, and at β = 1 ± each near-equal distance: rows by ascending β.
 pub(super) fn sweep_effect_ratio(section: &EffectRatioSweepSection) -> Vec<SweepRow> {
-    let near = section
-        .near_equal
-        .iter()
-        .flat_map(|distance| [Rational::from(1) - distance, Rational::from(1) + distance]);
+    let one = || Rational::from(1);
+    let near = section.near_equal.iter().flat_map(|distance| [one() - distance, one() + distance]);
     let mut ratios: Vec<Rational> =
         section.effect_ratio.coordinates().into_iter().map(exactly).chain(near).collect();
     ratios.sort();

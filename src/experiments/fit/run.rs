@@ -24,11 +24,8 @@ impl FitOutcome {
         let fits = Fits::of(&record, &section.laws, &section.given());
         let point = earlier.scene.parameters.as_ref().and_then(|parameters| parameters.point());
         let threshold = earlier.scene.threshold();
-        let modes = fits
-            .as_ref()
-            .ok()
-            .zip(point)
-            .and_then(|(fits, point)| sampled_modes(&fits.best, &point, &threshold));
+        let fitted = fits.as_ref().ok().zip(point);
+        let modes = fitted.and_then(|(fits, point)| sampled_modes(&fits.best, &point, &threshold));
         Some(Self { record, fits, modes })
     }
 }

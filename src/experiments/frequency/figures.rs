@@ -64,11 +64,7 @@ fn line_series(outcome: &FrequencyOutcome, line: &FrequencyLine) -> Series {
         (Some(n), Some(1)) => format!("{n} *σ*_c"),
         _ => format!("{} *σ*_c", rational_to_decimal(ratio, 4)),
     };
-    let points = outcome
-        .loading_velocity_m_per_s
-        .iter()
-        .zip(&line.max_imaginary_per_s)
-        .map(|(velocity, imaginary)| (*velocity, imaginary.to_f64().unwrap_or(0.0)))
-        .collect();
-    Series::line(format!("*σ* = {label}"), points)
+    let places = outcome.loading_velocity_m_per_s.iter().zip(&line.max_imaginary_per_s);
+    let points = places.map(|(velocity, imaginary)| (*velocity, imaginary.to_f64().unwrap_or(0.0)));
+    Series::line(format!("*σ* = {label}"), points.collect())
 }

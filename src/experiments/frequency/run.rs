@@ -32,23 +32,15 @@ pub struct FrequencyOutcome {
 pub(super) fn frequency_lines(parameters: &Slider<Rational>, section: &FrequencySection) -> FrequencyOutcome {
     let velocities = section.loading_velocity_m_per_s.coordinates();
     let critical = parameters.critical_normal_stress_pa();
-    let lines = section
-        .normal_stress_over_critical
-        .iter()
-        .map(|ratio| line(parameters, &velocities, ratio.clone(), critical.clone() * ratio))
-        .collect();
-    FrequencyOutcome { loading_velocity_m_per_s: velocities, lines }
-}
-
-fn line(
-    parameters: &Slider<Rational>,
-    velocities: &[f64],
-    ratio: Rational,
-    stress: Rational,
-) -> FrequencyLine {
     let threshold = InertialThreshold::default();
-    let max_imaginary_per_s = parallel::map(velocities, |&velocity| {
-        classify(&parameters.at(stress.clone(), exactly(velocity)), &threshold).max_imaginary_per_s
-    });
-    FrequencyLine { normal_stress_over_critical: ratio, normal_stress_pa: stress, max_imaginary_per_s }
+    let line = |ratio: &Rational| {
+        let stress = critical.clone() * ratio;
+        let max_imaginary_per_s = parallel::map(&velocities, |&velocity| {
+            classify(&parameters.at(stress.clone(), exactly(velocity)), &threshold).max_imaginary_per_s
+        });
+        let normal_stress_over_critical = ratio.clone();
+        FrequencyLine { normal_stress_over_critical, normal_stress_pa: stress, max_imaginary_per_s }
+    };
+    let lines = section.normal_stress_over_critical.iter().map(line).collect();
+    FrequencyOutcome { loading_velocity_m_per_s: velocities, lines }
 }

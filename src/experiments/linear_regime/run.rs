@@ -162,11 +162,8 @@ fn cases<'p>(
 /// One mode for each real root and one for a pair: the root of positive imaginary part.
 fn modes_of(groups: &Groups<Rational>) -> Vec<Mode> {
     let roots = certified_roots(&groups.characteristic_cubic(), ROOT_DIGITS).roots;
-    roots
-        .iter()
-        .filter(|root| !root.im.is_sign_negative() || root.im.is_zero())
-        .map(|root| Mode::of(root, groups))
-        .collect()
+    let upper = roots.iter().filter(|root| !root.im.is_sign_negative() || root.im.is_zero());
+    upper.map(|root| Mode::of(root, groups)).collect()
 }
 
 /// The time in which the mode changes by a factor of e, or the fastest growing mode does: beyond it, the other mode's own

@@ -13,10 +13,8 @@ pub(crate) const TABLES: &[TableMaker] = &[
 ];
 
 fn all_runs(context: &Context) -> Option<Table> {
-    let runs = context
-        .outcome
-        .each(|scene| &scene.linear_regime)
-        .flat_map(|(name, found)| found.runs.iter().flatten().map(move |run| (name, run)));
+    let found = context.outcome.each(|scene| &scene.linear_regime);
+    let runs = found.flat_map(|(name, found)| found.runs.iter().flatten().map(move |run| (name, run)));
     let rows =
         runs.filter_map(|(name, run)| Some((name, run, run.mismatches.first()?, run.mismatches.last()?)));
     table_of("linear-regime", rows)
@@ -104,10 +102,8 @@ fn extremes(context: &Context) -> Option<Table> {
 }
 
 fn steady(context: &Context) -> Option<Table> {
-    let rows = context
-        .outcome
-        .each(|scene| &scene.linear_regime)
-        .flat_map(|(name, found)| found.steady.iter().flatten().map(move |run| (name, run)));
+    let found = context.outcome.each(|scene| &scene.linear_regime);
+    let rows = found.flat_map(|(name, found)| found.steady.iter().flatten().map(move |run| (name, run)));
     table_of("steady-sliding", rows)
         .text("scene", |(name, _)| name)
         .digits("loading_velocity_m_per_s", 6, |(_, run)| run.loading_velocity_m_per_s)

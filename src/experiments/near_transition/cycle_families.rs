@@ -137,10 +137,8 @@ pub(crate) fn cycle_families(
     inertial.extend(section.kicks.iter().map(|kicks| &kicks.inertial_parameter));
     inertial.sort();
     inertial.dedup();
-    let cases: Vec<(EvolutionLaw, &Rational)> = EvolutionLaw::ALL
-        .into_iter()
-        .flat_map(|law| inertial.iter().map(move |&inertial| (law, inertial)))
-        .collect();
+    let of_law = |law| inertial.iter().map(move |&inertial| (law, inertial));
+    let cases: Vec<(EvolutionLaw, &Rational)> = EvolutionLaw::ALL.into_iter().flat_map(of_law).collect();
     parallel::map(&cases, |&(law, inertial)| follow(parameters, law, inertial))
 }
 
@@ -157,10 +155,8 @@ fn follow(parameters: &Slider<Rational>, law: EvolutionLaw, inertial: &Rational)
     let first = first(&family, critical, SMALLEST);
     let members = first
         .map(|first| family.follow(first, FACTOR, |member| member.stiffness_group > FARTHEST * critical));
-    let edge = members
-        .as_ref()
-        .map_err(Clone::clone)
-        .and_then(|members| edge(parameters, &family, inertial, members, critical));
+    let found = members.as_ref().map_err(Clone::clone);
+    let edge = found.and_then(|members| edge(parameters, &family, inertial, members, critical));
     let members = members.unwrap_or_default();
     CycleFamilyOutcome {
         law,

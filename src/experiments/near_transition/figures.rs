@@ -1,7 +1,9 @@
 //! Figures of what happens close to K = K_c: sign of the coefficient, strip of bistability, amplitudes of cycles.
 
 use crate::experiments::described::with_points;
-use crate::experiments::near_transition::{CycleFamilyOutcome, Edge, FamilyCycle, NearTransitionOutcome};
+use crate::experiments::near_transition::{
+    CycleFamilyOutcome, Edge, FamilyCycle, NearRun, NearTransitionOutcome,
+};
 use crate::experiments::{Drawer, Outcome, SceneOutcome, Words};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::format::rational_to_decimal;
@@ -23,10 +25,9 @@ const VERTICES: u32 = 80;
 fn criticality(outcome: &Outcome, words: &Words) -> Option<String> {
     let mut map: ZoneMap = words.drawing()?;
     let (low, high) = (libm::log10(map.y.min), libm::log10(map.y.max));
-    let curve: Vec<(f64, f64)> = (0..=VERTICES)
-        .map(|index| libm::exp10(low + (high - low) * f64::from(index) / f64::from(VERTICES)))
-        .map(|above| (degenerate_inertial_parameter(1.0 + above), above))
-        .collect();
+    let above = |index| libm::exp10(low + (high - low) * f64::from(index) / f64::from(VERTICES));
+    let place = |above: f64| (degenerate_inertial_parameter(1.0 + above), above);
+    let curve: Vec<(f64, f64)> = (0..=VERTICES).map(above).map(place).collect();
     let edges = [map.x.min, map.x.max].map(|edge| vec![(edge, map.y.max), (edge, map.y.min)]);
     for (zone, edge) in map.zones.iter_mut().zip(edges) {
         zone.outlines = vec![[curve.clone(), edge].concat()];
@@ -106,14 +107,13 @@ fn near_peak(branch: &[(f64, f64)], from: f64) -> f64 {
 }
 
 fn run_peaks(near: &NearTransitionOutcome, family: &CycleFamilyOutcome) -> Vec<(f64, f64)> {
-    near.runs
-        .iter()
-        .filter(|run| run.law == family.law && run.inertial_parameter == family.inertial_parameter)
-        .filter(|run| run.periodic() == Some(true))
-        .filter_map(|run| {
-            Some(((nearest_f64(&run.stiffness_over_critical) - 1.0), run.outcome.as_ref().ok()?.log_peak()))
-        })
-        .collect()
+    let is_its =
+        |run: &&NearRun| run.law == family.law && run.inertial_parameter == family.inertial_parameter;
+    let cycles = near.runs.iter().filter(is_its).filter(|run| run.periodic() == Some(true));
+    let place = |run: &NearRun| {
+        Some((nearest_f64(&run.stiffness_over_critical) - 1.0, run.outcome.as_ref().ok()?.log_peak()))
+    };
+    cycles.filter_map(place).collect()
 }
 
 /// A = √(A²/(K/K_c − 1) (K/K_c − 1)), on the side where it exists.

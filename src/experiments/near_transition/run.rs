@@ -88,13 +88,12 @@ pub fn near_transition(
     section: &NearTransitionSection,
 ) -> NearTransitionOutcome {
     let families = cycle_families(parameters, section);
-    let cases: Vec<(EvolutionLaw, &Rational, &Rational)> = EvolutionLaw::ALL
-        .into_iter()
-        .flat_map(|law| section.inertial_parameter.iter().map(move |inertial| (law, inertial)))
-        .flat_map(|(law, inertial)| {
-            section.stiffness_over_critical.iter().map(move |ratio| (law, inertial, ratio))
-        })
-        .collect();
+    let mut cases: Vec<(EvolutionLaw, &Rational, &Rational)> = Vec::new();
+    for law in EvolutionLaw::ALL {
+        for inertial in &section.inertial_parameter {
+            cases.extend(section.stiffness_over_critical.iter().map(|ratio| (law, inertial, ratio)));
+        }
+    }
     let options = Options::at(nearest_f64(&section.tolerance));
     let effect_ratio = parameters.effect_ratio();
     let runs = parallel::map(&cases, |&(law, inertial, ratio)| {

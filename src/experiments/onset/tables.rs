@@ -105,9 +105,8 @@ fn onset(context: &Context) -> Option<Table> {
 
 fn onset_in_stress(context: &Context) -> Option<Table> {
     let eq16 = |scene: &SceneOutcome| {
-        scene
-            .slider()
-            .map_or(f64::NAN, |slider| quasi_static_lower_normal_stress_pa(&slider.map(nearest_f64)))
+        let slider = scene.slider().map(|slider| slider.map(nearest_f64));
+        slider.map_or(f64::NAN, |slider| quasi_static_lower_normal_stress_pa(&slider))
     };
     let rows = lines(context, |found| &found.stress_lines)
         .flat_map(|(scene, line)| line.seen.iter().map(move |seen| (scene, line, seen)));

@@ -3,7 +3,8 @@
 use crate::experiments::boundary::BoundaryOutcome;
 use crate::experiments::zones::figures::present_zones;
 use crate::experiments::{Drawer, SceneOutcome, Words};
-use slipmode_core::number::nearest_f64;
+use slipmode_core::friction::Groups;
+use slipmode_core::number::{Ball, nearest_f64};
 use slipmode_core::stability::Arc;
 use slipmode_plot::figure::{Line, LineRole, ZoneMap};
 
@@ -32,11 +33,9 @@ fn lines(scene: &SceneOutcome, boundary: &BoundaryOutcome, [from, to]: [f64; 2])
     let effect = slider.direct_effect * gravity;
     let arc = |arc: Arc| {
         let points = boundary.points.iter().filter(|point| point.arc == arc);
-        let place = |inertial: f64, stiffness: f64| {
-            ((inertial * effect * distance).sqrt(), stiffness * effect / distance)
-        };
         let points = points.map(|point| {
-            place(point.groups.inertial_parameter.to_f64(), point.groups.stiffness_group.to_f64())
+            let Groups { inertial_parameter, stiffness_group, .. } = point.groups.map(Ball::to_f64);
+            ((inertial_parameter * effect * distance).sqrt(), stiffness_group * effect / distance)
         });
         Line::new("exact boundary max Im(*s*) = 0", LineRole::Boundary, points.collect())
     };

@@ -28,11 +28,9 @@ pub(crate) fn axes<T>(grid: &Grid<T>) -> Option<(Axis, Axis)> {
 
 /// The exact boundary as lines, arc by arc, in drawing order.
 pub(crate) fn boundary_lines(points: &[BoundaryPoint]) -> Vec<Line> {
-    [Arc::Upper, Arc::Lower]
-        .into_iter()
-        .map(|arc| Line::new("exact boundary max Im(*s*) = 0", LineRole::Boundary, arc_points(points, arc)))
-        .filter(|line| !line.points.is_empty())
-        .collect()
+    let line = |arc| Line::new("exact boundary max Im(*s*) = 0", LineRole::Boundary, arc_points(points, arc));
+    let lines = [Arc::Upper, Arc::Lower].map(line).into_iter();
+    lines.filter(|line| !line.points.is_empty()).collect()
 }
 
 /// The points of one arc, in drawing order.

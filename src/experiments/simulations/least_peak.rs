@@ -76,15 +76,11 @@ pub fn least_peaks(
     threshold: &InertialThreshold,
     options: &Options,
 ) -> Vec<LeastPeak> {
-    let stresses = section.rectangle.normal_stress_pa.coordinates();
-    let cases: Vec<(EvolutionLaw, f64)> = section
-        .laws
-        .iter()
-        .flat_map(|&law| stresses.iter().map(move |&stress| (law, stress)))
-        .filter(|&(_, stress)| {
-            parameters.has_transition() && exactly(stress) > parameters.critical_normal_stress_pa()
-        })
-        .collect();
+    let mut stresses = section.rectangle.normal_stress_pa.coordinates();
+    let critical = parameters.has_transition().then(|| parameters.critical_normal_stress_pa());
+    stresses.retain(|stress| critical.as_ref().is_some_and(|critical| exactly(*stress) > *critical));
+    let cases: Vec<(EvolutionLaw, f64)> =
+        section.laws.iter().flat_map(|&law| stresses.iter().map(move |&stress| (law, stress))).collect();
     let least = |&(law, stress): &(EvolutionLaw, f64)| {
         let eq18_velocity_m_per_s = inertial_upper_velocity_m_per_s(&parameters.map(nearest_f64), &stress);
         Line { parameters, law, stress, eq18_velocity_m_per_s, options }.least_peak(threshold)

@@ -120,19 +120,12 @@ fn unit_peak(grid: &Grid<SimulatedPoint>, stress: f64) -> Option<f64> {
 /// The grid's row and the samples of the minimisation as one curve.
 fn curve(grid: &Grid<SimulatedPoint>, least: &LeastPeak) -> Option<Series> {
     let unit = unit_peak(grid, least.normal_stress_pa)?;
-    let on_grid = grid
-        .loading_velocity_m_per_s
-        .iter()
-        .zip(row(grid, least.normal_stress_pa)?)
-        .map(|(velocity, point)| (velocity / least.eq18_velocity_m_per_s, peak_velocity(point)));
+    let on_grid = grid.loading_velocity_m_per_s.iter().zip(row(grid, least.normal_stress_pa)?);
+    let on_grid = on_grid.map(|(velocity, at)| (velocity / least.eq18_velocity_m_per_s, peak_velocity(at)));
     let samples = least.samples.iter().map(|&(offset, peak)| (libm::exp10(offset), peak));
     let minimum = std::iter::once((libm::exp10(least.offset_dex), least.least_m_per_s));
-    let mut points: Vec<(f64, f64)> = on_grid
-        .chain(samples)
-        .chain(minimum)
-        .filter(|point| point.1 > 0.0)
-        .map(|(velocity, peak)| (velocity, peak / unit))
-        .collect();
+    let cycles = on_grid.chain(samples).chain(minimum).filter(|point| point.1 > 0.0);
+    let mut points: Vec<(f64, f64)> = cycles.map(|(velocity, peak)| (velocity, peak / unit)).collect();
     points.sort_by(|one, other| one.0.total_cmp(&other.0));
     Some(Series::points(
         format!("*σ* = 10^{{{}}} Pa", round_digits(libm::log10(least.normal_stress_pa), 3)),

@@ -125,10 +125,8 @@ fn simulate_grid(
 ) -> Grid<SimulatedPoint> {
     let velocities = section.rectangle.loading_velocity_m_per_s.coordinates();
     let stresses = section.rectangle.normal_stress_pa.coordinates();
-    let places: Vec<(f64, f64)> = stresses
-        .iter()
-        .flat_map(|&stress| velocities.iter().map(move |&velocity| (velocity, stress)))
-        .collect();
+    let row = |&stress: &f64| velocities.iter().map(move |&velocity| (velocity, stress));
+    let places: Vec<(f64, f64)> = stresses.iter().flat_map(row).collect();
     let values = parallel::map(&places, |&(velocity, stress)| {
         let point = parameters.at(exactly(stress), exactly(velocity));
         let ratio = || nearest_f64(&(point.slider.stiffness_pa_per_m.clone() / point.critical_stiffness()));

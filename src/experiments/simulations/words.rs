@@ -15,10 +15,9 @@ const DIGITS: usize = 2;
 /// A warning where limit cycles leave the velocities at which the law is measured: Markdown; `None` where none does.
 pub(crate) fn range_of_velocities(outcome: &Outcome) -> Option<String> {
     let grids = outcome.each(|scene| &scene.simulations).flat_map(|(_, found)| &found.grids);
-    let extremes: Vec<[f64; 2]> = grids
-        .flat_map(|(_, grid)| grid.points())
-        .filter_map(|(velocity, _, point)| extremes(velocity, point))
-        .collect();
+    let points = grids.flat_map(|(_, grid)| grid.points());
+    let extremes: Vec<[f64; 2]> =
+        points.filter_map(|(velocity, _, point)| extremes(velocity, point)).collect();
     let slowest = extremes.iter().map(|range| range[0]).fold(f64::INFINITY, f64::min);
     let fastest = extremes.iter().map(|range| range[1]).fold(0.0, f64::max);
     let [least, most] = MEASURED_M_PER_S;

@@ -84,11 +84,8 @@ impl<'c> Spread<'c> {
     fn of((scene, group): (&'c str, &'c StartGroup)) -> Self {
         let long_term: Vec<&Simulation> =
             group.runs.iter().filter_map(|run| run.long_term.as_ref().ok()).collect();
-        let cycles: Vec<&Simulation> = long_term
-            .iter()
-            .copied()
-            .filter(|long_term| long_term.behaviour == Behaviour::Periodic)
-            .collect();
+        let is_cycle = |found: &&Simulation| found.behaviour == Behaviour::Periodic;
+        let cycles: Vec<&Simulation> = long_term.iter().copied().filter(is_cycle).collect();
         let peaks: Vec<Option<f64>> = cycles.iter().map(|cycle| Some(cycle.peak_velocity_m_per_s)).collect();
         let mut errors: Vec<f64> = cycles.iter().map(|cycle| cycle.peak_relative_error).collect();
         errors.sort_by(|a, b| b.total_cmp(a));
@@ -133,11 +130,7 @@ fn behaviours(group: &StartGroup) -> String {
     let Some(first) = group.runs.iter().find(|run| run.start == Start::default()).map(word) else {
         return String::new();
     };
-    let others: Vec<String> = group
-        .runs
-        .iter()
-        .filter(|run| word(run) != first)
-        .map(|run| format!("{} {}", run.start.as_str(), word(run)))
-        .collect();
+    let others = group.runs.iter().filter(|run| word(run) != first);
+    let others: Vec<String> = others.map(|run| format!("{} {}", run.start.as_str(), word(run))).collect();
     if others.is_empty() { format!("all {first}") } else { format!("{first}, but {}", others.join(", ")) }
 }

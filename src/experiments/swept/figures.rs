@@ -153,11 +153,8 @@ fn derived_worst(effect_ratio: f64) -> [Option<f64>; 2] {
 const DERIVED_A_BIN: i32 = 6;
 
 fn worst_errors(worst: &[WorstOfBin], words: &Words) -> Option<String> {
-    let derived: Vec<(f64, [Option<f64>; 2])> = worst
-        .iter()
-        .flat_map(|bin| within(bin.effect_ratio))
-        .map(|beta| (beta, derived_worst(beta)))
-        .collect();
+    let ratios = worst.iter().flat_map(|bin| within(bin.effect_ratio));
+    let derived: Vec<(f64, [Option<f64>; 2])> = ratios.map(|beta| (beta, derived_worst(beta))).collect();
     let line = |arc: usize| {
         derived.iter().map(|(beta, worst)| (*beta, worst[arc].unwrap_or(f64::NAN))).collect::<Vec<_>>()
     };

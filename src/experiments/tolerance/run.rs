@@ -47,12 +47,10 @@ pub fn tolerance_limits(parameters: &Slider<Rational>, section: &ToleranceSectio
             Some(ToleranceRow { tolerance: tolerance.clone(), in_si: limit.in_si(&slider), limit })
         })
         .collect();
+    let followed = |asymptote| (asymptote, convergence(asymptote, &beta, DECADES, DIGITS));
     ToleranceOutcome {
         rows,
         corners: corner_errors(&beta, DIGITS),
-        convergence: Asymptote::ALL
-            .into_iter()
-            .map(|asymptote| (asymptote, convergence(asymptote, &beta, DECADES, DIGITS)))
-            .collect(),
+        convergence: Asymptote::ALL.map(followed).into(),
     }
 }

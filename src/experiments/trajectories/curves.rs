@@ -1,7 +1,7 @@
 //! Which runs a figure shows, the unit of their stress, and the words and marks for a point of the plane.
 
 use crate::experiments::SceneOutcome;
-use crate::experiments::trajectories::TrajectoryRun;
+use crate::experiments::trajectories::{TrajectoryPoint, TrajectoryRun};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::nearest_f64;
 use slipmode_plot::figure::{PointMark, Side};
@@ -42,16 +42,11 @@ pub(crate) fn point_marks(
     side: Side,
 ) -> Vec<PointMark> {
     let points = scene.scene.trajectories.iter().flat_map(|section| &section.points);
-    points
-        .filter(|point| point.id.starts_with(prefix))
-        .map(|point| {
-            PointMark::new(
-                label(&point.id),
-                (nearest_f64(&point.loading_velocity_m_per_s), nearest_f64(&point.normal_stress_pa)),
-                side,
-            )
-        })
-        .collect()
+    let mark = |point: &TrajectoryPoint| {
+        let place = [&point.loading_velocity_m_per_s, &point.normal_stress_pa].map(nearest_f64);
+        PointMark::new(label(&point.id), place.into(), side)
+    };
+    points.filter(|point| point.id.starts_with(prefix)).map(mark).collect()
 }
 
 #[cfg(test)]

@@ -35,10 +35,9 @@ fn zone_map(scene: &SceneOutcome, words: &Words, frequencies: &str) -> Option<St
         ends[0].1.is_finite().then(|| Line::new("line between the corners", LineRole::Guide, ends.to_vec()));
     let own = || operating_point_mark(scene, &x, &y);
     let marks = cusp_mark(&boundary.points).into_iter().chain(own()).collect();
-    let exact_lines = theory_lines(scene, boundary, &x, &y)
-        .into_iter()
-        .chain([pair_line(parameters, &PairRatio::Frequency(scene.scene.threshold()))]);
-    let exact = map(&zones.exact, exact_lines.collect(), marks);
+    let mut exact_lines = theory_lines(scene, boundary, &x, &y);
+    exact_lines.push(pair_line(parameters, &PairRatio::Frequency(scene.scene.threshold())));
+    let exact = map(&zones.exact, exact_lines, marks);
     let of_the_paper =
         map(&zones.between_corners, straight.chain(between).collect(), own().into_iter().collect());
     let headings = ["exact", "by the lines of the paper"];

@@ -198,24 +198,17 @@ impl Lines {
 
 fn threshold_shares(parameters: &Slider<Rational>, map: &Grid<MapPoint>) -> Vec<ThresholdShare> {
     let natural = parameters.map(nearest_f64).natural_angular_frequency_per_s();
-    let ratios: Vec<f64> = map
-        .values
-        .iter()
-        .filter(|point| point.max_imaginary_per_s != Wide::ZERO)
-        .map(|point| point.max_imaginary_per_s.to_f64().unwrap_or(0.0) / natural)
-        .collect();
+    let oscillating = map.values.iter().filter(|point| point.max_imaginary_per_s != Wide::ZERO);
+    let ratio = |point: &MapPoint| point.max_imaginary_per_s.to_f64().unwrap_or(0.0) / natural;
+    let ratios: Vec<f64> = oscillating.map(ratio).collect();
     let above = |threshold: f64| ratios.iter().filter(|ratio| **ratio > threshold).count();
     let default = above(std::f64::consts::FRAC_1_SQRT_2);
     FREQUENCY_RATIOS
         .iter()
         .map(|&frequency_ratio| {
             let inertial = above(frequency_ratio);
-            ThresholdShare {
-                frequency_ratio,
-                oscillating: ratios.len(),
-                inertial,
-                moved: inertial.abs_diff(default),
-            }
+            let (oscillating, moved) = (ratios.len(), inertial.abs_diff(default));
+            ThresholdShare { frequency_ratio, oscillating, inertial, moved }
         })
         .collect()
 }
