@@ -130,12 +130,8 @@ fn controls(families: &Families) -> Vec<Control> {
     let beta = |times: &Rational| {
         rational_to_decimal(&(own.evolution_effect.clone() * times / &own.direct_effect), DIGITS)
     };
-    let effect_steps = step(effects, &own.evolution_effect, "");
-    let effect_steps = effect_steps
-        .into_iter()
-        .zip(&effects.values)
-        .map(|(text, times)| format!("{text}, β = b/a = {}", beta(times)))
-        .collect();
+    let effect_steps = step(effects, &own.evolution_effect, "").into_iter().zip(&effects.values);
+    let effect_steps = effect_steps.map(|(text, times)| format!("{text}, β = b/a = {}", beta(times)));
     let control = |id, name, steps: Vec<String>, &Factors { base, .. }: &Factors| {
         let text = steps.get(base).cloned().unwrap_or_default();
         Control { id, name, steps: steps.join("|"), last: steps.len().saturating_sub(1), base, text }
@@ -143,7 +139,7 @@ fn controls(families: &Families) -> Vec<Control> {
     let stiffness_steps = step(stiffnesses, &own.stiffness_pa_per_m, " Pa/m");
     let mass_steps = step(masses, &own.mass_per_area_kg_per_m2, " kg/m²");
     vec![
-        control("b", "Evolution effect b", effect_steps, effects),
+        control("b", "Evolution effect b", effect_steps.collect(), effects),
         control("K", "Stiffness K", stiffness_steps, stiffnesses),
         control("M", "Mass per area M", mass_steps, masses),
     ]

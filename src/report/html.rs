@@ -142,9 +142,8 @@ impl<'a> Page<'a> {
     fn tiles(&mut self, card: &CardView) -> Value {
         let verdict = card.verdict;
         let claims = self.view.ledger.iter().flat_map(|group| &group.claims);
-        let ids = claims
-            .filter(|claim| claim.verdict == verdict && claim.source == Source::Paper)
-            .map(|claim| claim.id.as_str());
+        let claims = claims.filter(|claim| claim.verdict == verdict && claim.source == Source::Paper);
+        let ids = claims.map(|claim| claim.id.as_str());
         json!({
             "class": verdict.as_str(),
             "symbol": verdict.symbol(),

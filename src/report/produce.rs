@@ -114,10 +114,8 @@ pub fn produce_scene(
     let context = Context::new(equations, &outcome);
     let figures: Vec<Figure> = figure_makers().filter_map(|maker| maker.figure(&outcome)).collect();
     // Tables that need nothing computed are about the paper, not about the scene.
-    let tables: Vec<Table> = all_table_makers()
-        .filter(|maker| !maker.needs.is_empty())
-        .filter_map(|maker| maker.table(&context))
-        .collect();
+    let makers = all_table_makers().filter(|maker| !maker.needs.is_empty());
+    let tables: Vec<Table> = makers.filter_map(|maker| maker.table(&context)).collect();
     figure_and_table_files(&figures, &tables)
 }
 
@@ -142,9 +140,8 @@ fn check_names(folder: &Folder) -> Result<(), ReportError> {
     let tables = tables.filter(|id| table_maker(id).is_some()).map(|id| (id, "measured"));
     let is_taken = |id: &str| figure_maker(id).is_some() || table_maker(id).is_some();
     let charted = charts.iter().map(|chart| &chart.caption.id);
-    let charted = charted
-        .filter(|id| is_taken(id) || measured.chart(id).is_some() || measured.table(id).is_some())
-        .map(|id| (id, "a chart of equations"));
+    let clashes = |id: &&String| is_taken(id) || measured.chart(id).is_some() || measured.table(id).is_some();
+    let charted = charted.filter(clashes).map(|id| (id, "a chart of equations"));
     let fault = |(id, what)| {
         format!("report.toml: `{id}` is {what} and also computed or measured: one of them needs another name")
     };

@@ -219,10 +219,8 @@ impl<'a> Report<'a> {
     fn figure(&self, figure: &FigureView) -> String {
         let description = escape_markdown(&figure.description);
         let caption = line(&self.prose(&figure.caption_markdown, 3));
-        let data = figure
-            .data
-            .iter()
-            .map(|id| format!(" [{}](tables/{id}.csv)", escape_markdown(&format!("{id}.csv"))));
+        let link = |id: &String| format!(" [{}](tables/{id}.csv)", escape_markdown(&format!("{id}.csv")));
+        let data = figure.data.iter().map(link);
         let (id, label) = (&figure.id, escape_markdown(&figure.label));
         format!("![{description}](figures/{id}.svg)\n\n**{label}.** {caption}{}", data.collect::<String>())
     }
@@ -242,13 +240,9 @@ impl<'a> Report<'a> {
     }
 
     fn appendix(&self) -> String {
-        let placed: BTreeSet<String> = texts(self.view)
-            .flat_map(|(_, text)| pieces(text))
-            .filter_map(|piece| match piece {
-                Piece::Block(_, id) => Some(id),
-                _ => None,
-            })
-            .collect();
+        let id = |piece| if let Piece::Block(_, id) = piece { Some(id) } else { None };
+        let placed = texts(self.view).flat_map(|(_, text)| pieces(text)).filter_map(id);
+        let placed: BTreeSet<String> = placed.collect();
         let figures = self.view.figures.iter().filter(|figure| !placed.contains(&figure.id));
         let tables = self.view.tables.iter().filter(|table| !placed.contains(&table.id));
         let blocks = figures.map(|figure| self.figure(figure)).chain(tables.map(|table| self.table(table)));

@@ -65,9 +65,8 @@ pub(crate) fn cusp_mark(points: &[BoundaryPoint]) -> Vec<PointMark> {
 
 /// Eqs 15, 16, 18 and 20, each from the edge of the map to its corner.
 pub(crate) fn asymptote_lines(parameters: &Slider<Rational>, x: &Axis, y: &Axis) -> Vec<Line> {
-    let arcs = [Arc::Upper, Arc::Lower]
-        .into_iter()
-        .filter(|arc| *arc == Arc::Lower || parameters.direct_effect != parameters.evolution_effect);
+    let exists = |arc: &Arc| *arc == Arc::Lower || parameters.direct_effect != parameters.evolution_effect;
+    let arcs = [Arc::Upper, Arc::Lower].into_iter().filter(exists);
     // In 64 bits: good enough to draw.
     let slider = parameters.map(|value| Ball::from_rational(value, 64).to_f64());
     arcs.flat_map(|arc| {

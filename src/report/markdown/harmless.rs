@@ -33,10 +33,8 @@ type Edit = (Range<usize>, String);
 fn hazards(text: &str) -> Vec<Edit> {
     let parser = Parser::new_ext(text, options());
     let definitions = parser.reference_definitions().iter();
-    let mut edits: Vec<Edit> = definitions
-        .filter(|(_, definition)| !is_allowed(&definition.dest))
-        .map(|(_, definition)| (definition.span.clone(), String::new()))
-        .collect();
+    let refused = definitions.filter(|(_, definition)| !is_allowed(&definition.dest));
+    let mut edits: Vec<Edit> = refused.map(|(_, one)| (one.span.clone(), String::new())).collect();
     let events: Vec<Spanned<'_>> = Parser::new_ext(text, options()).into_offset_iter().collect();
     let mut covered = 0;
     for (at, (event, range)) in events.iter().enumerate() {
