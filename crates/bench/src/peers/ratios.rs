@@ -82,10 +82,8 @@ pub fn lines(rows: &[Row]) -> Vec<String> {
 
 /// A ratio in three digits or so.
 pub fn over(ratio: Option<f64>) -> String {
-    ratio.map_or_else(
-        || "-".into(),
-        |ratio| if ratio < 10.0 { format!("{ratio:.2}") } else { format!("{ratio:.0}") },
-    )
+    let Some(ratio) = ratio else { return "-".into() };
+    if ratio < 10.0 { format!("{ratio:.2}") } else { format!("{ratio:.0}") }
 }
 
 #[cfg(test)]
