@@ -94,32 +94,14 @@ impl Claim {
             scale = from.ball(BITS[1]);
             distances.push(distance.ball(BITS[1]));
         }
-        match (course(&distances, &scale), goal) {
-            (Course::Unclear, _) => Tail::Unclear,
-            (Course::Falls, Goal::Value(_)) => Tail::There,
-            (Course::Grows(order), Goal::Infinity(wanted)) if order == *wanted => Tail::There,
-            (Course::Stays(away), Goal::Value(_)) => Tail::Elsewhere(format!("stays {away} away from it")),
-            (Course::Grows(_), _) => Tail::Elsewhere("grows beyond all bounds".into()),
-            (Course::Falls | Course::Stays(_), Goal::Infinity(_)) => Tail::Elsewhere("stays bounded".into()),
-        }
+        course(&distances, &scale, goal)
     }
 }
 
-/// How the distances from a value end.
-enum Course {
-    /// They go to zero.
-    Falls,
-    /// They tend to one that is not zero.
-    Stays(String),
-    /// They go beyond all bounds, with this sign.
-    Grows(Ordering),
-    Unclear,
-}
-
-/// What the last distances from a value show.
-fn course(distances: &[Ball], value: &Ball) -> Course {
+/// What the last distances from a value show: they go to zero, to another number, or beyond all bounds.
+fn course(distances: &[Ball], value: &Ball, goal: &Goal) -> Tail {
     if distances.len() <= LAST {
-        return Course::Unclear;
+        return Tail::Unclear;
     }
     let last = &distances[distances.len() - LAST - 1..];
     let size = |ball: &Ball| [ball.lower().abs(), ball.upper().abs()];
@@ -139,15 +121,26 @@ fn course(distances: &[Ball], value: &Ball) -> Course {
     let shrink = steps.windows(2).all(|pair| largest(&pair[1]) * 4_u32 <= largest(&pair[0]) * 3_u32);
     let final_step = largest(&steps[LAST - 1]);
     // Steps that shrink by 3/4 or more sum to at most four times the last one.
+    let bounded = || Tail::Elsewhere("stays bounded".into());
     if shrink && smallest(end) > final_step.clone() * 8_u32 {
-        return Course::Stays(end.centre().to_string_radix(10, Some(6)));
+        let away = end.centre().to_string_radix(10, Some(6));
+        let stays = || Tail::Elsewhere(format!("stays {away} away from it"));
+        return if matches!(goal, Goal::Value(_)) { stays() } else { bounded() };
     }
     let grow = last.windows(2).all(|pair| smallest(&pair[1]) * 2_u32 >= largest(&pair[0]) * 3_u32);
     let bound = (largest(value) + 1_u32) << 64_u32;
     if grow && smallest(end) > bound {
-        return end.sign().map_or(Course::Unclear, Course::Grows);
+        return match (end.sign(), goal) {
+            (None, _) => Tail::Unclear,
+            (Some(order), Goal::Infinity(wanted)) if order == *wanted => Tail::There,
+            _ => Tail::Elsewhere("grows beyond all bounds".into()),
+        };
     }
     let falls = last.windows(2).all(|pair| largest(&pair[1]) * 4_u32 <= largest(&pair[0]) * 3_u32);
     let near = (largest(value) + rug::Float::with_val(53, 1)) >> 40_u32;
-    if falls && largest(end) < near { Course::Falls } else { Course::Unclear }
+    match goal {
+        Goal::Value(_) if falls && largest(end) < near => Tail::There,
+        Goal::Infinity(_) if falls && largest(end) < near => bounded(),
+        _ => Tail::Unclear,
+    }
 }

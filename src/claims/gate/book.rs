@@ -89,31 +89,22 @@ enum Draft {
 
 impl Draft {
     fn names(&self, systems: &BTreeMap<String, System>) -> BTreeSet<String> {
-        let of = |list: &[Expression]| -> BTreeSet<String> {
-            list.iter().flat_map(Expression::variables).map(|name| name.as_str().to_owned()).collect()
-        };
-        match self {
-            Self::Written(expression, kept) => {
-                let mut names = of(std::slice::from_ref(expression));
-                kept.iter().for_each(|kept| {
-                    names.remove(kept);
-                });
-                names
-            }
+        let (expressions, kept): (Vec<&Expression>, _) = match self {
+            Self::Written(expression, kept) => (vec![expression], kept.as_ref()),
             Self::Derived(derivation) => {
-                let mut names = of(&derivation.expressions);
-                names.extend(derivation.values.iter().flat_map(|(_, value)| of(std::slice::from_ref(value))));
-                let system = derivation.system.as_ref().and_then(|name| systems.get(name));
-                names.extend(
-                    system.iter().flat_map(|system| of(&system.rates).into_iter().chain(of(&system.steady))),
-                );
-                names
+                let system = derivation.system.as_ref().and_then(|name| systems.get(name)).into_iter();
+                let of_system = system.flat_map(|system| system.rates.iter().chain(&system.steady));
+                let values = derivation.values.iter().map(|(_, value)| value);
+                (derivation.expressions.iter().chain(values).chain(of_system).collect(), None)
             }
-        }
+        };
+        let names = expressions.into_iter().flat_map(Expression::variables);
+        names.map(|name| name.as_str().to_owned()).filter(|name| Some(name) != kept).collect()
     }
 }
 
 /// A system as it is written.
+#[derive(Default)]
 struct System {
     states: Vec<String>,
     rates: Vec<Expression>,
@@ -176,19 +167,14 @@ impl Book {
             let written = derivation.expressions.first().cloned();
             return Meaning::Term(self.term(&written.unwrap_or_else(|| Expression::integer(0)), None));
         };
-        let system = derivation.system.as_ref().and_then(|name| systems.get(name));
-        let (mut states, mut rates, mut steady) = (Vec::new(), Vec::new(), Vec::new());
-        if let Some(system) = system {
-            states.extend(system.states.iter().map(|name| self.variable(name)));
-            rates.extend(system.rates.iter().map(|one| self.term(one, None)));
-            steady.extend(system.steady.iter().map(|one| self.term(one, None)));
-        }
-        let found = equations.names().derived(name).map(|found| self.plain(found));
+        let none = System::default();
+        let system = derivation.system.as_ref().and_then(|name| systems.get(name)).unwrap_or(&none);
         Meaning::Derived(Box::new(Derived {
             operation,
-            states,
-            rates,
-            steady,
+            states: system.states.iter().map(|name| self.variable(name)).collect(),
+            rates: system.rates.iter().map(|one| self.term(one, None)).collect(),
+            steady: system.steady.iter().map(|one| self.term(one, None)).collect(),
+            found: equations.names().derived(name).map(|found| self.plain(found)),
             terms: derivation.expressions.iter().map(|one| self.term(one, None)).collect(),
             variables: derivation.variables.iter().map(|name| self.variable(name.as_str())).collect(),
             whole: derivation.whole,
@@ -197,7 +183,6 @@ impl Book {
                 .iter()
                 .map(|(name, value)| (self.variable(name.as_str()), self.term(value, None)))
                 .collect(),
-            found,
         }))
     }
 

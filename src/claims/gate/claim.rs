@@ -109,10 +109,7 @@ impl Claim {
         let given: Vec<Compared> = scope.given.iter().map(|one| condition(one, &mut book)).collect();
         let (equal, conditions): (Vec<_>, Vec<_>) =
             given.into_iter().partition(|one| one.comparison == Comparison::Equal);
-        let says = match says {
-            Says::True(said) => Says::True(said.under(&conditions)),
-            other => other,
-        };
+
         let within =
             scope.within.iter().map(|(name, ends)| (book.variable(name.as_str()), ends.clone())).collect();
         let at = scope.at.iter().map(|(name, value)| (book.variable(name.as_str()), value.clone())).collect();
@@ -221,7 +218,7 @@ impl Claim {
 
     /// Whether the coefficients of a term in a variable are two, at a point without special values.
     fn is_linear(&self, term: &Term, variable: usize) -> bool {
-        let mut place = AtPoint::new(&self.book, BITS[1]);
+        let mut place = AtPoint::new(&self.book, &self.conditions, BITS[1]);
         let all = self.chosen.iter().chain(self.solved.iter().map(|one| &one.variable));
         for (one, step) in all.zip(1_u32..) {
             place.set(*one, Number::Exact(Rational::from((3 * step + 4, step + 2))).into());
@@ -251,7 +248,7 @@ impl Claim {
     }
 
     fn place_with(&self, base: &Base, bits: u32, mut open: Vec<&Solved>) -> Option<AtPoint<'_>> {
-        let mut place = AtPoint::new(&self.book, bits);
+        let mut place = AtPoint::new(&self.book, &self.conditions, bits);
         for (variable, value) in base.iter().chain(self.at.iter().map(|(variable, value)| (variable, value)))
         {
             place.set(*variable, place.rational(value));
@@ -398,14 +395,13 @@ impl Claim {
     /// The point in words: the variables that the claim reaches.
     pub fn text(&self, base: &Base) -> String {
         let Some(mut place) = self.place(base, BITS[1]) else { return String::new() };
-        let mut named: Vec<(&str, String)> = Vec::new();
         let is_zero = |variable: &usize| base.get(variable).is_some_and(|value| *value == 0);
         let is_named = |variable: &usize| self.book.order(*variable).is_none() || !is_zero(variable);
-        for variable in self.variables().filter(is_named) {
-            if let Ok(number) = place.number(&Term::Variable(variable)) {
-                named.push((self.book.name(variable), number.text()));
-            }
-        }
+        let named = self.variables().filter(is_named).filter_map(|variable| {
+            let number = place.number(&Term::Variable(variable)).ok()?;
+            Some((self.book.name(variable), number.text()))
+        });
+        let mut named: Vec<(&str, String)> = named.collect();
         named.sort();
         named.into_iter().map(|(name, value)| format!("{name} = {value}")).collect::<Vec<_>>().join(", ")
     }

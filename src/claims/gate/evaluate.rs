@@ -14,6 +14,7 @@ use slipmode_theory::Operation;
 
 use super::book::{Book, Derived, EITHER_SIGN, Meaning, Term, UNIT};
 use super::number::{Number, Tried, Trouble};
+use super::truth::{Compared, all};
 use super::value::{IMAGINARY, Kind, Mark, Value};
 
 /// The values of defined names, and their coefficients as polynomials in a variable.
@@ -25,6 +26,8 @@ pub(super) const NEAR: u32 = f64::MANTISSA_DIGITS;
 /// A point, with what was worked out there.
 pub(super) struct AtPoint<'b> {
     pub book: &'b Book,
+    /// The conditions of the claim that are no equations: a critical value has to meet them.
+    pub conditions: &'b [Compared],
     /// The precision of balls.
     pub bits: u32,
     values: Vec<Option<Value>>,
@@ -34,7 +37,7 @@ pub(super) struct AtPoint<'b> {
 }
 
 impl<'b> AtPoint<'b> {
-    pub fn new(book: &'b Book, bits: u32) -> Self {
+    pub fn new(book: &'b Book, conditions: &'b [Compared], bits: u32) -> Self {
         let mut values = vec![None; book.variable_count()];
         if let Some(unit) = book.place(UNIT) {
             values[unit] = Some(Value::with_quantity(Value::whole(0), IMAGINARY));
@@ -42,7 +45,7 @@ impl<'b> AtPoint<'b> {
         if let Some(sign) = book.place(EITHER_SIGN) {
             values[sign] = Some(Value::whole(1));
         }
-        Self { book, bits, values, known: vec![Default::default()], marks: 0 }
+        Self { book, conditions, bits, values, known: vec![Default::default()], marks: 0 }
     }
 
     /// A rational as a value here.
@@ -206,10 +209,9 @@ impl<'b> AtPoint<'b> {
             }
             (Operation::Solve, [f], [x]) => self.solution(f, *x),
             (Operation::At, [f], _) => {
-                let mut values = Vec::new();
-                for (variable, value) in &derived.values {
-                    values.push((*variable, self.value(value)?));
-                }
+                let values =
+                    derived.values.iter().map(|(variable, value)| Ok((*variable, self.value(value)?)));
+                let values = values.collect::<Tried<_>>()?;
                 self.with(values, |place| place.value(f))
             }
             (Operation::Exchange, [f], [x, y]) => {
@@ -277,10 +279,9 @@ impl<'b> AtPoint<'b> {
     }
 
     fn rate(&mut self, derived: &Derived, f: &Term) -> Tried<Value> {
-        let mut along = Vec::new();
-        for (state, rate) in derived.states.iter().zip(&derived.rates) {
-            along.push((*state, self.get(*state)?, self.value(rate)?));
-        }
+        let along = derived.states.iter().zip(&derived.rates);
+        let along = along.map(|(state, rate)| Ok((*state, self.get(*state)?, self.value(rate)?)));
+        let along = along.collect::<Tried<_>>()?;
         self.slope(f, along)
     }
 
@@ -312,16 +313,10 @@ fn determinant(rows: &[Vec<Value>]) -> Tried<Value> {
     Ok(sum)
 }
 
-/// Whether a value is zero: none where it is open. A value with an imaginary part is zero where both parts are.
-pub(super) fn is_zero(value: &Value) -> Option<bool> {
+/// Whether a value is zero. A value with an imaginary part is zero where both parts are.
+pub(super) fn is_zero(value: &Value) -> Tried<bool> {
     match value {
-        Value::Number(number) => number.sign().map(|sign| sign == Ordering::Equal),
-        Value::Series(_, terms) => {
-            let terms: Vec<Option<bool>> = terms.iter().map(is_zero).collect();
-            match terms.contains(&Some(false)) {
-                true => Some(false),
-                false => terms.iter().all(Option::is_some).then_some(true),
-            }
-        }
+        Value::Number(number) => number.sign().map(Ordering::is_eq).ok_or(Trouble::Open),
+        Value::Series(_, terms) => all(terms.iter().map(is_zero)),
     }
 }

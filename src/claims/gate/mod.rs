@@ -94,7 +94,9 @@ pub(super) fn tested(formula: &ClaimFormula, finding: &Finding, equations: &Equa
     }
     let points: Vec<Base> = finding.points.iter().map(|point| claim.base(point)).collect();
     match (&claim.says, holds) {
-        (Says::True(said), true) if claim.there_is.is_empty() => claim.everywhere(said),
+        (Says::True(said), true) if claim.there_is.is_empty() => {
+            claim.tallied(&|place: &mut AtPoint| said.truth(place), |starts| claim.edges(said, starts))
+        }
         (Says::True(said), false) if claim.there_is.is_empty() => claim.counter_example(said, &points),
         (Says::True(said), true) => claim.somewhere(said, &points),
         (Says::True(said), false) => claim.nowhere(said, &points),
@@ -190,17 +192,16 @@ impl Claim {
     /// Points next to where a comparison, a predicate or a condition changes.
     fn edges(&self, said: &Said, starts: &[Base]) -> Vec<Base> {
         let mut found = Vec::new();
+        let places = |turn: usize| starts.iter().zip(self.chosen.iter().cycle().skip(turn));
         let sides = comparisons(said).into_iter().chain(&self.conditions);
         for (turn, compared) in sides.enumerate() {
-            for (at, base) in starts.iter().take(EDGE_STARTS).enumerate() {
-                let Some(variable) = self.nth_chosen(turn + at) else { continue };
-                found.extend(self.near_zero(base, compared, variable).into_iter().flatten());
+            for (base, variable) in places(turn) {
+                found.extend(self.near_zero(base, compared, *variable).into_iter().flatten());
             }
         }
         for (turn, atom) in said.atoms().into_iter().enumerate() {
-            for (at, base) in starts.iter().take(EDGE_STARTS).enumerate() {
-                let Some(variable) = self.nth_chosen(turn + at) else { continue };
-                found.extend(self.next_to_edge(base, variable, &|place: &mut AtPoint| atom.truth(place)));
+            for (base, variable) in places(turn) {
+                found.extend(self.next_to_edge(base, *variable, &|place: &mut AtPoint| atom.truth(place)));
             }
         }
         let is_possible = |base: &Base| {
@@ -209,20 +210,17 @@ impl Claim {
         found.retain(is_possible);
         found
     }
-
-    fn nth_chosen(&self, turn: usize) -> Option<usize> {
-        (!self.chosen.is_empty()).then(|| self.chosen[turn % self.chosen.len()])
-    }
-
-    /// A formula for all values that the conditions allow.
-    fn everywhere(&self, said: &Said) -> Outcome {
+    /// What is true at all values that the conditions allow, and at the edges next to the first ones.
+    fn tallied(
+        &self,
+        ask: &impl Fn(&mut AtPoint) -> number::Tried<bool>,
+        edges: impl FnOnce(&[Base]) -> Vec<Base>,
+    ) -> Outcome {
         let mut tally = Tally::default();
-        let ask = |place: &mut AtPoint| said.truth(place);
-        let found = self.answers(&ask).take(POINTS).find_map(|(base, at)| tally.add(self, base, at));
+        let found = self.answers(ask).take(POINTS).find_map(|(base, at)| tally.add(self, base, at));
         let found = found.or_else(|| {
-            let edges = self.edges(said, &tally.starts);
-            edges.into_iter().find_map(|base| {
-                let at = self.at(&base, &ask);
+            edges(&tally.starts).into_iter().find_map(|base| {
+                let at = self.at(&base, ask);
                 tally.add(self, base, at)
             })
         });
@@ -278,10 +276,7 @@ impl Claim {
         if self.witness.is_empty() {
             return Outcome::Unconfirmed("The proof names no point.".into());
         }
-        let mut tally = Tally::default();
-        let ask = |place: &mut AtPoint| self.witness_does(said, place);
-        let found = self.answers(&ask).take(POINTS).find_map(|(base, at)| tally.add(self, base, at));
-        found.unwrap_or(Outcome::Passed { points: tally.tried, open: tally.open })
+        self.tallied(&|place: &mut AtPoint| self.witness_does(said, place), |_| Vec::new())
     }
 
     /// At the values of the other variables that the point names there is no value that does.

@@ -247,13 +247,11 @@ impl Number {
                 (Self::Exact(value), _) if *value == 1 => Ok(Self::whole(0)),
                 _ => Self::of(self.ball(bits).ln()),
             },
-            Function::Exp if self.is_exactly_zero() => Ok(Self::whole(1)),
+            Function::Exp | Function::Cos if self.is_exactly_zero() => Ok(Self::whole(1)),
+            Function::Asinh | Function::Sin if self.is_exactly_zero() => Ok(Self::whole(0)),
             Function::Exp => Self::of(self.ball(bits).exp()),
-            Function::Asinh if self.is_exactly_zero() => Ok(Self::whole(0)),
             Function::Asinh => Self::of(self.ball(bits).asinh()),
-            Function::Sin if self.is_exactly_zero() => Ok(Self::whole(0)),
             Function::Sin => Self::of(self.ball(bits).sin()),
-            Function::Cos if self.is_exactly_zero() => Ok(Self::whole(1)),
             Function::Cos => Self::of(self.ball(bits).cos()),
         }
     }

@@ -103,7 +103,7 @@ impl Claim {
         let difference = compared.difference();
         let coefficients =
             |bits: u32| self.place_for(base, bits, compared)?.coefficients(&difference, variable).ok();
-        let is_bent = |near: Vec<Value>| near.iter().skip(2).any(|one| is_zero(one) == Some(false));
+        let is_bent = |near: Vec<Value>| near.iter().skip(2).any(|one| is_zero(one) == Ok(false));
         if coefficients(NEAR).is_some_and(is_bent) {
             return None;
         }
@@ -121,11 +121,7 @@ impl Claim {
             Rational::from(&zero + 1_u32),
             Rational::from(&zero - 1_u32),
         ];
-        Some(values.into_iter().map(move |value| {
-            let mut moved = base.clone();
-            moved.insert(variable, value);
-            moved
-        }))
+        Some(values.into_iter().map(move |value| Self::moved(base, variable, value)))
     }
 
     /// Points to both sides of where the truth of something changes as one variable grows from a point.
@@ -135,11 +131,7 @@ impl Claim {
         variable: usize,
         ask: &impl Fn(&mut AtPoint) -> Tried<bool>,
     ) -> Vec<Base> {
-        let with = |value: &Rational| {
-            let mut moved = base.clone();
-            moved.insert(variable, value.clone());
-            moved
-        };
+        let with = |value: &Rational| Self::moved(base, variable, value.clone());
         let truth = |value: &Rational| match self.at(&with(value), ask) {
             At::Says(truth) => Some(truth),
             _ => None,

@@ -15,8 +15,9 @@ use slipmode_core::number::{Ball, Real};
 use slipmode_theory::root_location::RootStatement;
 
 use super::evaluate::NEAR;
-use super::number::Number;
+use super::number::{Number, Trouble};
 use super::polynomial::Exact;
+use super::truth::all;
 
 /// The precisions of discs; the first one is that of 64-bit numbers.
 const BITS: [u32; 3] = [NEAR, 192, 640];
@@ -190,12 +191,9 @@ pub(super) fn is_one_on_axis(coefficients: &[Number]) -> Option<bool> {
     }
     // A square that is negative is on the axis; one that is not real, or positive, is not.
     discs(&BITS, &pairs.numbers(), |discs| {
-        let found = discs.iter().map(|disc| Some(is_real(disc, discs)? && disc.side()? == Ordering::Less));
-        let found: Vec<Option<bool>> = found.collect();
-        match found.contains(&Some(true)) {
-            true => Some(true),
-            false => found.iter().all(Option::is_some).then_some(false),
-        }
+        let is_off_axis = |disc: &Disc| Some(!is_real(disc, discs)? || disc.side()? != Ordering::Less);
+        let none = all(discs.iter().map(|disc| is_off_axis(disc).ok_or(Trouble::Open)));
+        none.map(|none| !none).ok()
     })
 }
 
@@ -209,12 +207,8 @@ fn by_discs(bits: &[u32], statement: RootStatement, coefficients: &[Number]) -> 
             RootStatement::Unstable => disc.side().map(|side| side != Ordering::Greater),
             RootStatement::AllReal => is_real(disc, discs),
         };
-        let found: Vec<Option<bool>> = discs.iter().map(wanted).collect();
-        let all = match found.contains(&Some(false)) {
-            true => Some(false),
-            false => found.iter().all(Option::is_some).then_some(true),
-        };
-        all.map(|all| all == (statement != RootStatement::Unstable))
+        let all = all(discs.iter().map(|disc| wanted(disc).ok_or(Trouble::Open)));
+        all.map(|all| all == (statement != RootStatement::Unstable)).ok()
     })
 }
 

@@ -40,8 +40,6 @@ pub(super) struct Crosses {
     parameter: usize,
     critical: Term,
     frequency: Term,
-    /// The conditions of the claim that are no equations: the critical value has to meet them.
-    conditions: Vec<Compared>,
 }
 
 impl Said {
@@ -65,7 +63,6 @@ impl Said {
                     parameter: book.variable(parameter.as_str()),
                     critical: book.term(critical, None),
                     frequency: book.term(frequency, None),
-                    conditions: Vec::new(),
                 }))
             }
             Formula::Not(inner) => Self::Not(Box::new(Self::of(inner, book))),
@@ -75,21 +72,6 @@ impl Said {
                 Self::Any(vec![Self::Not(Box::new(Self::of(&both[0], book))), Self::of(&both[1], book)])
             }
             Formula::Iff(both) => Self::Iff(Box::new([Self::of(&both[0], book), Self::of(&both[1], book)])),
-        }
-    }
-
-    /// The same under conditions that a critical value has to meet.
-    pub fn under(self, conditions: &[Compared]) -> Self {
-        let all = |parts: Vec<Self>| parts.into_iter().map(|part| part.under(conditions)).collect();
-        match self {
-            Self::Crossing(crosses) => {
-                Self::Crossing(Box::new(Crosses { conditions: conditions.to_vec(), ..*crosses }))
-            }
-            Self::Not(inner) => Self::Not(Box::new(inner.under(conditions))),
-            Self::All(parts) => Self::All(all(parts)),
-            Self::Any(parts) => Self::Any(all(parts)),
-            Self::Iff(both) => Self::Iff(Box::new(both.map(|one| one.under(conditions)))),
-            Self::Compare(_) | Self::Roots(..) => self,
         }
     }
 
@@ -174,8 +156,8 @@ impl Compared {
             (comparison, Value::Number(number)) => {
                 number.sign().map(|order| comparison.holds(order)).ok_or(Trouble::Open)
             }
-            (Comparison::Equal, complex) => is_zero(&complex).ok_or(Trouble::Open),
-            (Comparison::Unequal, complex) => is_zero(&complex).map(|zero| !zero).ok_or(Trouble::Open),
+            (Comparison::Equal, complex) => is_zero(&complex),
+            (Comparison::Unequal, complex) => is_zero(&complex).map(|zero| !zero),
             _ => Err(Trouble::Open),
         }
     }
@@ -203,7 +185,7 @@ impl Crosses {
             }
         }
         let there = vec![(self.parameter, critical.clone())];
-        if !place.with(there, |place| all(self.conditions.iter().map(|one| one.truth(place))))? {
+        if !place.with(there, |place| all(place.conditions.iter().map(|one| one.truth(place))))? {
             return Ok(false);
         }
         let frequency = place.value(&self.frequency)?;
@@ -224,11 +206,11 @@ impl Crosses {
         let [root_real, root_imaginary] = on_axis(&along, &square)?;
         let slope =
             slope_real.times(&root_real)?.plus(&square.times(&slope_imaginary.times(&root_imaginary)?)?)?;
-        let zero = |value: &Value| is_zero(value).ok_or(Trouble::Open);
+
         let others = numbers(without_pair(&at, &square)?)?;
         let apart = roots::is_one_on_axis(&others).map(|one| !one).ok_or(Trouble::Open);
-        let not_zero = |value: &Value| zero(value).map(|zero| !zero);
-        let parts = [not_zero(&frequency), zero(&real), zero(&imaginary), not_zero(&slope), apart];
+        let not_zero = |value: &Value| is_zero(value).map(|zero| !zero);
+        let parts = [not_zero(&frequency), is_zero(&real), is_zero(&imaginary), not_zero(&slope), apart];
         all(parts.into_iter())
     }
 }
@@ -250,10 +232,9 @@ fn on_axis(coefficients: &[Value], square: &Value) -> Tried<[Value; 2]> {
 fn without_pair(coefficients: &[Value], square: &Value) -> Tried<Vec<Value>> {
     let mut quotient: Vec<Value> = Vec::new();
     for coefficient in coefficients.iter().skip(2).rev() {
-        let before = quotient.len().checked_sub(2).map(|at| quotient[at].clone());
-        let next = match before {
-            Some(before) => coefficient.minus(&before.times(square)?)?,
-            None => coefficient.clone(),
+        let next = match &quotient[..] {
+            [.., before, _] => coefficient.minus(&before.times(square)?)?,
+            _ => coefficient.clone(),
         };
         quotient.push(next);
     }
