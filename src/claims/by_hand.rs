@@ -8,7 +8,7 @@ use std::sync::LazyLock;
 use serde::{Deserialize, Serialize};
 use slipmode_theory::Equations;
 
-use super::{Finding, Part, Reading, sha256_hex};
+use super::{Finding, Part, Reading, Verdict, sha256_hex};
 
 /// The modules of the hand-written library with their texts, in the order of their names.
 pub const LIBRARY: &[(&str, &str)] = &include!(concat!(env!("OUT_DIR"), "/library.rs"));
@@ -47,7 +47,7 @@ pub struct Tied<'e> {
 /// What was found on a claim, without the evidence: the theorems have to state it.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Conclusion {
-    verdict: String,
+    verdict: Verdict,
     limit: Option<String>,
     counter_example: Option<String>,
     #[serde(default)]
@@ -57,29 +57,26 @@ pub struct Conclusion {
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 struct ConcludedReading {
     words: String,
-    verdict: String,
+    verdict: Verdict,
     parts: Vec<ConcludedPart>,
 }
 
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 struct ConcludedPart {
     words: String,
-    verdict: String,
+    verdict: Verdict,
 }
 
 impl From<&Finding> for Conclusion {
     fn from(finding: &Finding) -> Self {
-        let part = |part: &Part| ConcludedPart {
-            words: part.words.clone(),
-            verdict: part.verdict.as_str().to_owned(),
-        };
+        let part = |part: &Part| ConcludedPart { words: part.words.clone(), verdict: part.verdict };
         let reading = |reading: &Reading| ConcludedReading {
             words: reading.words.clone(),
-            verdict: reading.verdict.as_str().to_owned(),
+            verdict: reading.verdict,
             parts: reading.parts.iter().map(part).collect(),
         };
         Self {
-            verdict: finding.verdict.as_str().to_owned(),
+            verdict: finding.verdict,
             limit: finding.limit.clone(),
             counter_example: finding.counter_example.clone(),
             readings: finding.readings.iter().map(reading).collect(),

@@ -4,7 +4,7 @@ use super::check::{Asked, Check, Show};
 use super::procedures::{CHECKS, SHOWS};
 use super::{Finding, Verdict};
 use crate::experiments::{Context, Need};
-use crate::scene::{ClaimEntry, Computed, Fault, Faults, Problem, StatedClaim};
+use crate::scene::{ClaimEntry, Computed, Fault, Faults, Problem};
 use slipmode_theory::Equations;
 
 /// What the program does not compute of a proof that a report states.
@@ -52,10 +52,9 @@ fn missing(computed: &Computed, equations: &Equations) -> Vec<String> {
 /// What procedures and proofs that a file of claims names miss in the equations: each once.
 #[must_use]
 pub fn equation_faults(file: &str, claims: &[ClaimEntry], equations: &Equations) -> Faults {
-    let parts = claims.iter().flat_map(|claim| {
-        let parts = claim.stated.iter().flat_map(StatedClaim::parts);
-        parts.filter_map(move |(_, formula)| Some((&claim.id, formula.computed()?)))
-    });
+    let parts = claims
+        .iter()
+        .flat_map(|claim| claim.formulas().filter_map(move |formula| Some((&claim.id, formula.computed()?))));
     let all = parts.flat_map(|(id, computed)| {
         missing(computed, equations).into_iter().map(move |missing| (id, missing))
     });

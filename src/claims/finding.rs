@@ -161,27 +161,25 @@ impl Finding {
     pub fn with_whole_theorem(mut self, name: &str) -> Self {
         let deciding: Vec<usize> = match self.readings.first() {
             Some(written) => written.parts.iter().flat_map(Part::deciding).collect(),
-            None => (1..=self.evidence.len()).filter(|at| !self.supporting.contains(at)).collect(),
+            None => self.deciding().collect(),
         };
         for (evidence, _) in self.evidence.iter_mut().zip(1..).filter(|(_, at)| deciding.contains(at)) {
             if let Evidence::Proof { proof } = evidence {
                 proof.theorem.get_or_insert_with(|| name.to_owned());
             }
         }
-        let evidence = &self.evidence;
-        let weakest = |positions: &[usize]| positions.iter().map(|at| evidence[at - 1].strength()).max();
         // The first reading is the written one.
         for (at, reading) in self.readings.iter_mut().enumerate() {
             for part in &mut reading.parts {
                 let known = if at == 0 { Strength::KernelChecked } else { part.strength };
-                part.strength = weakest(&part.deciding().collect::<Vec<_>>()).unwrap_or(known);
+                part.strength = weakest(&self.evidence, part.deciding()).unwrap_or(known);
             }
             reading.strength =
                 reading.parts.iter().map(|part| part.strength).max().unwrap_or(reading.strength);
         }
         self.strength = match self.readings.first() {
             Some(written) => written.strength,
-            None => weakest(&deciding).unwrap_or(Strength::KernelChecked),
+            None => weakest(&self.evidence, deciding).unwrap_or(Strength::KernelChecked),
         };
         self
     }
@@ -221,20 +219,19 @@ impl Finding {
         self
     }
 
+    /// The positions of the evidence that decides it, where it has one reading of one part.
+    fn deciding(&self) -> impl Iterator<Item = usize> {
+        (1..=self.evidence.len()).filter(|at| !self.supporting.contains(at))
+    }
+
     /// Is it stated to be surer than its weakest reading, part or evidence?
     #[must_use]
     pub fn is_overstated(&self) -> bool {
-        let all: Vec<usize> = (1..=self.evidence.len()).collect();
-        let weaker = |strength: Strength, list: &[usize], supporting: &[usize]| {
-            let deciding = list.iter().filter(|position| !supporting.contains(position));
-            let mut evidence = deciding.filter_map(|position| self.evidence.get(position - 1));
-            evidence.any(|evidence| evidence.strength() > strength)
-        };
-        let part = |part: &Part| weaker(part.strength, &part.evidence, &part.supporting);
+        let part = |part: &Part| weakest(&self.evidence, part.deciding()) > Some(part.strength);
         let reading =
             |reading: &Reading| reading.parts.iter().any(|one| one.strength > reading.strength || part(one));
         match self.readings.first() {
-            None => weaker(self.strength, &all, &self.supporting),
+            None => weakest(&self.evidence, self.deciding()) > Some(self.strength),
             Some(written) => written.strength > self.strength || self.readings.iter().any(reading),
         }
     }
@@ -313,6 +310,11 @@ impl Finding {
         self.remarks.push(remark.into());
         self
     }
+}
+
+/// The strength of the weakest evidence at these positions, from 1.
+fn weakest(evidence: &[Evidence], positions: impl IntoIterator<Item = usize>) -> Option<Strength> {
+    positions.into_iter().map(|at| evidence[at - 1].strength()).max()
 }
 
 fn rechecked(attempt: Result<Proof, Refutation>) -> Result<Proof, Refutation> {

@@ -6,7 +6,7 @@ use crate::parallel;
 use serde::Serialize;
 
 use crate::claims::error_bars::points_within;
-use crate::claims::{Conclusion, DecidedFor, PointWithin, Resolved};
+use crate::claims::{Conclusion, DecidedFor, PointWithin, resolved_claim, sha256_hex};
 use crate::claims::{Evidence, Finding, Strength, Tie, Tied, Verdict, by_hand, computed, formula, over_rows};
 use crate::experiments::operating_point::error_bars;
 use crate::experiments::{Context, Needs};
@@ -235,7 +235,7 @@ fn decide_one(text: &ClaimEntry, context: &Context) -> Entry {
         words: text.words.clone(),
         sentence: text.sentence.clone(),
         criterion,
-        digest: Resolved::of(text, context.equations).digest(),
+        digest: sha256_hex(&resolved_claim(text, context.equations)),
         finding,
         not_established,
         rests_on: text.rests_on.clone(),
@@ -289,10 +289,7 @@ fn state_values(claims: &mut [Entry]) {
 /// What the listed claims need computed.
 #[must_use]
 pub fn needs(claims: &[ClaimEntry]) -> Needs {
-    let formulas = || {
-        let stated = claims.iter().filter_map(|claim| claim.stated.as_ref());
-        stated.flat_map(StatedClaim::parts).map(|(_, formula)| formula)
-    };
+    let formulas = || claims.iter().flat_map(ClaimEntry::formulas);
     let of_rows = formulas().filter_map(|formula| formula.rows.as_ref());
     let of_rows = of_rows.flat_map(|rows| over_rows::needs(&rows.table));
     let of_procedures = formulas().filter_map(ClaimFormula::computed).flat_map(computed::needs);

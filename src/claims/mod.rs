@@ -43,7 +43,7 @@ pub use part::{Part, Reading};
 pub use planted_faults::{PlantedFaults, Survivor, plant_faults};
 pub use procedures::procedures;
 pub use reading::verdict_of_parts;
-pub use resolved::{Resolved, sha256_hex};
+pub use resolved::{resolved_claim, resolved_formula, sha256_hex};
 
 use crate::experiments::TableMaker;
 pub use crate::scene::Verdict;

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use crate::parallel;
 
 use super::alterations::{Alteration, alike, alterations};
-use crate::claims::{Evidence, Finding, Resolved, Verdict, computed, formula};
+use crate::claims::{Evidence, Finding, Verdict, computed, formula, resolved_formula, sha256_hex};
 use crate::experiments::Context;
 use crate::scene::{ClaimEntry, ClaimFormula, Source};
 use slipmode_algebra::Symbol;
@@ -109,7 +109,7 @@ impl<'c> Sound<'c> {
     }
 
     fn digest_in(&self, context: &Context) -> String {
-        Resolved::of_formula(self.part, context.equations).digest()
+        sha256_hex(&resolved_formula(self.part, context.equations))
     }
 
     fn notices(&self, altered: &Context) -> bool {

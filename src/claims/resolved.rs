@@ -10,49 +10,31 @@ use slipmode_theory::{Equations, Start, without_layout};
 
 use crate::scene::{ClaimEntry, ClaimFormula, Computed, Scope, StatedClaim, Statement};
 
-/// The text of a claim as resolved.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Resolved(String);
-
-impl Resolved {
-    /// A claim with what it reaches: by its formulas, or by the function that decides it.
-    #[must_use]
-    pub fn of(claim: &ClaimEntry, equations: &Equations) -> Self {
-        let mut lines = vec![format!("words: {}", one_line(&claim.words))];
-        let mut start = Start::default();
-        match (&claim.stated, &claim.reason) {
-            (Some(stated), _) => lines.extend(of_readings(stated, equations, &mut start)),
-            (None, Some(reason)) => lines.push(format!("out of reach: {}", one_line(reason))),
-            (None, None) => {}
-        }
-        Self::from_parts(lines, &start, equations)
+/// The text of a claim with what it reaches: by its formulas, or by the function that decides it.
+#[must_use]
+pub fn resolved_claim(claim: &ClaimEntry, equations: &Equations) -> String {
+    let mut lines = vec![format!("words: {}", one_line(&claim.words))];
+    let mut start = Start::default();
+    match (&claim.stated, &claim.reason) {
+        (Some(stated), _) => lines.extend(of_readings(stated, equations, &mut start)),
+        (None, Some(reason)) => lines.push(format!("out of reach: {}", one_line(reason))),
+        (None, None) => {}
     }
+    with_reached(lines, &start, equations)
+}
 
-    /// One formula of a claim with what it reaches.
-    #[must_use]
-    pub fn of_formula(formula: &ClaimFormula, equations: &Equations) -> Self {
-        let mut start = Start::default();
-        let lines = of_formula("", formula, equations, &mut start);
-        Self::from_parts(lines, &start, equations)
-    }
+/// The text of one formula of a claim with what it reaches.
+#[must_use]
+pub fn resolved_formula(formula: &ClaimFormula, equations: &Equations) -> String {
+    let mut start = Start::default();
+    let lines = of_formula("", formula, equations, &mut start);
+    with_reached(lines, &start, equations)
+}
 
-    fn from_parts(mut lines: Vec<String>, start: &Start<'_>, equations: &Equations) -> Self {
-        lines.extend(equations.reached(start));
-        lines.push(String::new());
-        Self(lines.join("\n"))
-    }
-
-    /// The text.
-    #[must_use]
-    pub fn text(&self) -> &str {
-        &self.0
-    }
-
-    /// SHA-256 of the text.
-    #[must_use]
-    pub fn digest(&self) -> String {
-        sha256_hex(&self.0)
-    }
+fn with_reached(mut lines: Vec<String>, start: &Start<'_>, equations: &Equations) -> String {
+    lines.extend(equations.reached(start));
+    lines.push(String::new());
+    lines.join("\n")
 }
 
 /// SHA-256 of a text in lower-case hexadecimal.
@@ -189,10 +171,10 @@ mod tests {
         }
 
         /// The resolved claims by their ids; none when the altered file is refused.
-        fn resolved(&self, table: &toml::Table) -> Option<Vec<(String, Resolved)>> {
+        fn resolved(&self, table: &toml::Table) -> Option<Vec<(String, String)>> {
             let equations = read_equations("equations.toml", table.to_string().as_bytes()).ok()?;
             let claims = read_claims("claims.toml", &self.claims, &procedures(), Some(&equations)).ok()?;
-            Some(claims.iter().map(|claim| (claim.id.clone(), Resolved::of(claim, &equations))).collect())
+            Some(claims.iter().map(|claim| (claim.id.clone(), resolved_claim(claim, &equations))).collect())
         }
     }
 
@@ -251,8 +233,8 @@ mod tests {
                 let Some(altered) = file.resolved(&altered) else { continue };
                 tried += 1;
                 for ((id, before), (_, after)) in sound.iter().zip(&altered) {
-                    let is_reached = before.text().lines().any(|line| line.starts_with(&place));
-                    assert_eq!(before.digest() != after.digest(), is_reached, "{report} {id}: {place}");
+                    let is_reached = before.lines().any(|line| line.starts_with(&place));
+                    assert_eq!(sha256_hex(before) != sha256_hex(after), is_reached, "{report} {id}: {place}");
                     reached.extend(is_reached.then(|| (id.clone(), place.clone())));
                 }
             }

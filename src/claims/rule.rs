@@ -1,6 +1,6 @@
 //! The rule by which findings become verdicts: the kind of a sentence decides what refutes it.
 //!
-//! - A universal sentence fails with one counter-example. It holds within a limit only where the limit is a [`Region`]: inside it holds
+//! - A universal sentence fails with one counter-example. It holds within a limit only where the limit is a region: inside it holds
 //!   without exception, and outside there are counter-examples. A count is no limit.
 //! - An approximate sentence may be off by a tolerance that is the same for all of them: [`Measure::tolerance`].
 //! - A qualitative sentence is decided as the weakest statement that its words cannot be denied to mean. The check names it.
@@ -9,15 +9,6 @@ use slipmode_core::number::format::{Side, round_digits, rounded};
 
 use crate::claims::Finding;
 use crate::scene::Kind;
-
-/// A set of parameters, decided on both sides.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Region {
-    /// Where the sentence holds without exception: an inequality or a curve.
-    pub inside: String,
-    /// A counter-example outside of it.
-    pub outside: String,
-}
 
 /// What is compared.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -83,12 +74,6 @@ impl Deviations {
 }
 
 impl Finding {
-    /// A sentence that holds inside a region only; one that fails already stays failed.
-    #[must_use]
-    pub(super) fn within(self, region: Region) -> Self {
-        self.limited(region.inside).outside(region.outside)
-    }
-
     /// Whether a sentence of this kind may be off by these deviations: an approximate one by its tolerance, every other one by
     /// their errors only. An error that crosses the tolerance leaves it open.
     #[must_use]
@@ -154,12 +139,12 @@ mod tests {
 
     #[test]
     fn a_region_limits_what_holds_and_leaves_what_fails() {
-        let region = || Region { inside: "a < b".into(), outside: "At a = b.".into() };
-        let found = held().within(region());
+        let found = held().limited("a < b".into()).outside("At a = b.");
         assert_eq!(
             (found.verdict, found.counter_example.as_deref()),
             (Verdict::HoldsWithin, Some("At a = b."))
         );
-        assert_eq!(Finding::failing("x").within(region()).verdict, Verdict::Fails);
+        let failing = Finding::failing("x").limited("a < b".into()).outside("At a = b.");
+        assert_eq!(failing.verdict, Verdict::Fails);
     }
 }

@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::alterations::{alike, alterations};
 use super::ledger::finding_on;
-use crate::claims::{Resolved, Verdict, needs, procedures};
+use crate::claims::{Verdict, needs, procedures, resolved_claim, sha256_hex};
 use crate::experiments::{Context, Need, Outcome, References, Scene, SceneOutcome, run};
 use crate::scene::{ClaimEntry, Limits, read_claims, read_equations};
 use slipmode_core::dynamics::{Behaviour, Simulation};
@@ -131,7 +131,7 @@ fn each_claim_about_the_equations_fails_for_some_wrong_equation() {
         claims.iter().filter(|claim| !computed.contains(&claim.id.as_str())).collect();
     assert_eq!(by_equations.len() + computed.len(), claims.len());
     let cannot_fail = by_equations.into_par_iter().filter(|claim| {
-        let digest = Resolved::of(claim, &equations).digest();
+        let digest = sha256_hex(&resolved_claim(claim, &equations));
         let wrong = equations.iter().flat_map(|equation| {
             let all = alterations(equation, &pairs).into_iter();
             all.filter_map(|one| equations.altered(&equation.number, &one.text).ok())
@@ -139,7 +139,7 @@ fn each_claim_about_the_equations_fails_for_some_wrong_equation() {
         // No point shows that a formula with i fails: a wrong version of S6 is not proved.
         let wanted = if claim.id == "S6" { Verdict::NotChecked } else { Verdict::Fails };
         let fails = |altered: Equations| {
-            Resolved::of(claim, &altered).digest() != digest && verdict(claim, &altered) == wanted
+            sha256_hex(&resolved_claim(claim, &altered)) != digest && verdict(claim, &altered) == wanted
         };
         verdict(claim, &equations) != Verdict::Fails && !wrong.into_iter().any(fails)
     });

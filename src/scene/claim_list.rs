@@ -44,6 +44,10 @@ pub struct ClaimEntry {
 }
 
 impl ClaimEntry {
+    /// All its formulas and parts.
+    pub fn formulas(&self) -> impl Iterator<Item = &ClaimFormula> {
+        self.stated.iter().flat_map(StatedClaim::parts).map(|(_, formula)| formula)
+    }
     /// A claim that is listed by its id alone, as the first paper's claim of this id states it.
     fn with_library(self, equations: &Equations, procedures: &Procedures) -> Self {
         match library_claim(&self.id, equations, procedures) {

@@ -41,6 +41,7 @@ pub use axis::{Limits, LogAxis, LogCoordinates};
 pub use chart_file::{ChartLine, ChartMap, EquationChart, Sampled, read_chart};
 pub use cited::cited;
 pub use claim_computed::Procedures;
+pub(crate) use claim_formula::within_ends;
 pub use claim_formula::{
     ClaimFormula, Computed, Crossing, Formula, FormulaCondition, MOST_CLAUSES, OverRows, Premise, Premises,
     Scope, Solved, StatedClaim, StatedReading, Statement,

@@ -13,7 +13,8 @@ use slipmode_algebra::coq::Theorem;
 use slipmode_algebra::{Certificate, Proof};
 use slipmode_theory::Equations;
 
-use crate::claims::{Conclusion, Resolved, Strength, TIES, WholeTheorem, statement_digest, whole_theorems};
+use crate::claims::{Conclusion, Strength, TIES, WholeTheorem, resolved_claim};
+use crate::claims::{sha256_hex, statement_digest, whole_theorems};
 use crate::scene::ClaimEntry;
 
 pub use archived::{archived, file_list};
@@ -176,7 +177,7 @@ impl Files {
 
     /// The theorems written by hand that state the claim.
     fn add_by_hand(&mut self, report: &str, claim: &Claim, stated: &ClaimEntry, equations: &Equations) {
-        let digest = Resolved::of(stated, equations).digest();
+        let digest = sha256_hex(&resolved_claim(stated, equations));
         let tied = claim.tied(&digest);
         let line = [report, &claim.id, "by hand", "whole"];
         if let Some(tie) = TIES.iter().find(|tie| tie.is_about(&tied, equations)) {

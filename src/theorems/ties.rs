@@ -1,13 +1,13 @@
 //! The rows of `proofs/claims.csv` as they would be now, with what a person reads before one of them is written.
 
 use super::{Claim, Published};
-use crate::claims::{Resolved, Strength, TIES, Tie, Tied, statement};
+use crate::claims::{Strength, TIES, Tie, Tied, resolved_claim, sha256_hex, statement};
 
 /// A claim of a published ledger as resolved.
 struct Now<'p> {
     report: &'p Published,
     claim: Claim,
-    resolved: Resolved,
+    resolved: String,
     digest: String,
 }
 
@@ -33,7 +33,7 @@ impl Now<'_> {
         let result =
             serde_json::to_string_pretty(&self.claim.conclusion).map_err(|error| error.to_string())?;
         let statements: Vec<&str> = row.names().filter_map(statement).collect();
-        let (line, claim) = (String::from_utf8_lossy(&line), self.resolved.text());
+        let (line, claim) = (String::from_utf8_lossy(&line), &self.resolved);
         Ok(format!("{line}\n{claim}\n{result}\n\n{}\n", statements.join("\n\n")))
     }
 }
@@ -49,8 +49,8 @@ pub fn ties(reports: &[Published]) -> Result<Vec<(usize, String)>, String> {
         for claim in report.ledger()?.claims {
             let entry = report.claims.iter().find(|entry| entry.id == claim.id);
             let Some(entry) = entry.filter(|_| claim.strength <= Strength::Argued) else { continue };
-            let resolved = Resolved::of(entry, &report.equations);
-            let digest = resolved.digest();
+            let resolved = resolved_claim(entry, &report.equations);
+            let digest = sha256_hex(&resolved);
             all.push(Now { report, claim, resolved, digest });
         }
     }

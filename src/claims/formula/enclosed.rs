@@ -3,13 +3,14 @@
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, VecDeque};
 
-use slipmode_algebra::{Comparison, Expression, Literal, Sign, SignFormula, Symbol, unknowns};
+use slipmode_algebra::{Literal, Sign, SignFormula, Symbol, unknowns};
 use slipmode_core::number::{Ball, Rational};
 
 use super::Problem;
 use super::lowering::Lowered;
 use super::points::{self, Point};
 use crate::claims::{Evidence, Finding};
+use crate::scene::within_ends;
 
 /// The most parts of a box that are looked at.
 const MOST_PARTS: usize = 4096;
@@ -27,13 +28,7 @@ impl Problem<'_> {
     /// The finding by enclosures, where every variable has ends or a value; none where it stays open.
     pub(super) fn enclosed(&self, lowered: &Lowered) -> Option<Finding> {
         let whole: Vec<Side> = self.formula.scope.within.clone();
-        let ends = self.formula.scope.within.iter().flat_map(|(name, [low, high])| {
-            let literal = |comparison: Comparison, end: &Rational| {
-                comparison.literal(Expression::variable(name), Expression::Number(end.clone()))
-            };
-            [literal(Comparison::AtLeast, low), literal(Comparison::AtMost, high)]
-        });
-        let ends: Vec<Literal> = ends.collect();
+        let ends: Vec<Literal> = whole.iter().flat_map(within_ends).collect();
         let other = self.premises.conditions.iter().filter(|condition| !ends.contains(condition));
         let not_met = other.map(|condition| SignFormula::Literal(condition.negated()));
         let signs = SignFormula::Any(not_met.chain([lowered.signs.clone()]).collect());
@@ -55,22 +50,23 @@ impl Problem<'_> {
                 None => return None,
             }
         }
-        let quantity = format!("'{}', by enclosures", self.formula.text);
-        let value = match looked_at {
+        Some(self.shown(match looked_at {
             1 => format!("true: {}", enclosures(lowered, &whole)),
             _ => format!("true in each of {looked_at} parts of the box, at most {MOST_PARTS}"),
-        };
-        Some(Finding::from_evidence(Evidence::Enclosure { quantity, value }))
+        }))
+    }
+
+    fn shown(&self, value: String) -> Finding {
+        let quantity = format!("'{}', by enclosures", self.formula.text);
+        Finding::from_evidence(Evidence::Enclosure { quantity, value })
     }
 
     /// The finding that the formula is true at a point.
     pub(super) fn true_at(&self, lowered: &Lowered, point: &Point) -> Finding {
         let part: Vec<Side> =
             point.iter().map(|(name, value)| (name.clone(), [value.clone(), value.clone()])).collect();
-        let quantity = format!("'{}', by enclosures", self.formula.text);
         let value = format!("true at {}: {}", points::text(point), enclosures(lowered, &part));
-        Finding::from_evidence(Evidence::Enclosure { quantity, value })
-            .seen_at([points::named(&self.full(point))])
+        self.shown(value).seen_at([points::named(&self.full(point))])
     }
 
     /// The finding that the formula is false everywhere in a part.
@@ -84,11 +80,8 @@ impl Problem<'_> {
             format!("false for all {}; ", sides.collect::<Vec<_>>().join(", "))
         };
         let place = format!("{}{everywhere}{}", points::place(&point), enclosures(lowered, part));
-        let quantity = format!("'{}', by enclosures", self.formula.text);
         let value = format!("false in part {looked_at} of the box, at most {MOST_PARTS}");
-        Finding::from_evidence(Evidence::Enclosure { quantity, value })
-            .refuted(place)
-            .seen_at([points::named(&point)])
+        self.shown(value).refuted(place).seen_at([points::named(&point)])
     }
 }
 

@@ -17,8 +17,7 @@ use slipmode_theory::Equations;
 use crate::claims::gate;
 use crate::claims::over_rows;
 use crate::claims::reading::{self, of_readings};
-use crate::claims::rule::Region;
-use crate::claims::{Evidence, Finding, Resolved, Verdict, computed};
+use crate::claims::{Evidence, Finding, Verdict, computed, resolved_formula, sha256_hex};
 use crate::experiments::Context;
 use crate::scene::{ClaimEntry, ClaimFormula, Names, Premises, StatedClaim, Statement, filled};
 use lowering::Lowered;
@@ -71,11 +70,11 @@ pub(super) fn parts<'c>(id: &str, stated: &'c StatedClaim) -> Vec<(String, &'c (
     found
 }
 
-/// The formulas of a claim with the ids of their proofs, those on the outside of a limit among them.
-fn formulas<'c>(id: &str, stated: &'c StatedClaim) -> Vec<(String, &'c ClaimFormula)> {
-    let with_outside = |(id, (_, formula)): (String, &'c (String, ClaimFormula))| {
-        let outside = formula.limit.as_ref().map(|limit| (format!("{id}-outside"), &limit.outside.1));
-        std::iter::once((id, formula)).chain(outside)
+/// The parts of a claim with the ids of their proofs, what is true outside of a limit among them.
+fn with_outsides<'c>(id: &str, stated: &'c StatedClaim) -> Vec<(String, &'c (String, ClaimFormula))> {
+    let with_outside = |(id, part): (String, &'c (String, ClaimFormula))| {
+        let outside = part.1.limit.as_ref().map(|limit| (format!("{id}-outside"), &limit.outside));
+        std::iter::once((id, part)).chain(outside)
     };
     parts(id, stated).into_iter().flat_map(with_outside).collect()
 }
@@ -86,20 +85,16 @@ pub fn whole_theorems<'p>(
     equations: &Equations,
     proof: impl Fn(&str) -> Option<&'p Proof>,
 ) -> Vec<(String, Result<WholeTheorem, String>)> {
-    let found = claim.stated.iter().flat_map(|stated| formulas(&claim.id, stated));
-    let proved = found.filter_map(|(id, formula)| Some((proof(&id)?, id, formula)));
+    let found = claim.stated.iter().flat_map(|stated| with_outsides(&claim.id, stated));
+    let proved = found.filter_map(|(id, (_, formula))| Some((proof(&id)?, id, formula)));
     proved.map(|(proof, id, formula)| (id, theorem::whole_theorem(formula, equations, proof))).collect()
 }
 
 /// The formulas of a claim that are theorems which Coq has accepted, with their words.
 #[must_use]
 pub fn whole_statements<'c>(stated: &'c StatedClaim, equations: &Equations) -> Vec<WholeStatement<'c>> {
-    let of_part = |(words, formula): &'c (String, ClaimFormula)| {
-        let outside = formula.limit.iter().map(|limit| (&limit.outside.0, &limit.outside.1));
-        std::iter::once((words, formula)).chain(outside).collect::<Vec<_>>()
-    };
-    let all = stated.parts().flat_map(of_part);
-    all.filter_map(|(words, formula)| theorem::accepted_statement(words, formula, equations)).collect()
+    let all = with_outsides("", stated).into_iter();
+    all.filter_map(|(_, (words, formula))| theorem::accepted_statement(words, formula, equations)).collect()
 }
 
 /// What the formulas of a claim ask for, in one line.
@@ -137,7 +132,7 @@ pub(super) fn decide_part(id: &str, words: &str, formula: &ClaimFormula, context
     match outside.verdict {
         Verdict::Holds => {
             let found = outside.evidence.into_iter().fold(found, Finding::with_evidence);
-            found.within(Region { inside: limit.words.clone(), outside: words.clone() })
+            found.limited(limit.words.clone()).outside(words)
         }
         Verdict::Fails => Finding::not_checked(format!(
             "What `outside` says is false: {words} ({})",
@@ -162,7 +157,7 @@ fn decide_formula(id: &str, words: &str, formula: &ClaimFormula, context: &Conte
         return computed::decide(part, premises.collect(), context);
     }
     // A claim is a premise of others, too.
-    let digest = Resolved::of_formula(formula, context.equations).digest();
+    let digest = sha256_hex(&resolved_formula(formula, context.equations));
     context.once(format!("{digest} {} {id} {words}", context.is_gated), || {
         let found = decide_equations(id, words, formula, context.equations);
         let found = match found.verdict {

@@ -54,14 +54,13 @@ pub(super) fn needs(table: &str) -> &'static [Need] {
 /// What is wrong with the statements over rows in a file of claims: an unknown table or column, or the grammar.
 #[must_use]
 pub fn row_faults(file: &str, claims: &[ClaimEntry]) -> Faults {
-    let stated = |claim: &'_ ClaimEntry| claim.stated.clone().map(|stated| (claim.id.clone(), stated));
-    let faults = claims.iter().filter_map(stated).flat_map(|(id, stated)| {
-        let of_rows = stated.parts().filter_map(|(_, formula)| {
+    let faults = claims.iter().flat_map(|claim| {
+        claim.formulas().filter_map(move |formula| {
             let message = check(formula.rows.as_ref()?, &formula.text).err()?;
-            let fault = Fault::of(file, format!("claim {id}: formula"), Problem::Equation(message));
+            let key = format!("claim {}: formula", claim.id);
+            let fault = Fault::of(file, key, Problem::Equation(message));
             Some(Fault { value: Some(formula.text.clone()), ..fault })
-        });
-        of_rows.collect::<Vec<_>>()
+        })
     });
     faults.collect()
 }

@@ -190,13 +190,11 @@ impl RowStatement {
 type Compared<'a> = (&'a Expression, Comparison, &'a Expression);
 
 fn comparisons(formula: &Formula) -> Vec<Compared<'_>> {
-    match formula {
-        Formula::Compare(left, comparison, right) => vec![(left, *comparison, right)],
-        Formula::Not(inner) => comparisons(inner),
-        Formula::All(parts) | Formula::Any(parts) => parts.iter().flat_map(comparisons).collect(),
-        Formula::Implies(parts) | Formula::Iff(parts) => parts.iter().flat_map(comparisons).collect(),
-        Formula::Roots(..) | Formula::Crossing(_) => Vec::new(),
-    }
+    let compared = formula.atoms().into_iter().filter_map(|atom| match atom {
+        Formula::Compare(left, comparison, right) => Some((left, *comparison, right)),
+        _ => None,
+    });
+    compared.collect()
 }
 
 /// How the names that stand for quoted words begin.

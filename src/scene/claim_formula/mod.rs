@@ -34,6 +34,7 @@ use slipmode_theory::root_location::{MOST_DEGREE_OF_OTHERS, RootStatement, coeff
 
 use crate::scene::claim_motion::ClaimMotion;
 use crate::scene::claim_names::Names;
+pub(crate) use premises::within_ends;
 pub use premises::{Premises, Solved};
 pub use stated::{Computed, Premise, StatedClaim, StatedReading};
 

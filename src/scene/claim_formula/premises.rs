@@ -42,10 +42,9 @@ pub struct Solved {
 impl Premises {
     pub(super) fn new(scope: &Scope, moving: Option<&Symbol>, equations: &Equations) -> Result<Self, String> {
         let names = Names::of(equations);
-        let number = |value: &Rational| Expression::Number(value.clone());
         let mut premises = Self {
             positive: names.positive().clone(),
-            values: scope.at.iter().map(|(name, value)| (name.clone(), number(value))).collect(),
+            values: scope.at.iter().cloned().map(|(name, value)| (name, Expression::Number(value))).collect(),
             ..Self::default()
         };
         for (name, value) in &scope.at {
@@ -53,14 +52,14 @@ impl Premises {
                 return Err(format!("{name} = {value} is not positive as the equations assume"));
             }
         }
-        for (name, [low, high]) in &scope.within {
+        for within in &scope.within {
+            let (name, [low, _]) = within;
             if premises.positive.contains(name) && *low <= 0 {
                 return Err(format!("{name} = {low} is not positive as the equations assume"));
             }
-            let ends = [(Comparison::AtLeast, low), (Comparison::AtMost, high)]
-                .map(|(comparison, end)| comparison.literal(Expression::variable(name), number(end)));
             let is_own = scope.there_is.contains(name);
-            if is_own { &mut premises.wanted } else { &mut premises.conditions }.extend(ends);
+            let assumed = if is_own { &mut premises.wanted } else { &mut premises.conditions };
+            assumed.extend(within_ends(within));
         }
         let literal = |condition: &FormulaCondition| {
             let literal = condition.literal();
@@ -232,6 +231,13 @@ impl Premises {
         };
         known.chain(facts).fold(Domain::of_positive(self.positive.iter().cloned()), given)
     }
+}
+
+/// That a variable lies between its ends.
+pub(crate) fn within_ends((name, [low, high]): &(Symbol, [Rational; 2])) -> [Literal; 2] {
+    [(Comparison::AtLeast, low), (Comparison::AtMost, high)].map(|(comparison, end)| {
+        comparison.literal(Expression::variable(name), Expression::Number(end.clone()))
+    })
 }
 
 /// A literal as a condition of a domain; none for an equation.

@@ -382,7 +382,7 @@ impl Steps<'_> {
                 self.at_witness(said, &formula.scope, point)?
             }
             Statement::True(said) => self.by_signs(said, &BTreeMap::new(), false)?,
-            Statement::Limit(_, End::Infinite(_), ..) => return Err("a limit beyond all bounds".into()),
+
             Statement::Limit(side, End::Finite(value), variable, _) => {
                 let [side, value] = [side, value].map(|side| self.put_in(side));
                 self.fact(&[], |one| {
@@ -422,8 +422,10 @@ impl Steps<'_> {
                 let other = side.with(variable, &Expression::Variable(other_value()));
                 self.equality(&side, &other)?
             }
-            Statement::Motion(_) => return Err("a statement on the motions of a system".into()),
-            Statement::Computed(_) => return Err("no formula".into()),
+            // Nothing states them.
+            Statement::Limit(_, End::Infinite(_), ..) | Statement::Motion(_) | Statement::Computed(_) => {
+                return Err("no theorem".into());
+            }
         };
         Ok(tactics + &rest)
     }
