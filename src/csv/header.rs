@@ -199,7 +199,7 @@ impl<const N: usize> Header<[Option<usize>; N]> {
     ) -> Result<Self, Faults> {
         let fault = |key: String, problem: Problem| Fault::of(file, key, problem).at(row.map(|row| row.line));
         let Some(row) = row else {
-            let problem = CsvProblem::NoHeader { wanted: in_words(&wanted) };
+            let problem = CsvProblem::NoHeader(in_words(&wanted));
             return Err(vec![fault(String::new(), problem.into())]);
         };
         let names = names(row).map_err(|problem| vec![fault("header".into(), problem)])?;
@@ -275,7 +275,7 @@ fn column_faults(names: &[String], appended: &[&str]) -> Vec<(String, Problem)> 
     let mut faults = Vec::new();
     for (index, name) in names.iter().enumerate() {
         if let Some(first) = names[..index].iter().position(|earlier| earlier == name) {
-            faults.push((name.clone(), CsvProblem::DoubledColumn { first: first + 1 }.into()));
+            faults.push((name.clone(), CsvProblem::DoubledColumn(first + 1).into()));
         }
         if appended.contains(&name.as_str()) {
             faults.push((name.clone(), CsvProblem::OutputColumn.into()));

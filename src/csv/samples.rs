@@ -92,7 +92,7 @@ fn numbers<const N: usize>(
         && time <= last
     {
         let allowed = format!("more than {last:e}, the time of the row before");
-        faults.push(cells.fault(cells.header.positions[0], CsvProblem::NotIncreasing { allowed }.into()));
+        faults.push(cells.fault(cells.header.positions[0], CsvProblem::NotIncreasing(allowed).into()));
     }
     if faults.is_empty() { Ok(values) } else { Err(faults) }
 }

@@ -142,7 +142,7 @@ fn meaning(name: &str, wanted: &[Wanted]) -> Result<Meaning, CsvProblem> {
         return if all.is_empty() { Ok(Meaning::Other) } else { Err(ambiguous(&all, wanted)) };
     };
     match (is_error, unit) {
-        (_, Unit::Unclear) => Err(CsvProblem::UnknownError { allowed: wanted[*index].error_name() }),
+        (_, Unit::Unclear) => Err(CsvProblem::UnknownError(wanted[*index].error_name())),
         (true, Unit::Refused(reason)) => {
             Err(CsvProblem::Unit { reason: reason.clone(), allowed: wanted[*index].error_name() })
         }
@@ -251,7 +251,7 @@ fn unknown_errors<'n>(
         of.is_empty() || of.len() > MOST_WORDS || !others.iter().any(is_of)
     };
     let unknown = errors.into_iter().filter(move |(_, of)| is_unknown(of));
-    unknown.map(move |(name, _)| (name, CsvProblem::UnknownError { allowed: allowed.clone() }))
+    unknown.map(move |(name, _)| (name, CsvProblem::UnknownError(allowed.clone())))
 }
 
 /// A column that gives a value of SI in a unit of its own or in none; where the value has its column, one that gives it again.
@@ -265,7 +265,7 @@ pub fn misnamed(key: &'static str, names: &[String]) -> Option<(String, CsvProbl
     let name = names.iter().find(is_other)?;
     let problem = match first {
         Some(first) => CsvProblem::SecondColumn { first: first.clone(), wanted: key.into() },
-        None => CsvProblem::UnknownUnit { wanted: key },
+        None => CsvProblem::UnknownUnit(key),
     };
     Some((name.clone(), problem))
 }

@@ -11,31 +11,11 @@ use crate::scene::claim_names::Names;
 use crate::scene::nearest;
 use crate::scene::section::{Entry, Section};
 
-/// The lemmas, by what they conclude.
-#[derive(Clone, Copy)]
-enum Word {
-    /// On every motion of two equations.
-    Planar(MotionWord),
-    /// A steady state is unstable although no root has a positive real part.
-    WeakInstability,
-    /// The sign of the first Lyapunov coefficient.
-    Transition,
-}
+/// The lemma that a steady state is unstable although no root has a positive real part.
+const WEAK_INSTABILITY: &str = "weak-instability";
 
-impl Word {
-    fn all() -> Vec<Self> {
-        let planar = MotionWord::ALL.map(Self::Planar).into_iter();
-        planar.chain([Self::WeakInstability, Self::Transition]).collect()
-    }
-
-    const fn as_str(self) -> &'static str {
-        match self {
-            Self::Planar(word) => word.as_str(),
-            Self::WeakInstability => "weak-instability",
-            Self::Transition => "transition",
-        }
-    }
-}
+/// The lemma on the sign of the first Lyapunov coefficient.
+const TRANSITION: &str = "transition";
 
 /// A statement on the motions of a system, in the names of the file.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -61,9 +41,10 @@ impl ClaimMotion {
     /// Reads the section; `equations` define the system.
     pub(super) fn read(entry: &Entry<'_>, equations: &Equations) -> Option<Self> {
         let read = |section: &mut Section<'_>| {
-            let words = Word::all();
-            let allowed = words.iter().map(|word| word.as_str()).collect::<Vec<_>>().join(", ");
-            let word = section.required("lemma", &allowed).and_then(|entry| entry.word(&words, Word::as_str));
+            let planar = MotionWord::ALL.map(MotionWord::as_str).into_iter();
+            let words: Vec<&'static str> = planar.chain([WEAK_INSTABILITY, TRANSITION]).collect();
+            let word = section.required("lemma", &words.join(", "));
+            let word = word.and_then(|entry| entry.word(&words, |word| word));
             let system = section.required("system", "the name of a [[system]]");
             let Some((word, system)) = word.zip(system) else {
                 // Without the lemma it is not known which of these the section should have.
@@ -130,7 +111,7 @@ impl ClaimMotion {
 /// The lemma with its system.
 fn read_said(
     section: &mut Section<'_>,
-    word: Word,
+    word: &str,
     entry: &Entry<'_>,
     equations: &Equations,
 ) -> Option<ClaimMotion> {
@@ -143,16 +124,16 @@ fn read_said(
     };
     let states = system.state.len();
     let is_of_three = states == 3 && !system.steady.is_empty();
-    let said = match word {
-        Word::Planar(word) if states == 2 => {
-            MotionSaid::Planar(read_lemma(section, word, &system.state, &names)?)
+    let said = match MotionWord::from_word(word) {
+        Some(word) if states == 2 => MotionSaid::Planar(read_lemma(section, word, &system.state, &names)?),
+        Some(_) => return entry.needs("a system with two state variables"),
+        None if !is_of_three => {
+            return entry.needs("a system with three state variables and a steady state");
         }
-        Word::Planar(_) => return entry.needs("a system with two state variables"),
-        _ if !is_of_three => return entry.needs("a system with three state variables and a steady state"),
-        Word::WeakInstability => {
+        None if word == WEAK_INSTABILITY => {
             MotionSaid::Lyapunov(LyapunovSign::Positive, read_expression(section, "frequency", &names)?)
         }
-        Word::Transition => {
+        None => {
             let [frequency, sign] = ["frequency", "sign"].map(|key| read_expression(section, key, &names));
             MotionSaid::Lyapunov(LyapunovSign::Of(sign?), frequency?)
         }

@@ -5,12 +5,9 @@ use thiserror::Error;
 /// A fault of a CSV header or row.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum CsvProblem {
-    /// No header line.
-    #[error("empty file (wanted: a header line with the columns {wanted})")]
-    NoHeader {
-        /// The columns that must be there.
-        wanted: String,
-    },
+    /// No header line, and the columns that must be there.
+    #[error("empty file (wanted: a header line with the columns {0})")]
+    NoHeader(String),
     /// A column that must be there and is not.
     #[error(
         "missing column{} (allowed: {allowed})",
@@ -22,12 +19,9 @@ pub enum CsvProblem {
         /// The column of the file with the most similar name, when one is similar.
         nearest: Option<String>,
     },
-    /// A column named like a quantity, in another unit.
-    #[error("unknown unit (allowed: `{wanted}`, in SI)")]
-    UnknownUnit {
-        /// The column's name in SI.
-        wanted: &'static str,
-    },
+    /// A column named like a quantity, in another unit; its name in SI.
+    #[error("unknown unit (allowed: `{0}`, in SI)")]
+    UnknownUnit(&'static str),
     /// A column named like a quantity, in no unit or one of another dimension.
     #[error("{reason} (allowed: {allowed})")]
     Unit {
@@ -52,14 +46,9 @@ pub enum CsvProblem {
         /// Names that are not ambiguous.
         allowed: String,
     },
-    /// A name that says "error" and of which the rest is not understood.
-    #[error(
-        "looks like an error and is not understood (allowed: a name such as {allowed}); rename or remove it"
-    )]
-    UnknownError {
-        /// A name that is understood.
-        allowed: String,
-    },
+    /// A name that says "error" and of which the rest is not understood; one that is.
+    #[error("looks like an error and is not understood (allowed: a name such as {0}); rename or remove it")]
+    UnknownError(String),
     /// A header of one cell that has another separator.
     #[error(
         "columns are separated by {found} (classify, simulate, solve and compare: {option}; decimal commas: add --decimal ,)"
@@ -73,12 +62,9 @@ pub enum CsvProblem {
     /// A point in a number of a file whose decimals have commas.
     #[error("a decimal point, where --decimal says that decimals have commas")]
     DecimalPoint,
-    /// A column for the second time.
-    #[error("doubled column (column {first} has the same name)")]
-    DoubledColumn {
-        /// The position of the first column of that name, counted from 1.
-        first: usize,
-    },
+    /// A column for the second time; the position of the first column of that name, counted from 1.
+    #[error("doubled column (column {0} has the same name)")]
+    DoubledColumn(usize),
     /// A column that the output appends.
     #[error("a column of the output; remove or rename it")]
     OutputColumn,
@@ -113,12 +99,9 @@ pub enum CsvProblem {
     /// More rows than can be held.
     #[error("more than {0} rows")]
     TooManyRows(usize),
-    /// A time that is not later than the one before.
-    #[error("time does not increase (allowed: {allowed})")]
-    NotIncreasing {
-        /// What may stand there.
-        allowed: String,
-    },
+    /// A time that is not later than the one before; what may stand there.
+    #[error("time does not increase (allowed: {0})")]
+    NotIncreasing(String),
     /// A trajectory too short to show anything.
     #[error("{found} samples (allowed: at least {wanted})")]
     TooFewSamples {

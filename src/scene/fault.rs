@@ -174,12 +174,9 @@ pub enum Problem {
         /// The list.
         allowed: String,
     },
-    /// A text without content, or a list without members.
-    #[error("empty (allowed: {allowed})")]
-    Empty {
-        /// What may stand there.
-        allowed: String,
-    },
+    /// A text without content, or a list without members; what may stand there.
+    #[error("empty (allowed: {0})")]
+    Empty(String),
     /// A section that needs another one, or parameters that the scene does not state.
     #[error("needs {0}")]
     Needs(String),
@@ -222,15 +219,11 @@ fn quoted(value: &str) -> String {
 /// A text from outside as a message shows it: characters that act on a terminal or cannot be seen are escaped.
 #[must_use]
 pub fn visible(text: &str) -> String {
-    let acts = |character: char| character.is_control() || is_forbidden(character);
-    if !text.contains(acts) {
-        return text.to_string();
-    }
-    let mut shown = String::new();
-    for character in text.chars() {
-        if acts(character) { shown.extend(character.escape_unicode()) } else { shown.push(character) }
-    }
-    shown
+    let shown = |character: char| match character.is_control() || is_forbidden(character) {
+        true => character.escape_unicode().to_string(),
+        false => character.to_string(),
+    };
+    text.chars().map(shown).collect()
 }
 
 impl fmt::Display for Fault {

@@ -1,47 +1,37 @@
 //! `[paper]` of `report.toml`: the authors and the reference of the paper that a report accompanies, for those who certify its archive.
 
-use crate::scene::section::{Entry, Section};
+use crate::scene::section::{Entry, keys};
 
-/// What is known of the paper; nothing without the section.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Paper {
-    /// The paper's title; that of the report by default.
-    pub title: Option<String>,
-    /// Where it is published or under review: an address, an identifier, or a short text.
-    pub reference: Option<String>,
-    /// Its authors, the corresponding one first.
-    pub authors: Vec<Author>,
-}
-
-/// An author of the paper.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Author {
-    /// The author's name.
-    pub name: String,
-    /// The author's ORCID, without an address in front.
-    pub orcid: Option<String>,
-}
-
-impl Paper {
-    pub(crate) fn read(section: &mut Section<'_>) -> Self {
-        let authors = "[[paper.author]] sections, the corresponding author first";
-        Self {
-            title: section.optionally("title", Entry::text),
-            reference: section.optionally("reference", Entry::text),
-            authors: section.list("author", authors, |member| member.table(Author::read)),
-        }
+keys! {
+    /// What is known of the paper; nothing without the section.
+    #[derive(Default)]
+    pub struct Paper {
+        /// The paper's title; that of the report by default.
+        pub title: Option<String> = |section, key| section.optionally(key, Entry::text),
+        /// Where it is published or under review: an address, an identifier, or a short text.
+        pub reference: Option<String> = |section, key| section.optionally(key, Entry::text),
+        /// Its authors, the corresponding one first.
+        pub authors: Vec<Author> = |section, _| {
+            section.list("author", AUTHORS, |member| member.table(Author::read))
+        },
     }
 }
 
-impl Author {
-    fn read(section: &mut Section<'_>) -> Self {
-        let name = section.text("name", "a text");
-        let orcid = section.optionally("orcid", |entry| {
-            let orcid = entry.text()?;
-            if is_orcid(&orcid) { Some(orcid) } else { entry.needs(ORCID_FORM) }
-        });
-        Self { name, orcid }
+const AUTHORS: &str = "[[paper.author]] sections, the corresponding author first";
+
+keys! {
+    /// An author of the paper.
+    pub struct Author {
+        /// The author's name.
+        pub name: String = |section, key| section.text(key, "a text"),
+        /// The author's ORCID, without an address in front.
+        pub orcid: Option<String> = |section, key| section.optionally(key, read_orcid),
     }
+}
+
+fn read_orcid(entry: &Entry<'_>) -> Option<String> {
+    let orcid = entry.text()?;
+    if is_orcid(&orcid) { Some(orcid) } else { entry.needs(ORCID_FORM) }
 }
 
 const ORCID_FORM: &str =

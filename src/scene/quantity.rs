@@ -1,8 +1,8 @@
 //! The seven physical inputs in a scene.
 
 use crate::scene::section::Section;
-use crate::scene::{AllowedRange, Uncertain};
-use slipmode_core::friction::{OperatingPoint, Parameters, Quantity, Slider};
+use crate::scene::{AllowedRange, PlanePoint, Uncertain};
+use slipmode_core::friction::{Parameters, Quantity, Slider};
 use slipmode_core::number::Rational;
 use slipmode_core::stability::ParameterBox;
 
@@ -56,7 +56,7 @@ impl ParametersSection {
 
     /// The scene's own operating point, when the scene states both σ and V0.
     #[must_use]
-    pub fn point(&self) -> Option<OperatingPoint<Rational>> {
+    pub fn point(&self) -> Option<PlanePoint> {
         all_of([self.normal_stress_pa.clone(), self.loading_velocity_m_per_s.clone()]).map(Into::into)
     }
 }

@@ -4,39 +4,50 @@ use crate::scene::document::read_document;
 use crate::scene::paper::Paper;
 use crate::scene::part::Part;
 use crate::scene::question::Question;
-use crate::scene::section::Entry;
+use crate::scene::section::{Entry, ReadSection, Section, keys};
 use crate::scene::sections::NAME_RULE;
 use crate::scene::{Faults, Limits, Problem, check_name, same_name};
 
-/// A report: the scenes that it computes and the chapters that describe them.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct ReportPlan {
-    /// The name, safe as a file name; the output folder has it.
-    pub name: String,
-    /// The folder in the commands that the page prints, the same wherever a copy lies; the name by default.
-    pub folder: String,
-    /// The title, for people.
-    pub title: String,
-    /// Who made the report, for those who cite it.
-    pub authors: Vec<String>,
-    /// The day of this edition, such as `2026-11-29`.
-    pub date: Option<String>,
-    /// Whether the published copy contains the page, besides ledger, Markdown, tables and figures; true by default.
-    pub publish_page: bool,
-    /// What the first sentence of its answer is about: claims by default.
-    pub question: Question,
-    /// The names of the scenes, each in `scenes/NAME.toml`; none for a report about equations alone.
-    pub scenes: Vec<String>,
-    /// The names of the files of proofs, each in `proofs/NAME.toml`.
-    pub proofs: Vec<String>,
-    /// The names of the charts of equations, each in `charts/NAME.toml`.
-    pub charts: Vec<String>,
-    /// The folder of tables and charts that were measured apart, if any.
-    pub measured: Option<String>,
-    /// The paper that the report accompanies.
-    pub paper: Paper,
-    /// The chapters, in order.
-    pub chapters: Vec<Chapter>,
+keys! {
+    /// A report: the scenes that it computes and the chapters that describe them.
+    pub struct ReportPlan {
+        /// The name, safe as a file name; the output folder has it.
+        pub name: String = |section, key| section.name(key, NAME_RULE),
+        /// The folder in the commands that the page prints, the same wherever a copy lies; the name by default.
+        pub folder: String = |section, key| section.optionally(key, read_folder).unwrap_or_default(),
+        /// The title, for people.
+        pub title: String = |section, key| section.text(key, "a text"),
+        /// Who made the report, for those who cite it.
+        pub authors: Vec<String> = |section, key| {
+            section.optionally(key, |entry| entry.list(Entry::text)).unwrap_or_default()
+        },
+        /// The day of this edition, such as `2026-11-29`.
+        pub date: Option<String> = |section, key| section.optionally(key, read_date),
+        /// Whether the published copy contains the page, besides ledger, Markdown, tables and figures; true by default.
+        pub publish_page: bool = |section, key| section.optionally(key, Entry::truth).unwrap_or(true),
+        /// What the first sentence of its answer is about: claims by default.
+        pub question: Question = |section, key| {
+            section.optionally(key, |entry| entry.word(&Question::ALL, Question::as_str)).unwrap_or_default()
+        },
+        /// The names of the scenes, each in `scenes/NAME.toml`; none for a report about equations alone.
+        pub scenes: Vec<String> = names,
+        /// The names of the files of proofs, each in `proofs/NAME.toml`.
+        pub proofs: Vec<String> = names,
+        /// The names of the charts of equations, each in `charts/NAME.toml`.
+        pub charts: Vec<String> = names,
+        /// The folder of tables and charts that were measured apart, if any.
+        pub measured: Option<String> = |section, key| {
+            section.optionally(key, |entry| entry.table(|section| section.name("folder", NAME_RULE)))
+        },
+        /// The paper that the report accompanies.
+        pub paper: Paper = |section, key| {
+            section.optionally(key, |entry| entry.table(Paper::read)).unwrap_or_default()
+        },
+        /// The chapters, in order.
+        pub chapters: Vec<Chapter> = |section, _| {
+            section.read("chapter", "[[chapter]] sections", read_chapters)
+        },
+    }
 }
 
 /// A chapter: prose that places figures, tables, equations and claims.
@@ -59,32 +70,19 @@ impl ReportPlan {
     /// # Errors
     /// All the faults at once: among them scenes listed twice, also when only case differs.
     pub fn parse(file: &str, bytes: &[u8]) -> Result<Self, Faults> {
-        read_document(file, bytes, Limits::default(), |top| {
-            let names = |entry: &Entry<'_>| {
-                let mut names = Vec::new();
-                entry.list(|member| distinct_name(member, &mut names))
-            };
-            let name = top.name("name", NAME_RULE);
-            Some(Self {
-                folder: top.optionally("folder", read_folder).unwrap_or_else(|| name.clone()),
-                name,
-                title: top.text("title", "a text"),
-                authors: top.optionally("authors", |entry| entry.list(Entry::text)).unwrap_or_default(),
-                date: top.optionally("date", read_date),
-                publish_page: top.optionally("publish_page", Entry::truth).unwrap_or(true),
-                question: top
-                    .optionally("question", |entry| entry.word(&Question::ALL, Question::as_str))
-                    .unwrap_or_default(),
-                scenes: top.optionally("scenes", names).unwrap_or_default(),
-                proofs: top.optionally("proofs", names).unwrap_or_default(),
-                charts: top.optionally("charts", names).unwrap_or_default(),
-                measured: top
-                    .optionally("measured", |entry| entry.table(|section| section.name("folder", NAME_RULE))),
-                paper: top.optionally("paper", |entry| entry.table(Paper::read)).unwrap_or_default(),
-                chapters: top.read("chapter", "[[chapter]] sections", read_chapters),
-            })
-        })
+        let mut plan = read_document(file, bytes, Limits::default(), |top| Some(Self::read(top)))?;
+        if plan.folder.is_empty() {
+            plan.folder.clone_from(&plan.name);
+        }
+        Ok(plan)
     }
+}
+
+/// A list of names, each once.
+fn names(section: &mut Section<'_>, key: &'static str) -> Vec<String> {
+    let mut names = Vec::new();
+    let names = section.optionally(key, |entry| entry.list(|member| distinct_name(member, &mut names)));
+    names.unwrap_or_default()
 }
 
 /// The path of a folder, of names between `/`.

@@ -324,9 +324,7 @@ impl<'t> Entry<'t> {
     /// A text that is not empty.
     pub fn text(&self) -> Option<String> {
         match self.value.get_ref() {
-            DeValue::String(text) if text.trim().is_empty() => {
-                self.refuse(Problem::Empty { allowed: "a text".into() })
-            }
+            DeValue::String(text) if text.trim().is_empty() => self.refuse(Problem::Empty("a text".into())),
             DeValue::String(text) => match forbidden_character(text) {
                 // TOML can write it as an escape, which the check of the file does not see.
                 Some(problem) => self.refuse(problem),
@@ -379,7 +377,7 @@ impl<'t> Entry<'t> {
             return self.wrong_type("a list");
         };
         if array.is_empty() {
-            return self.refuse(Problem::Empty { allowed: "at least one member".into() });
+            return self.refuse(Problem::Empty("at least one member".into()));
         }
         let most = self.source.fault_count() + MOST_LIST_FAULTS;
         let mut values = Vec::new();

@@ -2,7 +2,7 @@
 
 use crate::scene::section::Section;
 use crate::scene::{AllowedRange, LogAxis, Problem};
-use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::friction::{EvolutionLaw, OperatingPoint};
 use slipmode_core::number::Rational;
 
 /// A rectangle of the (V, σ) plane with a logarithmic grid.
@@ -23,13 +23,7 @@ impl Rectangle {
 }
 
 /// A point of the (V, σ) plane.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct PlanePoint {
-    /// V, m/s.
-    pub loading_velocity_m_per_s: Rational,
-    /// σ, Pa.
-    pub normal_stress_pa: Rational,
-}
+pub type PlanePoint = OperatingPoint<Rational>;
 
 /// The rule of [`check_name`](crate::scene::check_name) as messages state it.
 pub(crate) const NAME_RULE: &str = "A-Z a-z 0-9 . _ -, at most 100 characters";

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use crate::scene::section::{Entry, Section};
+use crate::scene::section::{Entry, ReadSection, Section, keys};
 
 slipmode_algebra::named! {
     /// What a sentence says, by the paper's own words. The kind decides the verdict before any number is computed.
@@ -62,15 +62,17 @@ pub struct Sentence {
     pub change: Option<Change>,
 }
 
-/// A replacement for a sentence that fails.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Change {
-    /// What is true instead, in one sentence. `{name}` stands for a number that the check computes.
-    pub instead: String,
-    /// What in the paper depends on the sentence, or `nothing`.
-    pub affects: String,
-    /// Its place in the list, from 1: what changes most for a reader of the paper comes first.
-    pub rank: u64,
+keys! {
+    /// A replacement for a sentence that fails.
+    #[derive(Serialize, Deserialize)]
+    pub struct Change {
+        /// What is true instead, in one sentence. `{name}` stands for a number that the check computes.
+        pub instead: String = |section, key| section.text(key, "a text"),
+        /// What in the paper depends on the sentence, or `nothing`.
+        pub affects: String = |section, key| section.text(key, "a text"),
+        /// Its place in the list, from 1: what changes most for a reader of the paper comes first.
+        pub rank: u64 = |section, key| section.whole(key, 1..=100),
+    }
 }
 
 impl Sentence {
@@ -114,11 +116,4 @@ pub fn filled(sentence: &str, numbers: &BTreeMap<String, String>) -> Result<Stri
         text += rest;
     }
     Ok(text)
-}
-
-impl Change {
-    fn read(section: &mut Section<'_>) -> Self {
-        let [instead, affects] = ["instead", "affects"].map(|key| section.text(key, "a text"));
-        Self { instead, affects, rank: section.whole("rank", 1..=100) }
-    }
 }

@@ -250,7 +250,7 @@ pub(super) fn read_stored(
     // A flexible reader of text in memory has no way to fail.
     let mut records = reader.records().flatten();
     if records.next().is_none_or(|header| header.iter().ne(columns())) {
-        let wanted = CsvProblem::NoHeader { wanted: columns().join(",") };
+        let wanted = CsvProblem::NoHeader(columns().join(","));
         return Err(fault(Some(1), "header", None, wanted.into()));
     }
     let row = |record: csv::StringRecord| {

@@ -90,7 +90,7 @@ pub fn read_hard_cycles(file: &str, text: &str) -> Result<Vec<HardCycle>, Faults
         Some((_, header)) if header == wanted => {}
         found => {
             let line = found.map_or(1, |(line, _)| line);
-            return Err(fault(line, "", None, CsvProblem::NoHeader { wanted }.into()));
+            return Err(fault(line, "", None, CsvProblem::NoHeader(wanted).into()));
         }
     }
     let read = |(line, row): (usize, &str)| {

@@ -28,7 +28,7 @@ pub(crate) fn rows<'t>(
         }]
     };
     let Some((_, header)) = lines.next() else {
-        return Err(fault(1, "", CsvProblem::NoHeader { wanted: columns.join(", ") }));
+        return Err(fault(1, "", CsvProblem::NoHeader(columns.join(", "))));
     };
     let header: Vec<&str> = header.split(',').collect();
     let place = |wanted: &&str| {
