@@ -265,16 +265,14 @@ fn state_values(claims: &mut [Entry]) {
         entry.stated.as_ref().is_some_and(|stated| stated.parts().all(is_pure))
             || *strength <= Strength::Argued && evidence.iter().any(|one| one.proof().is_some())
     };
-    let ids = |entries: Vec<&Entry>| -> BTreeSet<String> {
-        entries.into_iter().map(|entry| entry.id.clone()).collect()
-    };
-    let mut proved = ids(claims.iter().filter(is_proved).collect());
+    let id = |entry: &Entry| entry.id.clone();
+    let mut proved: BTreeSet<String> = claims.iter().filter(is_proved).map(id).collect();
     // What rests on a claim that is not proved is not proved either.
     loop {
         let rests = |entry: &&Entry| {
             proved.contains(&entry.id) && entry.rests_on.iter().all(|id| proved.contains(id))
         };
-        let kept = ids(claims.iter().filter(rests).collect());
+        let kept: BTreeSet<String> = claims.iter().filter(rests).map(id).collect();
         if kept.len() == proved.len() {
             break;
         }

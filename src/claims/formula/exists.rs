@@ -80,8 +80,9 @@ impl Problem<'_> {
         let start = self.with_lemmas(self.start(prover)?, lowered, &domain)?;
         let points =
             self.points_under(outer, signs.literals().into_iter().map(|literal| &literal.expression));
-        let found = self.with_signs(start, &signs, outer, &self.prover(&points));
-        found.map_err(|reason| match found_false(&points, outer, &signs) {
+        let proved = self.with_signs(start, &signs, outer, &self.prover(&points));
+        let false_at = || found(&points, &outer.conditions, &signs.negated(), Points::MOST);
+        proved.map_err(|reason| match false_at() {
             Some(point) => format!("it does not do at {}", points::text(&point)),
             None => reason,
         })
@@ -176,9 +177,4 @@ fn capital(text: &str) -> String {
     characters
         .next()
         .map_or_else(String::new, |first| format!("{}{}.", first.to_uppercase(), characters.as_str()))
-}
-
-/// A point that meets the premises and at which signs are false.
-fn found_false(points: &Points, premises: &Premises, signs: &SignFormula) -> Option<Point> {
-    found(points, &premises.conditions, &signs.negated(), Points::MOST)
 }

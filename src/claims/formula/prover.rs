@@ -113,8 +113,7 @@ impl<'p> Prover<'p> {
     ) -> Option<Vec<Draft>> {
         let (mut premises, mut steps) = (premises.clone(), Vec::new());
         let Some(literals) = self.solved(&mut premises, literals, &mut steps)? else { return Some(steps) };
-        let found = self.negated(&premises, &literals);
-        if let Some(found) = found {
+        if let Some(found) = self.negated(&premises, &literals) {
             steps.extend(found);
             return Some(steps);
         }
@@ -271,13 +270,11 @@ impl<'p> Prover<'p> {
         let given: Vec<String> = from.iter().map(words).collect();
         let given = if given.is_empty() { String::new() } else { format!(", where {}", given.join(" and ")) };
         let says = format!("{}{given}", words(goal));
-        self.shown(goal, domain, 2).map(|steps| {
-            let count = steps.len();
-            let named = |(at, (own, certificate)): (usize, Draft)| {
-                (if at + 1 == count { says.clone() } else { own }, certificate)
-            };
-            steps.into_iter().enumerate().map(named).collect()
-        })
+        let mut steps = self.shown(goal, domain, 2)?;
+        if let Some((own, _)) = steps.last_mut() {
+            *own = says;
+        }
+        Some(steps)
     }
 
     fn shown(&self, goal: &Literal, domain: &Domain, depth: usize) -> Option<Vec<Draft>> {

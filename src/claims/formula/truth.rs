@@ -96,11 +96,7 @@ impl Problem<'_> {
             Some(truth)
         };
         let single = matches!(signs, SignFormula::Literal(_));
-        let clauses = if single {
-            signs.clauses(&|_| None, MOST_CLAUSES)
-        } else {
-            signs.clauses(&is_known, MOST_CLAUSES)
-        };
+        let clauses = signs.clauses(&|one| if single { None } else { is_known(one) }, MOST_CLAUSES);
         let clauses = clauses.ok_or_else(|| format!("it has more than {MOST_CLAUSES} clauses"))?;
         let count = clauses.len();
         let mut steps = known.into_inner();

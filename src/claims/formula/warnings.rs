@@ -174,24 +174,19 @@ fn forgotten_edges(formula: &ClaimFormula, stated: &StatedClaim, equations: &Equ
         edge.scope.given[at].comparison = Comparison::Equal;
         (condition.sides.clone(), edge)
     });
-    let hypothesis = match &formula.statement {
-        Statement::True(Formula::Implies(both)) => match &both[0] {
-            Formula::Compare(left, comparison, right) if is_strict(*comparison) => {
-                let sides = [left.clone(), right.clone()];
-                let mut edge =
-                    ClaimFormula { statement: Statement::True(both[1].clone()), ..formula.clone() };
-                edge.scope.given.push(FormulaCondition {
-                    text: format!("{left} = {right}"),
-                    sides: sides.clone(),
-                    comparison: Comparison::Equal,
-                });
-                Some((sides, edge))
-            }
-            _ => None,
-        },
-        _ => None,
+    let hypothesis = || {
+        let Statement::True(Formula::Implies(both)) = &formula.statement else { return None };
+        let [Formula::Compare(left, comparison, right), conclusion] = &**both else { return None };
+        let sides = [left.clone(), right.clone()];
+        let mut edge = ClaimFormula { statement: Statement::True(conclusion.clone()), ..formula.clone() };
+        edge.scope.given.push(FormulaCondition {
+            text: format!("{left} = {right}"),
+            sides: sides.clone(),
+            comparison: Comparison::Equal,
+        });
+        is_strict(*comparison).then_some((sides, edge))
     };
-    let edges = given.chain(hypothesis).take(MOST_EDGES);
+    let edges = given.chain(hypothesis()).take(MOST_EDGES);
     edges
         .filter_map(|([left, right], edge)| {
             let edge_words = format!("{left} = {right}");

@@ -117,16 +117,8 @@ impl<'b> AtPoint<'b> {
             Term::Number(value) => Ok(self.rational(value)),
             Term::Variable(variable) => self.get(*variable),
             Term::Defined(name) => self.meaning(*name),
-            Term::Sum(parts) => {
-                let Some((first, others)) = parts.split_first() else { return Ok(Value::whole(0)) };
-                let first = self.value(first)?;
-                others.iter().try_fold(first, |sum, part| sum.plus(&self.value(part)?))
-            }
-            Term::Product(parts) => {
-                let Some((first, others)) = parts.split_first() else { return Ok(Value::whole(1)) };
-                let first = self.value(first)?;
-                others.iter().try_fold(first, |product, part| product.times(&self.value(part)?))
-            }
+            Term::Sum(parts) => self.joined(parts, 0, Value::plus),
+            Term::Product(parts) => self.joined(parts, 1, Value::times),
             Term::Quotient(above, below) => {
                 let above = self.value(above)?;
                 above.over(&self.value(below)?)
@@ -142,6 +134,18 @@ impl<'b> AtPoint<'b> {
                 self.polynomial(*first, &at)
             }
         }
+    }
+
+    /// The sum or the product of parts, from its value without any.
+    fn joined(
+        &mut self,
+        parts: &[Term],
+        none: i32,
+        join: fn(&Value, &Value) -> Tried<Value>,
+    ) -> Tried<Value> {
+        let Some((first, others)) = parts.split_first() else { return Ok(Value::whole(none)) };
+        let first = self.value(first)?;
+        others.iter().try_fold(first, |found, part| join(&found, &self.value(part)?))
     }
 
     /// c_0 + x·(c_1 + x/2·(c_2 + x/3·(…))) with the values c_k at 0 of a function and of its derivatives.

@@ -206,7 +206,6 @@ impl Crosses {
         let [root_real, root_imaginary] = on_axis(&along, &square)?;
         let slope =
             slope_real.times(&root_real)?.plus(&square.times(&slope_imaginary.times(&root_imaginary)?)?)?;
-
         let others = numbers(without_pair(&at, &square)?)?;
         let apart = roots::is_one_on_axis(&others).map(|one| !one).ok_or(Trouble::Open);
         let not_zero = |value: &Value| is_zero(value).map(|zero| !zero);

@@ -288,12 +288,11 @@ impl Reader<'_> {
 
     /// The rows that stand between words of a statement: those with a condition after `where`, or all.
     fn selected(&self, text: &str, words: &str) -> Result<Formula, String> {
-        match text.trim() {
-            "" => Ok(all()),
-            text => match text.strip_prefix("where ") {
-                Some(condition) => self.condition(condition),
-                None => Err(format!("'{text}': expected `where` after {words}")),
-            },
+        let text = text.trim();
+        match text.strip_prefix("where ") {
+            Some(condition) => self.condition(condition),
+            None if text.is_empty() => Ok(all()),
+            None => Err(format!("'{text}': expected `where` after {words}")),
         }
     }
 
@@ -308,8 +307,8 @@ impl Reader<'_> {
     /// An expression that rises or falls.
     fn change(&self, text: &str) -> Result<(Expression, bool), String> {
         let text = text.trim();
-        let found = [(" rises", true), (" falls", false)];
-        let mut found = found.into_iter().filter_map(|(word, rises)| Some((text.strip_suffix(word)?, rises)));
+        let words = [(" rises", true), (" falls", false)].into_iter();
+        let mut found = words.filter_map(|(word, rises)| Some((text.strip_suffix(word)?, rises)));
         let (side, rises) =
             found.next().ok_or_else(|| format!("'{text}': expected `… rises` or `… falls`"))?;
         Ok((self.side(side)?, rises))

@@ -54,7 +54,6 @@ pub(super) fn error_column(name: &str, table: &Table) -> Option<usize> {
 }
 
 /// What other columns say of one: its estimated error, and what is proved of it.
-#[derive(Default)]
 struct Beside {
     /// The column of the error, and whether the error is relative.
     error: Option<(usize, bool)>,
@@ -70,8 +69,7 @@ impl Beside {
     fn of(name: &str, table: &Table) -> Self {
         let endings = [("_relative_error", "", true), ("_error_dex", "_dex", false), ("_error", "", false)];
         let find = |ending: &str| {
-            let columns = table.columns.iter();
-            columns.into_iter().position(|other| other.name.strip_suffix(ending) == Some(name))
+            table.columns.iter().position(|other| other.name.strip_suffix(ending) == Some(name))
         };
         let error = table.columns.iter().enumerate().find_map(|(at, error)| {
             endings.iter().find_map(|(suffix, ending, is_relative)| {

@@ -382,7 +382,6 @@ impl Steps<'_> {
                 self.at_witness(said, &formula.scope, point)?
             }
             Statement::True(said) => self.by_signs(said, &BTreeMap::new(), false)?,
-
             Statement::Limit(side, End::Finite(value), variable, _) => {
                 let [side, value] = [side, value].map(|side| self.put_in(side));
                 self.fact(&[], |one| {
