@@ -33,9 +33,9 @@ pub(super) fn error_series(context: &Context, asked: Asked) -> Finding {
 }
 
 /// How many areas the computed map shows: a look at the picture next to the proof.
-pub(super) fn areas_on_map(scene: Option<&SceneOutcome>) -> Vec<Evidence> {
-    let Some(map) = scene.and_then(|scene| scene.map.as_ref()) else { return Vec::new() };
+pub(super) fn areas_on_map(scene: Option<&SceneOutcome>) -> Option<Vec<Evidence>> {
+    let map = scene?.map.as_ref()?;
     let real = map.map(|point| point.max_imaginary_per_s.is_zero());
     let quantity = "Connected areas with max Im(s) = 0 on the grid of the map";
-    vec![Evidence::sample(quantity, real.areas_of(&true).to_string(), map.values.len())]
+    Some(vec![Evidence::sample(quantity, real.areas_of(&true).to_string(), map.values.len())])
 }

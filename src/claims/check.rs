@@ -43,8 +43,18 @@ pub(super) struct Show {
     pub name: &'static str,
     /// What it needs computed.
     pub needs: &'static [Need],
-    /// Computes the evidence.
-    pub evidence: fn(&Context) -> Vec<Evidence>,
+    /// Computes the evidence, where the report has what it looks at.
+    pub evidence: fn(&Context) -> Option<Vec<Evidence>>,
+}
+
+impl Show {
+    pub const fn new(
+        name: &'static str,
+        needs: &'static [Need],
+        evidence: fn(&Context) -> Option<Vec<Evidence>>,
+    ) -> Self {
+        Self { name, needs, evidence }
+    }
 }
 
 /// What a procedure is asked, besides the equations and the outcome.

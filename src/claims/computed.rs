@@ -24,8 +24,8 @@ pub(super) fn decide(computed: &Computed, premises: Vec<Finding>, context: &Cont
         }
         None => proved.unwrap_or_else(|| Finding::from_proofs([])),
     };
-    let evidence = shows_of(computed).flat_map(|show| (show.evidence)(context));
-    let found = evidence.fold(found, Finding::with_supporting);
+    let evidence = shows_of(computed).filter_map(|show| (show.evidence)(context));
+    let found = evidence.flatten().fold(found, Finding::with_supporting);
     match &computed.extent {
         Some(extent) if found.verdict == Verdict::Holds => found.on(extent),
         _ => found,

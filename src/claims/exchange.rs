@@ -6,7 +6,7 @@ use crate::experiments::map::MapPoint;
 use slipmode_core::number::format::round_digits;
 
 /// How max Im(s) differs on the maps of the scenes with a < b and a > b: the ratio where both oscillate, and where one does.
-pub(super) fn frequency_changes(context: &Context) -> Option<[Evidence; 2]> {
+pub(super) fn frequency_changes(context: &Context) -> Option<Vec<Evidence>> {
     let (one, other) = (context.outcome.potentially_unstable()?, context.outcome.intrinsically_stable()?);
     let (one, other) = (one.map.as_ref()?, other.map.as_ref()?);
     if one.loading_velocity_m_per_s != other.loading_velocity_m_per_s
@@ -23,7 +23,7 @@ pub(super) fn frequency_changes(context: &Context) -> Option<[Evidence; 2]> {
         pairs().filter(|(one, other)| *one > 0.0 && *other > 0.0).map(|(one, other)| one / other).collect();
     let [least, largest] =
         [ratios.iter().fold(f64::INFINITY, |a, b| a.min(*b)), ratios.iter().fold(0.0, |a: f64, b| a.max(*b))];
-    Some([
+    Some(vec![
         Evidence::sample(
             "max Im(s) with a < b over that with a > b, where both oscillate",
             format!("{} to {}", round_digits(least, 4), round_digits(largest, 4)),

@@ -124,24 +124,15 @@ impl Finding {
         Finding { verdict, strength, evidence: vec![evidence], ..Finding::default() }
     }
 
-    /// Turns the verdict to `fails`; the first counter-example is kept.
-    fn refute(&mut self, counter_example: String) {
-        self.verdict = Verdict::Fails;
-        self.counter_example.get_or_insert(counter_example);
-    }
-
     /// Adds one more derivation that must succeed.
     #[must_use]
-    pub fn with_proof(mut self, attempt: Result<Proof, Refutation>) -> Self {
+    pub fn with_proof(self, attempt: Result<Proof, Refutation>) -> Self {
         match rechecked(attempt) {
-            Ok(proof) => return self.with_evidence(Evidence::Proof { proof }),
-            Err(refutation) if refutation.is_false => self.refute(refutation.to_string()),
-            Err(refutation) if self.verdict == Verdict::Holds => {
-                return Finding::not_checked(refutation.to_string());
-            }
-            Err(refutation) => return self.remark(refutation.to_string()),
+            Ok(proof) => self.with_evidence(Evidence::Proof { proof }),
+            Err(refutation) if refutation.is_false => self.refuted(refutation.to_string()),
+            Err(refutation) if self.verdict == Verdict::Holds => Finding::not_checked(refutation.to_string()),
+            Err(refutation) => self.remark(refutation.to_string()),
         }
-        self
     }
 
     /// Names the theorem that states what this finding's one proof proves or disproves, where an independent kernel has accepted it.
@@ -236,20 +227,17 @@ impl Finding {
         }
     }
 
-    /// A claim that the evidence refutes.
+    /// A claim that the evidence refutes; the first counter-example is kept.
     #[must_use]
     pub fn refuted(mut self, counter_example: impl Into<String>) -> Self {
-        self.refute(counter_example.into());
-        self
+        self.verdict = Verdict::Fails;
+        self.outside(counter_example)
     }
 
     /// Requires a computed condition; when it is false the claim fails with the given counter-example.
     #[must_use]
-    pub fn require(mut self, condition: bool, counter_example: impl FnOnce() -> String) -> Self {
-        if !condition {
-            self.refute(counter_example());
-        }
-        self
+    pub fn require(self, condition: bool, counter_example: impl FnOnce() -> String) -> Self {
+        if condition { self } else { self.refuted(counter_example()) }
     }
 
     /// A claim that holds only inside a limit, and inside those that it has already; one that fails already stays failed.

@@ -6,24 +6,21 @@ use crate::experiments::Context;
 use crate::experiments::frequency::{FrequencyLine, FrequencyOutcome};
 use crate::scene::cited;
 use slipmode_core::number::format::{certain_digits, round_digits};
-use slipmode_core::number::{Ball, Rational, Real};
+use slipmode_core::number::{Ball, Real};
 use slipmode_theory::strip_frequency;
 
 /// How far eq 23 and ω_n are from the computed line at σ = σ_c.
-pub(super) fn near_the_limits(context: &Context) -> Vec<Evidence> {
-    let Some(scene) = context.outcome.potentially_unstable() else { return Vec::new() };
-    let (Some(parameters), Some(outcome)) = (scene.slider(), &scene.frequency) else { return Vec::new() };
-    let one = Rational::from(1);
-    let Some(line) = outcome.lines.iter().find(|line| line.normal_stress_over_critical == one) else {
-        return Vec::new();
-    };
-    let enclosed = parameters.map(|value| Ball::from_rational(value, 128));
+pub(super) fn near_the_limits(context: &Context) -> Option<Vec<Evidence>> {
+    let scene = context.outcome.potentially_unstable()?;
+    let outcome = scene.frequency.as_ref()?;
+    let line = outcome.lines.iter().find(|line| line.normal_stress_over_critical == 1)?;
+    let enclosed = scene.slider()?.map(|value| Ball::from_rational(value, 128));
     let per_metre = enclosed.transition_angular_frequency_over_velocity_per_m().to_f64();
     let natural = enclosed.natural_angular_frequency_per_s().to_f64();
     let ratio = line.max_imaginary_per_s.last().and_then(|w| w.to_f64()).unwrap_or(0.0) / natural;
     let quantity = "max Im(s)/ω_n at the highest velocity of the line";
     let highest = Evidence::sample(quantity, round_digits(ratio, 6), outcome.loading_velocity_m_per_s.len());
-    vec![last_velocity_near(outcome, line, per_metre), highest]
+    Some(vec![last_velocity_near(outcome, line, per_metre), highest])
 }
 
 /// The highest velocity up to which eq 23 is within 1 %.

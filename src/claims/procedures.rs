@@ -34,26 +34,14 @@ pub(super) static CHECKS: [Check; 7] = [
 
 /// What is shown beside it.
 pub(super) static SHOWS: [Show; 4] = [
-    Show {
-        name: "areas-on-the-map-of-weakening",
-        needs: &[Need::Map],
-        evidence: |context| boundary::areas_on_map(context.outcome.potentially_unstable()),
-    },
-    Show {
-        name: "areas-on-the-map-of-strengthening",
-        needs: &[Need::Map],
-        evidence: |context| boundary::areas_on_map(context.outcome.intrinsically_stable()),
-    },
-    Show {
-        name: "frequencies-under-exchange",
-        needs: &[Need::Map],
-        evidence: |context| exchange::frequency_changes(context).into_iter().flatten().collect(),
-    },
-    Show {
-        name: "frequency-near-its-limits",
-        needs: &[Need::Frequency],
-        evidence: frequency::near_the_limits,
-    },
+    Show::new("areas-on-the-map-of-weakening", &[Need::Map], |context| {
+        boundary::areas_on_map(context.outcome.potentially_unstable())
+    }),
+    Show::new("areas-on-the-map-of-strengthening", &[Need::Map], |context| {
+        boundary::areas_on_map(context.outcome.intrinsically_stable())
+    }),
+    Show::new("frequencies-under-exchange", &[Need::Map], exchange::frequency_changes),
+    Show::new("frequency-near-its-limits", &[Need::Frequency], frequency::near_the_limits),
 ];
 
 /// Their names, as the reader of claims requires them.

@@ -76,6 +76,7 @@ pub use slipmode_core::friction::Quantity;
 pub(crate) use uncertain::UNITS_DIFFER;
 pub use uncertain::Uncertain;
 pub use units::with_unit;
-pub(crate) use units::{read_unit, split_unit, unit_for, unit_in_any_case, unit_of_key};
-pub(crate) use units::{stem_of_key, unit_of};
+pub(crate) use units::{
+    read_unit, split_unit, stem_of_key, unit_for, unit_in_any_case, unit_of, unit_of_key,
+};
 pub use verdict::Verdict;

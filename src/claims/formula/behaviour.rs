@@ -270,10 +270,8 @@ impl Attempt<'_> {
         let pair =
             self.all_points(FIRST_POINTS).filter(|point| !claimed || rational(point)).find_map(|point| {
                 let moved = self.all_points(FIRST_POINTS).find_map(|other| {
-                    let mut moved = point.clone();
-                    moved.insert(variable.clone(), other.get(variable)?.clone());
-                    let mut both = point.clone();
-                    both.insert(other_value(), moved[variable].clone());
+                    let moved = points::with(&point, variable, other.get(variable)?.clone());
+                    let both = points::with(&point, &other_value(), moved[variable].clone());
                     let differ = apart.order_at(&both).is_some_and(Ordering::is_ne);
                     let conditions = &self.problem.premises.conditions;
                     let allowed = conditions.iter().all(|one| one.holds_at(&moved) == Some(true));

@@ -105,11 +105,7 @@ impl Points {
         };
         let beside = move |(name, zero): (&'p Symbol, Rational)| {
             let values = [zero.clone(), zero.clone() + 1, zero - 1].into_iter();
-            values.filter_map(move |value| {
-                let mut moved = point.clone();
-                moved.insert(name.clone(), value);
-                self.allows(&moved).then_some(moved)
-            })
+            values.map(move |value| with(point, name, value)).filter(move |moved| self.allows(moved))
         };
         expressions.iter().flat_map(moved).flat_map(beside)
     }
@@ -139,11 +135,7 @@ impl Points {
         let zero = zero(&literal.expression, name, point)?;
         let ends = self.within.get(name).into_iter().flatten().map(|end| Rational::from(end + &zero) / 2);
         let near = [zero.clone(), zero.clone() + 1, zero.clone() - 1, zero.clone() * 2, zero.clone() / 2];
-        let mut candidates = near.into_iter().chain(ends).map(|value| {
-            let mut moved = point.clone();
-            moved.insert(name.clone(), value);
-            moved
-        });
+        let mut candidates = near.into_iter().chain(ends).map(|value| with(point, name, value));
         candidates.find(|moved| self.allows(moved) && literal.holds_at(moved) == Some(true))
     }
 
@@ -168,6 +160,13 @@ impl Points {
         });
         values.collect()
     }
+}
+
+/// The point with another value of one variable.
+pub(super) fn with(point: &Point, name: &Symbol, value: Rational) -> Point {
+    let mut moved = point.clone();
+    moved.insert(name.clone(), value);
+    moved
 }
 
 /// The zero of an expression that is linear in a variable, the others as at a point.

@@ -30,7 +30,7 @@ use crate::scene::ClaimFormula;
 use behaviour::Tail;
 use claim::{At, Base, Claim, Says};
 use evaluate::AtPoint;
-use points::{Sequence, comparisons, power_of_two};
+use points::{Sequence, power_of_two};
 use truth::Said;
 
 /// At how many points a claim that holds is tried.
@@ -137,17 +137,16 @@ impl Tally {
     fn add(&mut self, claim: &Claim, base: Base, found: At) -> Option<Outcome> {
         self.tried += usize::from(found != At::Outside);
         self.open += usize::from(found == At::Open);
-        let contradicted =
-            |words: &str| Some(Outcome::Contradicted(format!("At {} {words}", claim.text(&base))));
-        match found {
-            At::Says(false) => contradicted("it is false."),
-            At::NoValue => contradicted("a side has no value."),
-            At::Says(true) if self.starts.len() < EDGE_STARTS => {
-                self.starts.push(base);
-                None
+        let words = match found {
+            At::Says(false) => "it is false.",
+            At::NoValue => "a side has no value.",
+            _ => {
+                let is_start = found == At::Says(true) && self.starts.len() < EDGE_STARTS;
+                self.starts.extend(is_start.then_some(base));
+                return None;
             }
-            _ => None,
-        }
+        };
+        Some(Outcome::Contradicted(format!("At {} {words}", claim.text(&base))))
     }
 }
 
@@ -193,7 +192,11 @@ impl Claim {
     fn edges(&self, said: &Said, starts: &[Base]) -> Vec<Base> {
         let mut found = Vec::new();
         let places = |turn: usize| starts.iter().zip(self.chosen.iter().cycle().skip(turn));
-        let sides = comparisons(said).into_iter().chain(&self.conditions);
+        let sides = said.atoms().into_iter().filter_map(|atom| match atom {
+            Said::Compare(compared) => Some(compared),
+            _ => None,
+        });
+        let sides = sides.chain(&self.conditions);
         for (turn, compared) in sides.enumerate() {
             for (base, variable) in places(turn) {
                 found.extend(self.near_zero(base, compared, *variable).into_iter().flatten());

@@ -5,7 +5,7 @@ use slipmode_core::number::Rational;
 use super::claim::{At, Base, Claim};
 use super::evaluate::{AtPoint, NEAR, is_zero};
 use super::number::{Number, Tried};
-use super::truth::{Compared, Said};
+use super::truth::Compared;
 use super::value::Value;
 
 /// A sequence of numbers that is the same everywhere.
@@ -161,13 +161,4 @@ fn coefficient(order: usize, turn: u32, sequence: &mut Sequence) -> Rational {
     let degree = [1, 2, 3, usize::MAX][turn as usize / 8 % 4];
     let value = Rational::from((sequence.below(19) as i32 - 9, 1 + sequence.below(4)));
     if order > degree { Rational::new() } else { value }
-}
-
-/// The comparisons of a formula.
-pub(super) fn comparisons<'s>(said: &'s Said) -> Vec<&'s Compared> {
-    let compared = |atom: &'s Said| match atom {
-        Said::Compare(compared) => Some(compared),
-        _ => None,
-    };
-    said.atoms().into_iter().filter_map(compared).collect()
 }

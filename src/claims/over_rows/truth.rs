@@ -69,15 +69,12 @@ impl Rows<'_> {
 
     fn comparison(&self, sides: [&Expression; 2], comparison: Comparison, at: usize) -> Truth {
         let row = &self.rows[at];
-        let strength = sides.map(|side| self.strength(side, at));
-        let strength = strength[0].max(strength[1]);
+        let (difference, strength) = self.difference(sides.map(|side| (side, at)));
         if let Some(column) = self.statement.compared_with_nothing(sides) {
             let is_empty = row.is_empty(column);
             let is = (!is_empty || !row.has_failed).then_some(is_empty == (comparison == Comparison::Equal));
             return Truth { is, strength };
         }
-        let difference =
-            self.value(sides[0], at).zip(self.value(sides[1], at)).map(|(left, right)| left - right);
         let is_estimated =
             sides.iter().flat_map(|side| side.variables()).any(|name| row.estimated.contains(&name));
         let is = difference.and_then(|difference| compared(&difference, comparison, is_estimated));
@@ -99,6 +96,13 @@ impl Rows<'_> {
         }
     }
 
+    /// The difference of two expressions, each in a row, and how sure it is.
+    fn difference(&self, sides: [(&Expression, usize); 2]) -> (Option<Ball>, Strength) {
+        let [left, right] = sides.map(|(side, at)| self.value(side, at));
+        let [one, other] = sides.map(|(side, at)| self.strength(side, at));
+        (left.zip(right).map(|(left, right)| left - right), one.max(other))
+    }
+
     /// The values of two expressions in rows.
     ///
     /// # Errors
@@ -110,19 +114,16 @@ impl Rows<'_> {
 
     /// Whether two values differ by no more than their errors.
     pub fn agree(&self, sides: &[Expression; 2], at: usize) -> Truth {
-        let difference =
-            self.value(&sides[0], at).zip(self.value(&sides[1], at)).map(|(left, right)| left - right);
-        let is = difference
-            .filter(Ball::is_bounded)
-            .map(|difference| difference.sign().is_none_or(Ordering::is_eq));
-        Truth { is, strength: self.strength(&sides[0], at).max(self.strength(&sides[1], at)) }
+        let (difference, strength) = self.difference(sides.each_ref().map(|side| (side, at)));
+        let difference = difference.filter(Ball::is_bounded);
+        let is = difference.map(|difference| difference.sign().is_none_or(Ordering::is_eq));
+        Truth { is, strength }
     }
 
     /// Whether an expression rises (or falls) from one row to another.
     pub fn changes(&self, side: &Expression, rises: bool, [from, to]: [usize; 2]) -> Truth {
         let wanted = if rises { Comparison::Greater } else { Comparison::Less };
-        let difference = self.value(side, to).zip(self.value(side, from)).map(|(to, from)| to - from);
-        let is = difference.and_then(|difference| compared(&difference, wanted, true));
-        Truth { is, strength: self.strength(side, from).max(self.strength(side, to)) }
+        let (difference, strength) = self.difference([(side, to), (side, from)]);
+        Truth { is: difference.and_then(|difference| compared(&difference, wanted, true)), strength }
     }
 }

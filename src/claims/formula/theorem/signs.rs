@@ -90,11 +90,8 @@ impl Stated {
                 let (_, coefficients) = located(written, &self.names, variable, &self.premises)?;
                 let list = list(&coefficients);
                 let polynomial = self.polynomial(written, variable, &coefficients)?;
-                let says = format!(
-                    "(forall {}, {polynomial} = horner {list} {}) /\\ ",
-                    bound(variable),
-                    shown(variable)
-                );
+                let says =
+                    format!("(forall {0} : R, {polynomial} = horner {list} {0}) /\\ ", shown(variable));
                 if !polynomials.contains(&says) {
                     polynomials.push(says);
                 }
@@ -145,10 +142,6 @@ pub(super) fn shown(variable: &Symbol) -> String {
     coq::text(&Expression::Variable(variable.clone()))
 }
 
-fn bound(variable: &Symbol) -> String {
-    format!("{} : R", shown(variable))
-}
-
 /// What is wanted of the values of variables: what is assumed of them, and the formula.
 pub(super) fn wanted(formula: &Formula, scope: &Scope, stated: &Stated) -> Formula {
     let compared = |name: &Symbol, comparison: Comparison, value: &Rational| {
@@ -195,12 +188,9 @@ impl Steps<'_> {
                 solved.value.rational_value(&point).ok_or("the point has a value that is not rational")?;
             point.insert(solved.variable.clone(), value);
         }
-        let values: Values = stated
-            .variables
-            .iter()
-            .map(|name| (name.clone(), point.get(name).cloned().unwrap_or_else(|| Rational::from(1))))
-            .map(|(name, value)| (name, Expression::Number(value)))
-            .collect();
+        let value = |name: &Symbol| point.get(name).cloned().unwrap_or_else(|| Rational::from(1));
+        let values = stated.variables.iter().map(|name| (name.clone(), Expression::Number(value(name))));
+        let values: Values = values.collect();
         let named: Vec<String> = values.values().map(coq::text).collect();
         let conditions = "split; [ met | ]; ".repeat(stated.hypotheses.len());
         Ok(format!(
