@@ -117,10 +117,8 @@ impl Attempt<'_> {
     /// A slope of one sign. Only the opposite sign refutes it: a function with a slope of zero at one point may be monotone.
     fn monotone(&self, side: &Expression, comparison: Comparison, variable: &Symbol) -> Finding {
         let slope = side.derivative(variable);
-        let is_zero = self
-            .domains
-            .first()
-            .is_some_and(|domain| domain.rational_function(&slope).is_ok_and(|slope| slope.is_zero()));
+        let is_flat = |domain: &Domain| domain.rational_function(&slope).is_ok_and(|slope| slope.is_zero());
+        let is_zero = self.domains.first().is_some_and(is_flat);
         let movable = || self.all_points(FIRST_POINTS).find(|point| self.can_move(point, variable));
         if is_zero && let Some(point) = movable() {
             return Finding::failing(format!("its slope in {variable} is 0 everywhere"))
@@ -234,12 +232,8 @@ impl Attempt<'_> {
     fn can_move(&self, point: &Point, variable: &Symbol) -> bool {
         let of_variable =
             |one: &&Literal| one.sign == Sign::NonNegative && one.expression.variables().contains(variable);
-        self.problem
-            .premises
-            .conditions
-            .iter()
-            .filter(of_variable)
-            .all(|one| one.expression.order_at(point).is_some_and(Ordering::is_gt))
+        let mut of_variable = self.problem.premises.conditions.iter().filter(of_variable);
+        of_variable.all(|one| one.expression.order_at(point).is_some_and(Ordering::is_gt))
     }
 
     /// A function of which nothing is known in the normal form of an expression.

@@ -61,11 +61,9 @@ impl Lowered {
                 let positive = premises.positive.contains(parameter);
                 let positive = positive.then(|| Literal::new(critical.clone(), Sign::Positive));
                 let of_parameter = |one: &&Literal| one.expression.variables().contains(parameter);
-                let there = premises
-                    .conditions
-                    .iter()
-                    .filter(of_parameter)
-                    .map(|one| Literal::new(one.expression.with(parameter, &critical), one.sign));
+                let there = premises.conditions.iter().filter(of_parameter);
+                let there =
+                    there.map(|one| Literal::new(one.expression.with(parameter, &critical), one.sign));
                 let assumed = there.chain(positive).map(SignFormula::Literal);
                 Ok(SignFormula::All(assumed.chain([signs]).collect()))
             }

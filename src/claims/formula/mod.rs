@@ -229,10 +229,8 @@ fn decide_within(
 
 /// The finding where the conditions are met by no point that was tried.
 fn no_point() -> Finding {
-    let most = Points::MOST;
-    Finding::not_checked(format!(
-        "None of {most} points meets the conditions, so that they may be impossible."
-    ))
+    let none = format!("None of {} points meets the conditions", Points::MOST);
+    Finding::not_checked(none + ", so that they may be impossible.")
 }
 
 /// All expressions of a formula, its conditions and its witness in one.

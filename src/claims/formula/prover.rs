@@ -364,35 +364,31 @@ impl<'p> Prover<'p> {
     fn by_squares(&self, goal: &Literal, domain: &Domain, depth: usize) -> Option<Vec<Draft>> {
         let depth = depth.checked_sub(1)?;
         let function = domain.rational_function(&goal.expression).ok()?;
-        function
-            .numerator()
-            .variables()
-            .into_iter()
-            .filter(|name| function.numerator().degree(name) == 2)
-            .find_map(|name| {
-                if function.denominator().degree(&name) > 0 || function.hides(&name).is_some() {
-                    return None;
-                }
-                let below = Expression::from(function.denominator());
-                let [c, b, a]: [Expression; 3] = function
-                    .numerator()
-                    .coefficients(&name)
-                    .iter()
-                    .map(|one| Expression::from(one) / below.clone())
-                    .collect::<Vec<_>>()
-                    .try_into()
-                    .ok()?;
-                let four = || Expression::integer(4);
-                let rest = four() * a.clone() * c - b.clone().power(2);
-                let square =
-                    (Expression::integer(2) * a.clone() * Expression::Variable(name.clone()) + b).power(2);
-                let mut steps = self.shown(&Literal::new(a.clone(), Sign::Positive), domain, depth)?;
-                steps.extend(self.shown(&Literal::new(rest.clone(), goal.sign), domain, depth)?);
-                let (left, right) = (four() * a * goal.expression.clone(), square + rest);
-                let certificate = Certificate::Identity { left, right, domain: domain.clone() };
-                steps.push((words(goal), self.certified(certificate)?));
-                Some(steps)
-            })
+        let squared = |name: &Symbol| function.numerator().degree(name) == 2;
+        function.numerator().variables().into_iter().filter(squared).find_map(|name| {
+            if function.denominator().degree(&name) > 0 || function.hides(&name).is_some() {
+                return None;
+            }
+            let below = Expression::from(function.denominator());
+            let [c, b, a]: [Expression; 3] = function
+                .numerator()
+                .coefficients(&name)
+                .iter()
+                .map(|one| Expression::from(one) / below.clone())
+                .collect::<Vec<_>>()
+                .try_into()
+                .ok()?;
+            let four = || Expression::integer(4);
+            let rest = four() * a.clone() * c - b.clone().power(2);
+            let square =
+                (Expression::integer(2) * a.clone() * Expression::Variable(name.clone()) + b).power(2);
+            let mut steps = self.shown(&Literal::new(a.clone(), Sign::Positive), domain, depth)?;
+            steps.extend(self.shown(&Literal::new(rest.clone(), goal.sign), domain, depth)?);
+            let (left, right) = (four() * a * goal.expression.clone(), square + rest);
+            let certificate = Certificate::Identity { left, right, domain: domain.clone() };
+            steps.push((words(goal), self.certified(certificate)?));
+            Some(steps)
+        })
     }
 
     /// What is a positive multiple of a condition and something positive; or its product with a condition is.

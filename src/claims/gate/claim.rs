@@ -102,14 +102,10 @@ impl Claim {
             return None;
         }
         let scope = &formula.scope;
-        let condition = |one: &crate::scene::FormulaCondition, book: &mut Book| {
-            let [left, right] = &one.sides;
-            Compared::of(left, one.comparison, right, book)
-        };
-        let given: Vec<Compared> = scope.given.iter().map(|one| condition(one, &mut book)).collect();
+        let given = scope.given.iter().map(|one| (&one.sides, one.comparison));
+        let given = given.map(|([left, right], comparison)| Compared::of(left, comparison, right, &mut book));
         let (equal, conditions): (Vec<_>, Vec<_>) =
-            given.into_iter().partition(|one| one.comparison == Comparison::Equal);
-
+            given.partition(|one| one.comparison == Comparison::Equal);
         let within =
             scope.within.iter().map(|(name, ends)| (book.variable(name.as_str()), ends.clone())).collect();
         let at = scope.at.iter().map(|(name, value)| (book.variable(name.as_str()), value.clone())).collect();

@@ -76,10 +76,8 @@ impl<'b> AtPoint<'b> {
     /// Something found while variables have other values.
     pub fn with<T>(&mut self, changes: Vec<(usize, Value)>, find: impl FnOnce(&mut Self) -> T) -> T {
         self.known.push((changes.iter().map(|(variable, _)| *variable).collect(), Known::new()));
-        let before: Vec<(usize, Option<Value>)> = changes
-            .into_iter()
-            .map(|(variable, value)| (variable, self.values[variable].replace(value)))
-            .collect();
+        let replace = |(variable, value): (usize, Value)| (variable, self.values[variable].replace(value));
+        let before: Vec<(usize, Option<Value>)> = changes.into_iter().map(replace).collect();
         let found = find(self);
         self.known.pop();
         for (variable, value) in before.into_iter().rev() {
@@ -237,13 +235,11 @@ impl<'b> AtPoint<'b> {
 
     fn slopes_of(&mut self, terms: &[Term], along: Vec<(usize, Value, Value)>) -> Tried<Vec<Value>> {
         let mark = self.quantity(Kind::Small);
-        let moved = along
-            .into_iter()
-            .map(|(variable, start, by)| {
-                let rests = by.is_exactly_zero();
-                (variable, if rests { start } else { Value::Series(mark, vec![start, by]) })
-            })
-            .collect();
+        let moved = along.into_iter().map(|(variable, start, by)| {
+            let rests = by.is_exactly_zero();
+            (variable, if rests { start } else { Value::Series(mark, vec![start, by]) })
+        });
+        let moved = moved.collect();
         let slope = |value: Tried<Value>| value.map(|value| value.coefficient(mark, 1));
         self.with(moved, |place| terms.iter().map(|term| slope(place.value(term))).collect())
     }
@@ -259,14 +255,9 @@ impl<'b> AtPoint<'b> {
     fn slopes(&mut self, derived: &Derived, by: usize) -> Tried<Vec<Value>> {
         let steady = self.steady(derived)?;
         let direction = |at: usize| Value::whole(i32::from(at == by));
-        let along: Vec<(usize, Value, Value)> = derived
-            .states
-            .iter()
-            .zip(steady)
-            .enumerate()
-            .map(|(at, (state, value))| (*state, value, direction(at)))
-            .collect();
-        self.slopes_of(&derived.rates, along)
+        let along = derived.states.iter().zip(steady).enumerate();
+        let along = along.map(|(at, (state, value))| (*state, value, direction(at)));
+        self.slopes_of(&derived.rates, along.collect())
     }
 
     /// det(s − J).

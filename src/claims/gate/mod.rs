@@ -19,7 +19,6 @@ mod truth;
 mod value;
 
 use std::cmp::Ordering;
-use std::collections::BTreeSet;
 
 use slipmode_core::number::Rational;
 use slipmode_theory::Equations;
@@ -378,16 +377,13 @@ impl Claim {
         let [one, other, ..] = points else {
             return Outcome::Unconfirmed("The proof names no two points.".into());
         };
-        let differ_in: BTreeSet<_> = one
-            .iter()
-            .filter(|(name, value)| other.get(name) != Some(value))
-            .map(|(name, _)| *name)
-            .collect();
+        let differ_in = one.iter().filter(|(name, value)| other.get(name) != Some(value));
         let Some(moved) = other.get(&variable) else {
             return Outcome::NotEvaluated("the variable that moves has one value".into());
         };
         let places = format!("{} and {} = {moved}", self.text(one), self.book.name(variable));
-        if differ_in != BTreeSet::from([variable]) || !self.is_inside(one) || !self.is_inside(other) {
+        let is_pair = differ_in.map(|(name, _)| *name).eq([variable]);
+        if !is_pair || !self.is_inside(one) || !self.is_inside(other) {
             return Outcome::Contradicted(format!("The points {places} do not meet the conditions."));
         }
         match order([one, other]) {

@@ -56,12 +56,8 @@ impl Exact {
 
     /// Each root once.
     pub fn squarefree(&self) -> Self {
-        let slope = self
-            .0
-            .iter()
-            .zip(0_u32..)
-            .skip(1)
-            .map(|(coefficient, power)| Rational::from(coefficient * power));
+        let slope = self.0.iter().zip(0_u32..).skip(1);
+        let slope = slope.map(|(coefficient, power)| Rational::from(coefficient * power));
         let repeated = self.common(&Self::new(slope.collect()));
         if repeated.degree() == 0 { self.clone() } else { self.divided(&repeated).0 }
     }

@@ -338,12 +338,9 @@ fn approximate(coefficients: &[Number]) -> Option<Vec<[Float; 2]>> {
 
 /// Starting points on circles whose radii are those of Newton's polygon.
 fn starts(coefficients: &[f64]) -> Vec<Complex64> {
-    let sizes: Vec<(usize, f64)> = coefficients
-        .iter()
-        .enumerate()
-        .filter(|(_, value)| **value != 0.0)
-        .map(|(power, value)| (power, libm::log2(value.abs())))
-        .collect();
+    let others = coefficients.iter().enumerate().filter(|(_, value)| **value != 0.0);
+    let sizes = others.map(|(power, value)| (power, libm::log2(value.abs())));
+    let sizes: Vec<(usize, f64)> = sizes.collect();
     let lowest = sizes.first().map_or(0, |(power, _)| *power);
     let mut roots = vec![Complex64::ZERO; lowest];
     let mut at = 0;

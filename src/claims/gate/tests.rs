@@ -1,5 +1,6 @@
 //! All formulas of the reports pass with the verdicts of the prover. Planted verdicts do not.
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use super::*;

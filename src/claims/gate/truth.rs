@@ -195,12 +195,8 @@ impl Crosses {
         let list = place.with(moved, |place| place.coefficients(&self.polynomial, self.variable))?;
         let at: Vec<Value> = list.iter().map(|one| one.coefficient(small, 0)).collect();
         let by: Vec<Value> = list.iter().map(|one| one.coefficient(small, 1)).collect();
-        let along: Vec<Value> = at
-            .iter()
-            .zip(0..)
-            .skip(1)
-            .map(|(one, power)| one.times(&Value::whole(power)))
-            .collect::<Tried<_>>()?;
+        let along = at.iter().zip(0..).skip(1).map(|(one, power)| one.times(&Value::whole(power)));
+        let along: Vec<Value> = along.collect::<Tried<_>>()?;
         let [real, imaginary] = on_axis(&at, &square)?;
         let [slope_real, slope_imaginary] = on_axis(&by, &square)?;
         let [root_real, root_imaginary] = on_axis(&along, &square)?;

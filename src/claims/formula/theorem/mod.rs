@@ -195,13 +195,9 @@ impl Stated {
         }
         stated.goal = stated.goal_of(formula, false)?;
         stated.altered = stated.goal_of(formula, true)?;
-        let positive: Vec<(String, String)> = stated
-            .variables
-            .iter()
-            .filter(|name| stated.is_positive(name))
-            .map(signs::shown)
-            .map(|name| (format!("{name}'pos"), format!("0 < {name}")))
-            .collect();
+        let positive = stated.variables.iter().filter(|name| stated.is_positive(name)).map(signs::shown);
+        let positive = positive.map(|name| (format!("{name}'pos"), format!("0 < {name}")));
+        let positive: Vec<(String, String)> = positive.collect();
         stated.hypotheses.splice(0..0, positive);
         Ok(stated)
     }
