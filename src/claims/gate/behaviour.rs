@@ -120,8 +120,8 @@ fn course(distances: &[Ball], value: &Ball, goal: &Goal) -> Tail {
     let end = &last[LAST];
     let shrink = steps.windows(2).all(|pair| largest(&pair[1]) * 4_u32 <= largest(&pair[0]) * 3_u32);
     let final_step = largest(&steps[LAST - 1]);
-    // Steps that shrink by 3/4 or more sum to at most four times the last one.
     let bounded = || Tail::Elsewhere("stays bounded".into());
+    // Steps that shrink by 3/4 or more sum to at most four times the last one.
     if shrink && smallest(end) > final_step.clone() * 8_u32 {
         let away = end.centre().to_string_radix(10, Some(6));
         let stays = || Tail::Elsewhere(format!("stays {away} away from it"));

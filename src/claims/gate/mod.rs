@@ -212,6 +212,7 @@ impl Claim {
         found.retain(is_possible);
         found
     }
+
     /// What is true at all values that the conditions allow, and at the edges next to the first ones.
     fn tallied(
         &self,
