@@ -13,8 +13,7 @@ use slipmode_algebra::coq::Theorem;
 use slipmode_algebra::{Certificate, Proof};
 use slipmode_theory::Equations;
 
-use crate::claims::{Conclusion, Strength, TIES, WholeTheorem, resolved_claim};
-use crate::claims::{sha256_hex, statement_digest, whole_theorems};
+use crate::claims::{self, Conclusion, Strength, TIES, WholeTheorem, statement_digest, whole_theorems};
 use crate::scene::ClaimEntry;
 
 pub use archived::{archived, file_list};
@@ -177,7 +176,7 @@ impl Files {
 
     /// The theorems written by hand that state the claim.
     fn add_by_hand(&mut self, report: &str, claim: &Claim, stated: &ClaimEntry, equations: &Equations) {
-        let digest = sha256_hex(&resolved_claim(stated, equations));
+        let digest = claims::sha256_hex(&claims::resolved_claim(stated, equations));
         let tied = claim.tied(&digest);
         let line = [report, &claim.id, "by hand", "whole"];
         if let Some(tie) = TIES.iter().find(|tie| tie.is_about(&tied, equations)) {

@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::rc::Rc;
 
-use slipmode_algebra::{Expression, Function};
+use slipmode_algebra::{Comparison, Expression, Function};
 use slipmode_core::number::Rational;
 use slipmode_theory::{Derivation, Equations, Operation};
 
@@ -32,6 +32,14 @@ pub(super) enum Term {
     Call(Function, Box<Term>),
     /// A function of which nothing is known: a polynomial by its value at 0, which is this variable, and those of its derivatives.
     Polynomial(usize, Box<Term>),
+}
+
+/// Two sides that compare so.
+#[derive(Debug, Clone)]
+pub(super) struct Compared {
+    pub left: Term,
+    pub comparison: Comparison,
+    pub right: Term,
 }
 
 /// A derivation, with its arguments as terms.

@@ -8,10 +8,10 @@ use slipmode_algebra::{Comparison, End, Toward};
 use slipmode_core::number::Rational;
 use slipmode_theory::Equations;
 
-use super::book::{Book, EITHER_SIGN, Term, UNIT};
+use super::book::{Book, Compared, EITHER_SIGN, Term, UNIT};
 use super::evaluate::{AtPoint, NEAR};
-use super::number::{Number, Tried, Trouble};
-use super::truth::{Compared, Said, all};
+use super::number::{Number, Tried, Trouble, all};
+use super::truth::Said;
 use super::value::Value;
 use crate::scene::{ClaimFormula, Statement};
 

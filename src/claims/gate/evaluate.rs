@@ -12,9 +12,8 @@ use slipmode_algebra::Function;
 use slipmode_core::number::Rational;
 use slipmode_theory::Operation;
 
-use super::book::{Book, Derived, EITHER_SIGN, Meaning, Term, UNIT};
-use super::number::{Number, Tried, Trouble};
-use super::truth::{Compared, all};
+use super::book::{Book, Compared, Derived, EITHER_SIGN, Meaning, Term, UNIT};
+use super::number::{Number, Tried, Trouble, all};
 use super::value::{IMAGINARY, Kind, Mark, Value};
 
 /// The values of defined names, and their coefficients as polynomials in a variable.

@@ -259,7 +259,7 @@ impl Claim {
 
     /// Whether the values of the variables of `there_is` at a point do.
     fn does(&self, said: &Said, place: &mut AtPoint) -> number::Tried<bool> {
-        truth::all([self.allows_inner(place), said.truth(place)].into_iter())
+        number::all([self.allows_inner(place), said.truth(place)].into_iter())
     }
 
     /// For all values of the other variables there is one that does: without other variables the point that was found, else the

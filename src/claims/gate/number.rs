@@ -20,6 +20,20 @@ pub(super) enum Trouble {
 /// A number or why there is none.
 pub(super) type Tried<T> = Result<T, Trouble>;
 
+/// Whether all are true: one that is false decides, whatever the others are.
+pub(super) fn all(parts: impl Iterator<Item = Tried<bool>>) -> Tried<bool> {
+    let mut found = Ok(true);
+    for part in parts {
+        match (part, found) {
+            (Ok(false), _) => return Ok(false),
+            (Err(Trouble::NoValue), _) => found = Err(Trouble::NoValue),
+            (Err(Trouble::Open), Ok(_)) => found = Err(Trouble::Open),
+            _ => {}
+        }
+    }
+    found
+}
+
 /// A real number.
 #[derive(Debug, Clone)]
 pub(super) enum Number {

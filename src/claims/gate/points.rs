@@ -2,10 +2,10 @@
 
 use slipmode_core::number::Rational;
 
+use super::book::Compared;
 use super::claim::{At, Base, Claim};
 use super::evaluate::{AtPoint, NEAR, is_zero};
 use super::number::{Number, Tried};
-use super::truth::Compared;
 use super::value::Value;
 
 /// A sequence of numbers that is the same everywhere.

@@ -15,9 +15,8 @@ use slipmode_core::number::{Ball, Real};
 use slipmode_theory::root_location::RootStatement;
 
 use super::evaluate::NEAR;
-use super::number::{Number, Trouble};
+use super::number::{Number, Trouble, all};
 use super::polynomial::Exact;
-use super::truth::all;
 
 /// The precisions of discs; the first one is that of 64-bit numbers.
 const BITS: [u32; 3] = [NEAR, 192, 640];

@@ -1,7 +1,6 @@
 //! All formulas of the reports pass with the verdicts of the prover. Planted verdicts do not.
 
-use std::collections::BTreeSet;
-use std::sync::Arc;
+use std::{collections::BTreeSet, sync::Arc};
 
 use super::*;
 use crate::claims::alterations::alterations;
@@ -453,7 +452,7 @@ fn one_false_part_decides_and_a_part_without_a_value_outweighs_an_open_one() {
         (vec![none, open], none),
         (vec![Ok(true), open, Ok(true)], open),
     ] {
-        assert_eq!(truth::all(parts.clone().into_iter()), found, "{parts:?}");
+        assert_eq!(number::all(parts.clone().into_iter()), found, "{parts:?}");
     }
 }
 

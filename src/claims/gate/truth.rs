@@ -5,20 +5,12 @@ use std::cmp::Ordering;
 use slipmode_algebra::{Comparison, Expression};
 use slipmode_theory::root_location::RootStatement;
 
-use super::book::{Book, Term};
+use super::book::{Book, Compared, Term};
 use super::evaluate::{AtPoint, NEAR, is_zero};
-use super::number::{Number, Tried, Trouble};
+use super::number::{Number, Tried, Trouble, all};
 use super::roots;
 use super::value::{Kind, Value};
 use crate::scene::{Crossing, Formula};
-
-/// Two sides that compare so.
-#[derive(Debug, Clone)]
-pub(super) struct Compared {
-    pub left: Term,
-    pub comparison: Comparison,
-    pub right: Term,
-}
 
 /// A formula with its names found.
 #[derive(Debug, Clone)]
@@ -119,20 +111,6 @@ impl Said {
             }
         }
     }
-}
-
-/// Whether all are true: one that is false decides, whatever the others are.
-pub(super) fn all(parts: impl Iterator<Item = Tried<bool>>) -> Tried<bool> {
-    let mut found = Ok(true);
-    for part in parts {
-        match (part, found) {
-            (Ok(false), _) => return Ok(false),
-            (Err(Trouble::NoValue), _) => found = Err(Trouble::NoValue),
-            (Err(Trouble::Open), Ok(_)) => found = Err(Trouble::Open),
-            _ => {}
-        }
-    }
-    found
 }
 
 fn numbers(values: Vec<Value>) -> Tried<Vec<Number>> {
