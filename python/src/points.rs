@@ -60,9 +60,8 @@ pub fn classify_points<'py>(
         Ok(())
     })?;
     let first = look_alike.into_inner().then(|| (0..length).find_map(|row| rows.doubled(row).ok()?));
-    let warnings = first.flatten().map(|point| of_row(&point, &with_unit).join("; "));
-    let warning = warnings.map(|text| format!("{text}; every row has a warning"));
-    Ok((found, warning.unwrap_or_default()))
+    let warning = |point| of_row(&point, &with_unit).join("; ") + "; every row has a warning";
+    Ok((found, first.flatten().map(warning).unwrap_or_default()))
 }
 
 /// Classifies one row, of one value in each column; none where a value has an error bar. The text has the warnings about units, a

@@ -8,8 +8,8 @@ use super::arrow::{Arrow, Factors};
 use super::collocation::Collocation;
 use super::stepper::{Stepper, Trial, Weight, increment};
 use super::{Model, Scalar, State};
-use crate::number::Complex;
 use crate::number::dispatch::{Kernel, run_on_widest_unit};
+use crate::number::{Complex, Dd};
 
 /// Newton iterations before a step is given up.
 const MOST_ITERATIONS: u32 = 12;
@@ -289,36 +289,48 @@ impl<R: Scalar, const S: usize> Kernel for Attempt<'_, R, S> {
     }
 }
 
-impl<R: Scalar, const S: usize> Stepper<R> for Radau<R, S> {
-    const ERROR_EXPONENT: u32 = S as u32 + 1;
+/// One copy for each method in use, compiled here: a generic one would be compiled again in each crate that runs it, as well as that crate is.
+macro_rules! steppers {
+    ($($number:ty, $stages:literal;)+) => {$(
+        impl Stepper<$number> for Radau<$number, $stages> {
+            const ERROR_EXPONENT: u32 = $stages + 1;
 
-    fn attempt(&mut self, model: &Model<R>, from: &State<R>, h: &R, weight: Weight) -> Option<Trial<R>> {
-        let mut trial = None;
-        run_on_widest_unit(Attempt { method: self, model, from, h, weight, trial: &mut trial });
-        trial
-    }
+            fn attempt(&mut self, model: &Model<$number>, from: &State<$number>, h: &$number, weight: Weight) -> Option<Trial<$number>> {
+                let mut trial = None;
+                run_on_widest_unit(Attempt { method: self, model, from, h, weight, trial: &mut trial });
+                trial
+            }
 
-    fn accept(&mut self) {
-        self.previous = Some((self.polynomial.clone(), self.step.clone()));
-    }
+            fn accept(&mut self) {
+                self.previous = Some((self.polynomial.clone(), self.step.clone()));
+            }
 
-    fn restart(&mut self) {
-        self.previous = None;
-    }
+            fn restart(&mut self) {
+                self.previous = None;
+            }
 
-    fn rewind(&mut self) {
-        self.rewound = true;
-    }
+            fn rewind(&mut self) {
+                self.rewound = true;
+            }
 
-    fn polynomial(&self) -> &[State<R>] {
-        &self.polynomial
-    }
+            fn polynomial(&self) -> &[State<$number>] {
+                &self.polynomial
+            }
 
-    fn evaluations(&self) -> u64 {
-        self.evaluations
-    }
+            fn evaluations(&self) -> u64 {
+                self.evaluations
+            }
 
-    fn effort(&self) -> f64 {
-        f64::from(self.iterations) / f64::from(MOST_ITERATIONS)
-    }
+            fn effort(&self) -> f64 {
+                f64::from(self.iterations) / f64::from(MOST_ITERATIONS)
+            }
+        }
+    )+};
+}
+
+steppers! {
+    f64, 3;
+    f64, 5;
+    f64, 7;
+    Dd, 7;
 }
