@@ -89,9 +89,8 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
 /// # Errors
 /// When the report cannot be rendered.
 pub fn recompute(folder: &Folder, place: &Path, progress: &Progress) -> Result<Product, Failure> {
-    let mut product = progress
-        .items(|progress| produce(folder, Vec::new(), progress))
-        .map_err(|error| unrenderable(place, &error))?;
+    let product = progress.items(|progress| produce(folder, Vec::new(), progress));
+    let mut product = product.map_err(|error| unrenderable(place, &error))?;
     // The texts of the report lose what depends on the machine.
     product.files.values_mut().for_each(|text| *text = without_environment(text));
     Ok(product)

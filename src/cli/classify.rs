@@ -90,7 +90,8 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
         return arguments.finish(answer)?.print(options.json);
     }
     if options.grid.is_given() {
-        let request = options.grid.read(&options.slider, options.rows.output(), options.json, &mut arguments);
+        let rows = options.rows.output.as_deref();
+        let request = options.grid.read(&options.slider, rows, options.json, &mut arguments);
         let (request, threshold) = arguments.finish(request.zip(threshold))?;
         return request.run(&threshold, options.json, *progress);
     }

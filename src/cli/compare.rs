@@ -127,7 +127,6 @@ impl Options {
 fn verdict(rows: &[ComparedRow], faulty: u64) -> Result<(), Failure> {
     let [_, differs, open] = counts(rows);
     let rest = format!("{}, {differs} differ and {open} could not be compared", count_of(rows.len(), "row"));
-    let faulty = usize::try_from(faulty).unwrap_or(usize::MAX);
     match differs + open {
         _ if faulty > 0 => Err(Failure::Check(format!(
             "{} passed over as invalid; of the other {rest}",

@@ -44,10 +44,8 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         .with("differences", &differences)
         .text(if differences.is_empty() { "no differences\n" } else { &lines })
         .print(options.json)?;
-    if differences.is_empty() {
-        return Ok(());
-    }
-    Err(Failure::Check(count_of(differences.len(), "difference")))
+    let count = count_of(differences.len(), "difference");
+    if differences.is_empty() { Ok(()) } else { Err(Failure::Check(count)) }
 }
 
 /// The ledger's bytes: of the file itself, or out of the archive that it is.

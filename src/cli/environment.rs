@@ -69,11 +69,8 @@ impl Environment {
             ("machine", format!("{} {}", std::env::consts::OS, std::env::consts::ARCH)),
             ("threads", rayon::current_num_threads().to_string()),
         ];
-        versions()
-            .into_iter()
-            .chain(machine)
-            .map(|(name, value)| FactView { name: name.into(), value })
-            .collect()
+        let facts = versions().into_iter().chain(machine);
+        facts.map(|(name, value)| FactView { name: name.into(), value }).collect()
     }
 
     /// The facts with the times, as `environment.json`.

@@ -51,7 +51,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let own = options.point(&mut arguments);
     arguments.refuse_stream("--output", options.output.as_deref().filter(|_| options.json), "the object");
     let own = arguments.finish(own)?;
-    let bytes = read_small_file(&options.scene).map_err(|fault| Failure::Input(vec![fault]))?;
+    let bytes = read_small_file(&options.scene)?;
     let scene = Scene::parse(&options.scene.display().to_string(), &bytes, &Limits::default())?;
     let refused = |why: &str| Failure::place(&options.scene, why);
     let parameters = scene.parameters.as_ref().ok_or_else(|| refused("has no [parameters] to explore"))?;
@@ -109,7 +109,7 @@ fn place(output: Option<&Path>, name: &str) -> Result<PathBuf, Failure> {
     let Some(place) = output else { return Ok(format!("{name}.html").into()) };
     let is_new = place.as_os_str().as_encoded_bytes().ends_with(b"/") && !place.exists();
     if is_new {
-        fs::create_dir_all(place).map_err(|error| Failure::io(place, "cannot be created", &error))?;
+        fs::create_dir_all(place).map_err(Failure::io(place, "cannot be created"))?;
     }
     Ok(if place.is_dir() { place.join(format!("{name}.html")) } else { place.to_path_buf() })
 }

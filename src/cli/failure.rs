@@ -26,8 +26,8 @@ pub enum Failure {
 
 impl Failure {
     /// An action on a path that the operating system refuses.
-    pub fn io(path: &Path, action: &str, error: &io::Error) -> Self {
-        Self::Refused(format!("{}: {action}: {error}", shown_path(path)))
+    pub fn io(path: &Path, action: &str) -> impl Fn(io::Error) -> Self {
+        move |error| Self::Refused(format!("{}: {action}: {error}", shown_path(path)))
     }
 
     /// Something the machine does not give.

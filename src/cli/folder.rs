@@ -37,13 +37,6 @@ pub enum Source {
 }
 
 impl Source {
-    /// The name of a file, for messages.
-    fn name(&self, path: &str) -> String {
-        match self {
-            Self::Folder(root) | Self::Archive(root, _) => root.join(path).display().to_string(),
-        }
-    }
-
     fn read(&self, path: &str) -> Result<Vec<u8>, Fault> {
         match self {
             Self::Folder(root) => {
@@ -90,9 +83,9 @@ pub fn read_report_from(source: Source, limits: Limits) -> Result<(Folder, Files
     }
     let mut reader = Reader::new(source, limits);
     let plan = reader.read("report.toml", |file, bytes, _| ReportPlan::parse(file, bytes));
-    let (equations, faults) = reader
-        .read("equations.toml", |file, bytes, _| read_equations_partly(file, bytes))
-        .map_or((None, Faults::new()), |(equations, faults)| (Some(equations), faults));
+    let equations = reader.read("equations.toml", |file, bytes, _| read_equations_partly(file, bytes));
+    let (equations, faults) = equations.unzip();
+    let faults = faults.unwrap_or_default();
     let proofs = reader.proofs(plan.as_ref().map_or(&[], |plan| &plan.proofs));
     let has_proofs = proofs.is_some();
     let equations = equations.map(|equations| equations.with_proofs(proofs.unwrap_or_default()));
@@ -179,7 +172,8 @@ impl Reader {
 
     /// The name of a file, for messages.
     fn name(&self, path: &str) -> String {
-        self.source.name(path)
+        let (Source::Folder(root) | Source::Archive(root, _)) = &self.source;
+        root.join(path).display().to_string()
     }
 
     /// Reads the files of `proofs/` with these names.

@@ -21,8 +21,7 @@ pub fn open_csv(path: &Path, dialect: Dialect) -> Result<RowReader, Fault> {
     let name = "standard input";
     // A stream that is closed has no file, and gives no bytes.
     if let Ok(stdin) = io::stdin().as_fd().try_clone_to_owned() {
-        let noted = note_input(None, &File::from(stdin));
-        noted.map_err(|why| unreadable(Path::new(name), &io::Error::other(why)))?;
+        note_input(None, &File::from(stdin)).map_err(|error| unreadable(Path::new(name), &error))?;
     }
     let input = Input { name: name.into(), reader: Box::new(io::stdin()), size: None };
     Ok(RowReader::new(input, dialect))
@@ -43,7 +42,7 @@ fn rows_of(path: &Path, file: io::Result<File>, dialect: Dialect) -> Result<RowR
         if metadata.is_dir() {
             return Err(io::Error::other("is a folder; name a file"));
         }
-        note_input(Some(path), &file).map_err(io::Error::other)?;
+        note_input(Some(path), &file)?;
         let size = metadata.is_file().then_some(metadata.len());
         Ok(Input { name: path.display().to_string(), reader: Box::new(file), size })
     };
@@ -66,7 +65,7 @@ pub fn read_small_file(path: &Path) -> Result<Vec<u8>, Fault> {
 pub fn read_file_up_to(path: &Path, limit: u64) -> Result<Vec<u8>, Fault> {
     let cannot = |error: io::Error| unreadable(path, &error);
     let file = open_regular(path).map_err(cannot)?;
-    note_input(Some(path), &file).map_err(|why| cannot(io::Error::other(why)))?;
+    note_input(Some(path), &file).map_err(cannot)?;
     let bytes = file.metadata().map_err(cannot)?.len();
     let mut content = Vec::new();
     // A file may grow while it is read.

@@ -26,9 +26,7 @@ pub fn ranges_json(region: &ParameterBox, without: &[Quantity]) -> Value {
     let [lower, upper]: [[Rational; 7]; 2] = [region.lower().into(), region.upper().into()];
     let ends = Quantity::ALL.into_iter().zip(lower.iter().zip(&upper));
     let given = ends.filter(|(quantity, _)| !without.contains(quantity));
-    object(
-        given.map(|(quantity, (lower, upper))| (quantity, json!([nearest_f64(lower), nearest_f64(upper)]))),
-    )
+    object(given.map(|(quantity, (lower, upper))| (quantity, json!([lower, upper].map(nearest_f64)))))
 }
 
 /// The exact values of a point, but for one that plays no part.

@@ -133,10 +133,10 @@ fn refusal(faults: &[String]) -> Option<Failure> {
 impl<'f> Folder<'f> {
     /// Lists a folder and finds the first block whose digest is right.
     fn read(place: &'f Path) -> Result<Self, Failure> {
-        let cannot = |error| Failure::io(place, "cannot be read", &error);
+        let cannot = Failure::io(place, "cannot be read");
         let (mut present, mut strays) = (BTreeSet::new(), Vec::new());
-        for entry in fs::read_dir(place).map_err(cannot)? {
-            let name = entry.map_err(cannot)?.file_name();
+        for entry in fs::read_dir(place).map_err(&cannot)? {
+            let name = entry.map_err(&cannot)?.file_name();
             let name = name.to_string_lossy();
             match block_of_name(&name) {
                 Some(block) => drop(present.insert(block)),
@@ -158,22 +158,22 @@ impl<'f> Folder<'f> {
         Err(Failure::place(place, "has no valid block; run every shard"))
     }
 
-    fn naming(&self, block: u64, reason: &str) -> String {
-        naming(self.place, &block_name(block), reason)
+    fn naming(&self, name: &str, reason: &str) -> String {
+        format!("{}: {reason}", shown_path(&self.place.join(name)))
     }
 
     /// Joins all blocks, and finds everything that is wrong with them.
     fn join(&self, shards: u64, mut whole: Whole) -> Result<(BlockFaults, Whole), Failure> {
-        let stray = |name: &String| naming(self.place, name, "is not the name of a block: a copy?");
+        let stray = |name: &String| self.naming(name, "is not the name of a block: a copy?");
         let mut found =
             BlockFaults { foreign: self.strays.iter().map(stray).collect(), ..BlockFaults::default() };
         let blocks = self.origin.blocks;
         if let Some(last) = self.present.last().filter(|last| **last >= blocks) {
             let beyond = format!("is beyond the {blocks} blocks of this sweep");
-            found.foreign.push(self.naming(*last, &beyond));
+            found.foreign.push(self.naming(&block_name(*last), &beyond));
         }
         for block in 0..blocks {
-            let shard = Shard::of_block(block, shards);
+            let (shard, name) = (Shard::of_block(block, shards), block_name(block));
             if !self.present.contains(&block) {
                 found.missing.insert(shard);
                 found.missing_blocks += 1;
@@ -183,9 +183,9 @@ impl<'f> Folder<'f> {
                 State::Sound => {}
                 State::Damaged(reason) => {
                     found.damaged_shards.insert(shard);
-                    keep(&mut found.damaged, self.naming(block, &reason));
+                    keep(&mut found.damaged, self.naming(&name, &reason));
                 }
-                State::Foreign(reason) => keep(&mut found.foreign, self.naming(block, &reason)),
+                State::Foreign(reason) => keep(&mut found.foreign, self.naming(&name, &reason)),
             }
         }
         Ok((found, whole))
@@ -225,10 +225,6 @@ impl<'f> Folder<'f> {
         (contents.columns != self.columns)
             .then(|| format!("has other columns than {}", block_name(self.reference)))
     }
-}
-
-fn naming(place: &Path, name: &str, reason: &str) -> String {
-    format!("{}: {reason}", shown_path(&place.join(name)))
 }
 
 /// How one block is.

@@ -212,17 +212,15 @@ pub fn capture(arguments: impl IntoIterator<Item = OsString>) -> Captured {
         Err(error) => {
             let error = without_usage_of_conflict(error);
             let text = shortened_usage(&error).unwrap_or_else(|| error.render().to_string());
-            let as_json = || {
-                let print = || {
+            let is_fault = error.use_stderr();
+            let as_json = is_fault && asks_for_json(&arguments);
+            let ((), json) = streams::written_by(|| {
+                if as_json {
                     terminal::print_json_usage(&text);
-                    Ok(())
-                };
-                captured(false, print).1.output
-            };
-            let (output, messages) = match error.use_stderr() {
-                true => (if asks_for_json(&arguments) { as_json() } else { Vec::new() }, text.into_bytes()),
-                false => (text.into_bytes(), Vec::new()),
-            };
+                }
+            });
+            let text = text.into_bytes();
+            let (output, messages) = if is_fault { (json.output, text) } else { (text, Vec::new()) };
             return Captured { exit_code: exit_code_of_usage(&error), output, messages };
         }
     };
@@ -342,10 +340,8 @@ fn start_threads(threads: Option<&str>) -> Result<(), Failure> {
     let mut arguments = Arguments::default();
     let threads = arguments.whole("--threads", threads, 1..=MOST_THREADS);
     let threads = arguments.finish(Some(threads))?;
-    let builder = rayon::ThreadPoolBuilder::new();
-    let builder = match threads {
-        Some(threads) => builder.num_threads(usize::try_from(threads).unwrap_or(1)),
-        None => builder,
-    };
+    // Zero is rayon's word for its default: one per core.
+    let threads = threads.map_or(0, |threads| usize::try_from(threads).unwrap_or(1));
+    let builder = rayon::ThreadPoolBuilder::new().num_threads(threads);
     builder.build_global().map_err(|error| Failure::machine("threads cannot be started", &error))
 }

@@ -68,13 +68,11 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
         let mut arguments = Arguments::default();
         check_report_name(&options.name, &mut arguments);
         arguments.finish(Some(()))?;
-        let place = free_place(options)?;
-        let written = OutputFolder::create(&place, &[])?;
+        let (place, written) = free_place(options)?;
         return options.write(written, &paper::files(&options.name), "verify", &place, Answer::default());
     }
     let (typed, parameters) = read(options)?;
-    let place = free_place(options)?;
-    let output = OutputFolder::create(&place, &[])?;
+    let (place, output) = free_place(options)?;
     let files = drafted(&typed, &parameters, &place, *progress)?;
     let ranges = typed
         .own
@@ -106,8 +104,7 @@ pub fn write_fitted(
         json: false,
     };
     let (typed, parameters) = read(&options)?;
-    let place = free_place(&options)?;
-    let output = OutputFolder::create(&place, &[])?;
+    let (place, output) = free_place(&options)?;
     let typed = Typed { fitted: Some(fitted), ..typed };
     output.commit(&drafted(&typed, &parameters, &place, progress)?)
 }
@@ -129,13 +126,14 @@ fn drafted(
     Ok(files)
 }
 
-/// Where the folder is to be; nothing may be there.
-fn free_place(options: &Options) -> Result<PathBuf, Failure> {
+/// Where the folder is to be, and the folder under writing; nothing may be there.
+fn free_place(options: &Options) -> Result<(PathBuf, OutputFolder), Failure> {
     let place = options.output.clone().unwrap_or_else(|| PathBuf::from(&options.name));
-    match place.symlink_metadata() {
-        Ok(_) => Err(Failure::place(&place, "already exists; choose another folder")),
-        Err(_) => Ok(place),
+    if place.symlink_metadata().is_ok() {
+        return Err(Failure::place(&place, "already exists; choose another folder"));
     }
+    let output = OutputFolder::create(&place, &[])?;
+    Ok((place, output))
 }
 
 impl Options {

@@ -110,10 +110,8 @@ impl<const N: usize> QuantityOptions<N> {
 
     /// The values of some quantities, each of which must be given.
     fn values(&self, of: impl Fn(Quantity) -> bool, arguments: &mut Arguments) -> [Option<Rational>; 7] {
-        let values = Quantity::ALL.map(|quantity| match of(quantity) {
-            true => required(quantity, self.text(quantity), arguments),
-            false => None,
-        });
+        let mut read = |quantity| required(quantity, self.text(quantity), arguments);
+        let values = Quantity::ALL.map(|quantity| of(quantity).then(|| read(quantity))?);
         arguments.check_units(&values);
         values
     }

@@ -58,8 +58,7 @@ impl Output {
         if place.file_name().is_none() {
             return Err(Failure::place(place, "is not a name that can be written"));
         }
-        let partial =
-            PartialFile::beside(place).map_err(|error| Failure::io(place, "cannot be created", &error))?;
+        let partial = PartialFile::beside(place).map_err(Failure::io(place, "cannot be created"))?;
         let partial = BufWriter::with_capacity(BUFFER_BYTES, partial);
         Ok(Self::File { place: place.to_path_buf(), partial })
     }
@@ -94,11 +93,10 @@ impl Output {
         self.flush()?;
         match self {
             Self::File { place, partial } => {
-                let partial = partial
-                    .into_inner()
-                    .map_err(|error| Failure::io(&place, "cannot be written", error.error()))?;
+                let cannot = Failure::io(&place, "cannot be written");
+                let partial = partial.into_inner().map_err(|error| cannot(error.into_error()))?;
                 places::check_output(&place, false).map_err(|why| Failure::place(&place, why))?;
-                partial.persist(&place).map_err(|error| Failure::io(&place, "cannot be written", &error))
+                partial.persist(&place).map_err(cannot)
             }
             Self::Spool(writer) => {
                 let mut file = writer.into_inner().map_err(IntoInnerError::into_error)?;

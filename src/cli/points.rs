@@ -32,7 +32,7 @@ const MOST_FAULTS: usize = 20;
 pub struct RowsOptions {
     /// Where to write the rows; `-` is standard output [default: -]
     #[arg(short, long, value_name = "OUT.csv")]
-    output: Option<PathBuf>,
+    pub output: Option<PathBuf>,
     /// Give invalid rows a cell in a column `error` instead of stopping
     #[arg(long)]
     keep_going: bool,
@@ -41,11 +41,6 @@ pub struct RowsOptions {
 }
 
 impl RowsOptions {
-    /// Where to write the rows.
-    pub fn output(&self) -> Option<&Path> {
-        self.output.as_deref()
-    }
-
     /// Notes the options that need rows, where there are none; those of a grid can be written, and none is at fault.
     pub fn refuse_without_points(&self, has_grid: bool, arguments: &mut Arguments) {
         let needs = "--points: without rows nothing is written to a file, and none can be at fault";

@@ -69,7 +69,9 @@ fn limits_text() -> String {
 /// When the archive or its inputs are at fault or ask for too much, or anything differs from the result computed now.
 pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     let limits = options.limit.limits()?;
-    let budget = budget(&options.budget)?;
+    let mut arguments = Arguments::default();
+    let factor = arguments.number("--budget", &options.budget, |text| AllowedRange::BUDGET.parse(text));
+    let budget = Budget::default().times(nearest_f64(&arguments.finish(factor)?));
     let opened = open(&options.archive)?;
     let digests = digest_faults(&opened.files);
     if !digests.is_empty() {
@@ -104,12 +106,6 @@ fn of_each_file(lines: Vec<String>) -> impl Iterator<Item = String> {
     let (mut first, others): (Vec<String>, Vec<String>) = lines.into_iter().partition(is_first);
     first.sort_by_key(|line| line.starts_with("theorems/"));
     first.into_iter().chain(others)
-}
-
-fn budget(factor: &str) -> Result<Budget, Failure> {
-    let mut arguments = Arguments::default();
-    let factor = arguments.number("--budget", factor, |text| AllowedRange::BUDGET.parse(text));
-    arguments.finish(factor.map(|factor| Budget::default().times(nearest_f64(&factor))))
 }
 
 fn other_build_text(other: &Facts, this: &Facts, archive: &Path) -> String {
@@ -155,7 +151,10 @@ impl Replay<'_> {
         let inputs = below(&self.opened.files, INPUT_FOLDER);
         let inputs: Files = inputs.map(|(_, path, bytes)| (path.to_string(), bytes.clone())).collect();
         let inside = self.place.join(INPUT_FOLDER);
-        self.check_digits(&inputs)?;
+        let fault = |(path, bytes): (&String, &Vec<u8>)| {
+            self.budget.digits_fault(&format!("{INPUT_FOLDER}/{path}"), &String::from_utf8_lossy(bytes))
+        };
+        self.refuse(inputs.iter().filter_map(fault).collect())?;
         let watch = Watch::start(self.place, self.budget);
         let (folder, read) = read_report_from(Source::Archive(inside.clone(), inputs.clone()), limits)?;
         let requests = requests(folder.plan.scenes.iter().zip(&folder.scenes));
@@ -172,13 +171,6 @@ impl Replay<'_> {
             format!("{SOURCES_FILE}: that these are the sources of the program that made the archive")
         }));
         Ok((product, found))
-    }
-
-    fn check_digits(&self, inputs: &Files) -> Result<(), Failure> {
-        let fault = |(path, bytes): (&String, &Vec<u8>)| {
-            self.budget.digits_fault(&format!("{INPUT_FOLDER}/{path}"), &String::from_utf8_lossy(bytes))
-        };
-        self.refuse(inputs.iter().filter_map(fault).collect())
     }
 
     fn refuse(&self, faults: Vec<String>) -> Result<(), Failure> {

@@ -229,9 +229,8 @@ fn make(options: &ReportOptions, progress: &Progress) -> Result<Made, Failure> {
     let name = &folder.plan.name;
     let place = options.output.clone().unwrap_or_else(|| Path::new("target/report").join(name));
     let output = OutputFolder::create(&place, &REPORT_FILES)?;
-    let product = progress
-        .items(|progress| produce(&folder, environment.facts(), progress))
-        .map_err(|error| unrenderable(&options.folder, &error))?;
+    let product = progress.items(|progress| produce(&folder, environment.facts(), progress));
+    let product = product.map_err(|error| unrenderable(&options.folder, &error))?;
     print_warnings(&product.ledger);
     let publish_page = folder.plan.publish_page;
     let mut files = published_files(&product.files, publish_page || !options.for_publication);

@@ -54,18 +54,10 @@ impl Write for StandardOutput {
     }
 }
 
-/// Standard error.
-pub struct StandardError;
-
-impl Write for StandardError {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        let captured = STREAMS.with_borrow_mut(|streams| streams.as_mut().map(|to| to.messages.write(bytes)));
-        captured.unwrap_or_else(|| io::stderr().lock().write(bytes))
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        if is_capturing() { Ok(()) } else { io::stderr().lock().flush() }
-    }
+/// Writes to standard error.
+pub fn write_messages(bytes: &[u8]) -> io::Result<()> {
+    let captured = STREAMS.with_borrow_mut(|streams| streams.as_mut().map(|to| to.messages.write_all(bytes)));
+    captured.unwrap_or_else(|| io::stderr().lock().write_all(bytes))
 }
 
 #[cfg(test)]

@@ -31,7 +31,6 @@ use block_file::{Content, OpenBlock, Origin, write_block};
 use load::Loaded;
 use points::{Job, Points};
 use summed::Summed;
-use work::Lines;
 
 /// Options of `sweep`.
 #[derive(Debug, Args)]
@@ -118,18 +117,18 @@ fn compute_shard(
     let blocks = points.blocks(loaded.section.block_points)?;
     let columns = points.columns();
     let summed = loaded.section.summary.as_ref().map(|section| Summed::new(section, &columns)).transpose()?;
-    create_folder(out)?;
+    fs::create_dir_all(out).map_err(Failure::io(out, "cannot be created"))?;
     let origin = Origin {
         scene: points.digest(&loaded.scene_digest),
         version: load::version(),
         blocks: blocks.count(),
-        content: summed.as_ref().map_or(Content::Rows, Summed::content),
+        content: summed.as_ref().map_or(Content::Rows, |summed| Content::Summary(summed.empty.key_count())),
     };
     let shard_blocks = blocks.of_shard(shard).count() as u64;
     let writer = BlockWriter {
         points: &points,
         blocks,
-        columns: summed.as_ref().map_or(columns, Summed::columns),
+        columns: summed.as_ref().map_or(columns, |summed| summed.empty.columns()),
         summed,
         origin,
         out,
@@ -143,7 +142,7 @@ fn compute_shard(
     done?;
     let unanswered = writer.unanswered.into_inner();
     if unanswered > 0 {
-        let points = terminal::count_of(usize::try_from(unanswered).unwrap_or(usize::MAX), "point");
+        let points = terminal::count_of(unanswered, "point");
         terminal::message(&format!("{points} without a result; see the columns `status` or `error`"));
     }
     let Some(inputs) = inputs else { return Ok(()) };
@@ -155,11 +154,6 @@ fn compute_shard(
         .with("points_without_result", unanswered)
         .with("output", json_path(out))
         .print(true)
-}
-
-/// Makes the folder of the blocks, if it is not there.
-pub fn create_folder(folder: &Path) -> Result<(), Failure> {
-    fs::create_dir_all(folder).map_err(|error| Failure::io(folder, "cannot be created", &error))
 }
 
 /// Writes blocks from any thread.
@@ -178,7 +172,10 @@ struct BlockWriter<'p> {
 impl BlockWriter<'_> {
     fn write(&self, job: &Job) -> Result<(), Failure> {
         if !self.holds(job.block)? {
-            let lines = self.lines(job)?;
+            let lines = match &self.summed {
+                Some(summed) => summed.lines(self.points, self.blocks, job)?,
+                None => self.points.lines(self.blocks, job),
+            };
             let range = self.blocks.range(job.block);
             let number = (job.block, range.end - range.start);
             write_block(self.out, &self.origin, number, &self.columns, &lines.text)?;
@@ -187,13 +184,6 @@ impl BlockWriter<'_> {
         }
         self.bar.inc(1);
         Ok(())
-    }
-
-    fn lines(&self, job: &Job) -> Result<Lines, Failure> {
-        match &self.summed {
-            Some(summed) => summed.lines(self.points, self.blocks, job),
-            None => Ok(self.points.lines(self.blocks, job)),
-        }
     }
 
     /// Whether a block is there and sound. A damaged one is computed again; one of another sweep is never overwritten.

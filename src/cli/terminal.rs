@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 use slipmode::scene::{LONGEST_MESSAGE, first_lines, visible, with_short_quotations};
 
 use crate::cli::failure::Failure;
-use crate::cli::streams::{StandardError, StandardOutput, has_output, is_capturing};
+use crate::cli::streams::{StandardOutput, has_output, is_capturing, write_messages};
 
 /// The version of the JSON objects.
 pub const SCHEMA: u32 = 1;
@@ -43,7 +43,7 @@ fn print_raw(text: &str) -> Result<(), Failure> {
 pub fn message(text: &str) {
     let line = |line: &str| coloured(with_short_quotations(&visible(line), LONGEST_MESSAGE));
     let lines = text.split('\n').map(line).collect::<Vec<_>>().join("\n");
-    let _ = StandardError.write_all(format!("{lines}\n").as_bytes());
+    let _ = write_messages(format!("{lines}\n").as_bytes());
 }
 
 /// A line with the word it begins with in the colours of the command line's own errors, where a terminal shows them.
@@ -59,11 +59,10 @@ fn coloured(line: String) -> String {
 }
 
 /// A number of things: `1 row`, `2 rows`.
-pub fn count_of(count: usize, thing: &str) -> String {
-    match count {
-        1 => format!("1 {thing}"),
-        count => format!("{count} {thing}s"),
-    }
+pub fn count_of(count: impl fmt::Display + Copy, thing: &str) -> String {
+    let count = count.to_string();
+    let plural = if count == "1" { "" } else { "s" };
+    format!("{count} {thing}{plural}")
 }
 
 impl Failure {

@@ -27,7 +27,7 @@ pub fn listing(files: &Files, folder: &Path) -> String {
 /// When the published folder cannot be read.
 pub fn differences(files: &Files, published: &Path) -> Result<Vec<String>, Failure> {
     let mut names = BTreeSet::new();
-    list(published, "", &mut names).map_err(|error| Failure::io(published, "cannot be read", &error))?;
+    list(published, "", &mut names).map_err(Failure::io(published, "cannot be read"))?;
     names.extend(files.keys().cloned());
     names.retain(|name| name != ENVIRONMENT_FILE && !name.ends_with('/'));
     let mut found = Vec::new();
@@ -40,7 +40,7 @@ pub fn differences(files: &Files, published: &Path) -> Result<Vec<String>, Failu
         let old = match open_regular(&path).and_then(|mut file| file.read_to_end(&mut bytes)) {
             Ok(_) => Some(String::from_utf8_lossy(&bytes)),
             Err(error) if error.kind() == io::ErrorKind::NotFound => None,
-            Err(error) => return Err(Failure::io(&path, "cannot be read", &error)),
+            Err(error) => return Err(Failure::io(&path, "cannot be read")(error)),
         };
         found.extend(difference(&name, old.as_deref(), files.get(&name).map(String::as_str)));
     }

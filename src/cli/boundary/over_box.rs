@@ -8,7 +8,7 @@ use slipmode_core::friction::Slider;
 use slipmode_core::number::format::{exact_text, round_digits};
 use slipmode_core::number::{Rational, Wide, nearest_f64, parse_decimal};
 use slipmode_core::stability::inverse::{SolutionRange, Target, Unknown};
-use slipmode_core::stability::{InertialThreshold, PairRatio, ParameterBox, is_allowed_over_box};
+use slipmode_core::stability::{PairRatio, ParameterBox, is_allowed_over_box};
 use slipmode_plot::table::{Cell, Column, Table};
 
 use crate::cli::answer::Answer;
@@ -26,7 +26,7 @@ pub struct Request {
     region: ParameterBox,
     at: RangePlaces,
     /// The line of this ω/ω_n; none for the boundary and the transition.
-    frequency_ratio: Option<InertialThreshold>,
+    frequency_ratio: Option<PairRatio>,
 }
 
 /// Where the ranges are computed.
@@ -68,7 +68,7 @@ impl Request {
         let points = u32::try_from(given.unwrap_or(DEFAULT_POINTS)).ok()?;
         let is_single = options.has_single_points();
         let at = if is_single { RangePlaces::Single(places) } else { RangePlaces::Even(points) };
-        Some(Self { region: region?, at, frequency_ratio })
+        Some(Self { region: region?, at, frequency_ratio: frequency_ratio.map(PairRatio::Frequency) })
     }
 
     /// What is said where no values within the error bars have the lines.
@@ -82,8 +82,10 @@ impl Request {
     /// The lines that are wanted, by their words.
     fn lines(&self) -> Vec<(&'static str, Target)> {
         match &self.frequency_ratio {
-            Some(ratio) => vec![("frequency-ratio", Target::FrequencyRatio(ratio.clone()))],
-            None => BandOf::ALL.map(|of| (of.as_str(), of.target())).to_vec(),
+            Some(PairRatio::Frequency(ratio)) => {
+                vec![("frequency-ratio", Target::FrequencyRatio(ratio.clone()))]
+            }
+            _ => BandOf::ALL.map(|of| (of.as_str(), of.target())).to_vec(),
         }
     }
 
@@ -103,7 +105,8 @@ impl Request {
             }
         };
         let inputs = ranges_json(&self.region, &[Quantity::NormalStress, Quantity::LoadingVelocity]);
-        let answer = answer_to(inputs, self.ratio().as_ref()).list("ranges", rows.iter().map(Row::part));
+        let answer =
+            answer_to(inputs, self.frequency_ratio.as_ref()).list("ranges", rows.iter().map(Row::part));
         Ok(BoundaryOutput { answer, table: table(&rows), picture: Box::new(|| self.picture()) })
     }
 
@@ -124,12 +127,8 @@ impl Request {
         self.region.middle().slider
     }
 
-    fn ratio(&self) -> Option<PairRatio> {
-        self.frequency_ratio.clone().map(PairRatio::Frequency)
-    }
-
     fn picture(&self) -> Result<String, Failure> {
-        picture(&self.middle(), (Some(&self.region), self.ratio().as_ref()))
+        picture(&self.middle(), (Some(&self.region), self.frequency_ratio.as_ref()))
     }
 }
 

@@ -190,13 +190,9 @@ impl GridRequest {
         let answer = counted(answer, ("points", "points", tally.points(), &axes))
             .part("slip_mode", modes.chain([neutral]).fold(Answer::default(), shared))
             .part("spectral_class", classes.fold(Answer::default(), shared));
-        [
-            ("on_transition", "exactly on K = K_c", tally.on_transition(), ""),
-            ("on_boundary", "exactly on max Im(s) = 0", tally.on_boundary(), ""),
-        ]
-        .into_iter()
-        .fold(answer, counted)
-        .part("rung", levels.into_iter().fold(Answer::default(), counted))
+        let answer = counted(answer, ("on_transition", "exactly on K = K_c", tally.on_transition(), ""));
+        counted(answer, ("on_boundary", "exactly on max Im(s) = 0", tally.on_boundary(), ""))
+            .part("rung", levels.into_iter().fold(Answer::default(), counted))
     }
 }
 

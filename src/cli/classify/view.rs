@@ -50,6 +50,7 @@ impl ClassifiedPoint {
         let critical = parameters.critical_stiffness();
         let ratio = (critical > 0).then(|| Rational::from(&parameters.slider.stiffness_pa_per_m / &critical));
         let without_ratio = if ratio.is_some() { "" } else { "(a >= b: no transition)" };
+        let over_natural = Item::rounded(derived.frequency_over_natural, "");
         let roots = print_roots(parameters, ROOT_DIGITS);
         let in_groups = Answer::default()
             .item("inertial_parameter", "eta, M V0^2/(sigma a D_c)", &groups.inertial_parameter)
@@ -70,11 +71,7 @@ impl ClassifiedPoint {
             .item("max_imaginary_per_s", "max Im(s)", Item::from(found.max_imaginary_per_s).in_unit("1/s"))
             .item("frequency_hz", "frequency", Item::rounded(derived.frequency_hz, " Hz"))
             .note("(max Im(s)/2 pi)")
-            .item(
-                "frequency_over_natural",
-                "omega / omega_n",
-                Item::rounded(derived.frequency_over_natural, ""),
-            )
+            .item("frequency_over_natural", "omega / omega_n", over_natural)
             .note("(max Im(s) over sqrt(K/M))")
             .with("natural_angular_frequency_per_s", derived.natural_angular_frequency_per_s)
             .item("critical_stiffness_pa_per_m", "K_c", Item::from(&critical).in_unit("Pa/m"))

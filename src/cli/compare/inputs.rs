@@ -29,6 +29,6 @@ pub fn inputs(runs: &Path, rows: &[ComparedRow]) -> Result<Vec<InputView>, Failu
 
 fn view(path: &Path, name: &str) -> Result<InputView, Failure> {
     let digest = open_regular(path).and_then(sha256_of_reader);
-    let (bytes, sha256) = digest.map_err(|error| Failure::io(path, "cannot be read again", &error))?;
+    let (bytes, sha256) = digest.map_err(Failure::io(path, "cannot be read again"))?;
     Ok(InputView { path: name.into(), bytes: bytes.to_string(), sha256 })
 }

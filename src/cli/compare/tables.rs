@@ -8,8 +8,8 @@ use slipmode_plot::table::{Cell, Table};
 use crate::cli::compare::rows::{ComparedRow, reason};
 
 /// Significant digits of values, and of differences and errors.
-const VALUE_DIGITS: usize = 8;
-const ERROR_DIGITS: usize = 2;
+pub const VALUE_DIGITS: usize = 8;
+pub const ERROR_DIGITS: usize = 2;
 
 /// Both tables.
 pub fn tables(rows: &[ComparedRow]) -> Vec<Table> {

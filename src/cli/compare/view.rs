@@ -6,6 +6,7 @@ use slipmode_core::number::format::round_digits;
 
 use crate::cli::answer::Answer;
 use crate::cli::compare::rows::{ComparedRow, counts, reason, within_error_bars};
+use crate::cli::compare::tables::{ERROR_DIGITS, VALUE_DIGITS};
 use crate::cli::inputs::region_json;
 use crate::cli::simulate;
 use crate::cli::simulate::run::Simulated;
@@ -13,9 +14,6 @@ use crate::cli::terminal::{SCHEMA, count_of};
 
 /// Up to so many rows, every finding is shown; beyond it those of rows that do not agree.
 const ROWS_IN_FULL: usize = 20;
-/// Significant digits of values, and of differences and errors.
-const VALUE_DIGITS: usize = 8;
-const ERROR_DIGITS: usize = 2;
 
 /// States the rows in their order with the numbers behind their verdicts, counts the verdicts, and counts the rows that were
 /// passed over.

@@ -19,9 +19,7 @@ impl Reader {
     /// Reads all files that `scenes` name, in this folder; their faults are kept.
     pub fn references(&mut self, scenes: &[Scene], folder: &str) -> References {
         let mut references = References::default();
-        for entry in
-            scenes.iter().filter_map(|scene| scene.swept.as_ref()).flat_map(|section| &section.sweeps)
-        {
+        for entry in scenes.iter().flat_map(|scene| &scene.swept).flat_map(|section| &section.sweeps) {
             let found = self.swept(entry, folder);
             references.swept.extend(found.map(|found| (entry.name.clone(), found)));
         }
@@ -32,7 +30,7 @@ impl Reader {
                 references.certificates.extend(found.map(|found| (entry.name.clone(), found)));
             }
         }
-        for section in scenes.iter().filter_map(|scene| scene.fit.as_ref()) {
+        for section in scenes.iter().flat_map(|scene| &scene.fit) {
             let found = self.read(&format!("{folder}{}.csv", section.record), |name, bytes, _| {
                 let reader = Box::new(Cursor::new(bytes.to_vec()));
                 let input = Input { name: name.into(), reader, size: Some(bytes.len() as u64) };

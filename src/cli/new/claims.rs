@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use slipmode::claims::{Verdict, procedures};
+use slipmode::claims::{Entry, Verdict, procedures};
 use slipmode::report::{self, Folder};
 use slipmode::scene::{ClaimEntry, Faults, Sliders, read_claims, read_equations};
 
@@ -17,18 +17,10 @@ const PAPER: &str = include_str!("../../../reports/im-avouac/claims.toml");
 /// What was found.
 #[derive(Debug)]
 pub struct Decided {
-    claims: Vec<DecidedClaim>,
+    /// The claims, each with what was found.
+    claims: Vec<(ClaimEntry, Entry)>,
     /// Whether a simulation has no result.
     pub has_gaps: bool,
-}
-
-/// A claim with what was found.
-#[derive(Debug)]
-struct DecidedClaim {
-    entry: ClaimEntry,
-    verdict: Verdict,
-    /// Why nothing was found, if so.
-    reason: String,
 }
 
 /// The claims to decide, in the order of the paper's report.
@@ -69,16 +61,8 @@ pub fn undecided(entries: &[ClaimEntry]) -> String {
 pub fn decide(folder: &Folder, progress: Progress) -> Result<Decided, Failure> {
     let (ledger, outcome) = progress.items(|progress| report::decide(folder, &folder.claims, progress));
     refuse_contradictions(&ledger)?;
-    let pairs = folder.claims.iter().cloned().zip(ledger.claims);
-    let claims = pairs
-        .map(|(entry, found)| DecidedClaim {
-            entry,
-            verdict: found.finding.verdict,
-            reason: found.finding.remarks.join(" "),
-        })
-        .collect();
-    let grids =
-        outcome.scenes.iter().filter_map(|scene| scene.simulations.as_ref()).flat_map(|runs| &runs.grids);
+    let claims = folder.claims.iter().cloned().zip(ledger.claims).collect();
+    let grids = outcome.scenes.iter().flat_map(|scene| &scene.simulations).flat_map(|runs| &runs.grids);
     let mut points = grids.flat_map(|(_, grid)| &grid.values);
     Ok(Decided { claims, has_gaps: points.any(|point| point.simulation.is_err()) })
 }
@@ -86,12 +70,11 @@ pub fn decide(folder: &Folder, progress: Progress) -> Result<Decided, Failure> {
 impl Decided {
     /// The text of `claims.toml`.
     pub fn text(&self, name: &str) -> String {
-        let left_out: String = self
-            .left_out()
-            .map(|claim| format!("# Left out: {}. {}\n", claim.entry.id, claim.reason))
-            .collect();
-        let listed = self.claims.iter().filter(|claim| claim.verdict != Verdict::NotChecked);
-        let sections: String = listed.map(|claim| section(&claim.entry, claim.verdict)).collect();
+        let reason =
+            |found: &Entry| format!("# Left out: {}. {}\n", found.id, found.finding.remarks.join(" "));
+        let left_out: String = self.left_out().map(reason).collect();
+        let listed = self.claims.iter().filter(|(_, found)| found.finding.verdict != Verdict::NotChecked);
+        let sections: String = listed.map(|(entry, found)| section(entry, found.finding.verdict)).collect();
         format!(
             "# The paper's claims that apply to sliders like this one, each with the verdict that was computed when \
                 this file was\n# written. `slipmode verify {name}` computes them again and exits with 1 if one \
@@ -101,13 +84,13 @@ impl Decided {
 
     /// A chapter's prose without the lines that place a claim which the report does not list.
     pub fn without_those_left_out(&self, prose: &str) -> String {
-        self.left_out().fold(prose.to_string(), |text, claim| {
-            text.replace(&format!("\n[[claim:{}]]\n", claim.entry.id), "")
-        })
+        let without = |text: String, claim: &Entry| text.replace(&format!("\n[[claim:{}]]\n", claim.id), "");
+        self.left_out().fold(prose.to_string(), without)
     }
 
-    fn left_out(&self) -> impl Iterator<Item = &DecidedClaim> {
-        self.claims.iter().filter(|claim| claim.verdict == Verdict::NotChecked)
+    fn left_out(&self) -> impl Iterator<Item = &Entry> {
+        let found = self.claims.iter().map(|(_, found)| found);
+        found.filter(|found| found.finding.verdict == Verdict::NotChecked)
     }
 }
 

@@ -34,10 +34,9 @@ impl OutputFolder {
         let place = place.with_file_name(name);
         check_place(&place, own)?;
         let above = folder_of(&place);
-        fs::create_dir_all(above).map_err(|error| Failure::io(above, "cannot be created", &error))?;
+        fs::create_dir_all(above).map_err(Failure::io(above, "cannot be created"))?;
         places::note_output(&place, true).map_err(|why| Failure::place(&place, why))?;
-        let partial = PartialFolder::beside(&place)
-            .map_err(|error| Failure::io(&place, "cannot be written", &error))?;
+        let partial = PartialFolder::beside(&place).map_err(Failure::io(&place, "cannot be written"))?;
         Ok(Self { place, partial, own })
     }
 
@@ -50,11 +49,11 @@ impl OutputFolder {
         let Self { place, partial, own } = self;
         for (name, text) in files {
             let written = partial.write(name, text.as_bytes());
-            written.map_err(|error| Failure::io(&place.join(name), "cannot be written", &error))?;
+            written.map_err(Failure::io(&place.join(name), "cannot be written"))?;
         }
         check_place(&place, own)?;
         places::check_output(&place, true).map_err(|why| Failure::place(&place, why))?;
-        partial.persist(&place).map_err(|error| Failure::io(&place, "cannot be put in place", &error))
+        partial.persist(&place).map_err(Failure::io(&place, "cannot be put in place"))
     }
 }
 
@@ -68,8 +67,8 @@ fn check_place(place: &Path, own: &[&str]) -> Result<(), Failure> {
     if !metadata.is_dir() {
         return refuse("is a file; name a folder");
     }
-    let cannot = |error| Failure::io(place, "cannot be read", &error);
-    if fs::read_dir(place).map_err(cannot)?.next().is_none() {
+    let cannot = Failure::io(place, "cannot be read");
+    if fs::read_dir(place).map_err(&cannot)?.next().is_none() {
         return Ok(());
     }
     if !environment::is_in(place) {

@@ -1,6 +1,7 @@
 //! What a command reads and what it writes: nothing may be both, under whatever name, and no two outputs may be one.
 
 use std::fs::{self, File, Metadata};
+use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -33,9 +34,9 @@ const TWICE: &str = "is or holds another output of this command; name another pl
 ///
 /// # Errors
 /// When it is an output of this command too.
-pub fn note_input(path: Option<&Path>, file: &File) -> Result<(), &'static str> {
+pub fn note_input(path: Option<&Path>, file: &File) -> io::Result<()> {
     let path = path.and_then(|path| fs::canonicalize(path).ok());
-    note_read(Target { path, identity: identity_of(file), is_folder: false })
+    note_read(Target { path, identity: identity_of(file), is_folder: false }).map_err(io::Error::other)
 }
 
 /// Notes a folder of which all files may be read.
@@ -81,9 +82,9 @@ fn note_read(place: Target) -> Result<(), &'static str> {
 ///
 /// # Errors
 /// When it is an output of this command too.
-pub fn check_input(file: &File) -> Result<(), &'static str> {
+pub fn check_input(file: &File) -> io::Result<()> {
     let input = Target { path: None, identity: identity_of(file), is_folder: false };
-    check(&input, &places().outputs, BOTH)
+    check(&input, &places().outputs, BOTH).map_err(io::Error::other)
 }
 
 /// Refuses a place that meets one of these, and says why.

@@ -18,15 +18,11 @@ use crate::cli::simulate::view::certain;
 pub struct Kicks {
     /// V0 in m/s and aσ in Pa.
     units: [f64; 2],
-    found: KickSizes,
-}
-
-#[derive(Debug)]
-enum KickSizes {
-    /// Every disturbance grows: K < K_c, or K = K_c with the sign of the Lyapunov coefficient that says so. Exact.
-    All,
     /// For each kick the sizes between which the smallest lies that leaves; none when no tried size does. Sampled.
-    Tried(Vec<(Kick, Option<[f64; 2]>)>),
+    ///
+    /// Nothing is tried where every disturbance grows: K < K_c, or K = K_c with the sign of the Lyapunov coefficient that says
+    /// so. Exact.
+    tried: Option<Vec<(Kick, Option<[f64; 2]>)>>,
 }
 
 impl Kicks {
@@ -48,14 +44,11 @@ impl Kicks {
         let decayed = Cell::new(0.0);
         let smallest =
             |kick: Kick| Ok((kick, kick.smallest(&model, &decayed).map_err(|failure| failure.to_string())?));
-        let found = if grows {
-            KickSizes::All
-        } else {
-            KickSizes::Tried(Kick::ALL.into_iter().map(smallest).collect::<Result<_, String>>()?)
-        };
+        let all = || Kick::ALL.into_iter().map(smallest).collect::<Result<_, String>>();
+        let tried = (!grows).then(all).transpose()?;
         let parameters = parameters.map(nearest_f64);
         let units = [parameters.point.loading_velocity_m_per_s, parameters.direct_stress_pa()];
-        Ok(Self { units, found })
+        Ok(Self { units, tried })
     }
 
     /// States that the kicks are not known.
@@ -65,9 +58,9 @@ impl Kicks {
 
     /// States each kick, how it is known, and what follows for a laboratory.
     pub fn answer(&self) -> Answer {
-        let (strength, parts): (_, Vec<Answer>) = match &self.found {
-            KickSizes::All => ("exact", Kick::ALL.map(|kick| self.part((kick, Some([0.0; 2])))).into()),
-            KickSizes::Tried(all) => ("sampled", all.iter().map(|tried| self.part(*tried)).collect()),
+        let (strength, parts): (_, Vec<Answer>) = match &self.tried {
+            None => ("exact", Kick::ALL.map(|kick| self.part((kick, Some([0.0; 2])))).into()),
+            Some(all) => ("sampled", all.iter().map(|tried| self.part(*tried)).collect()),
         };
         let conclusion = self.conclusion();
         let title = Answer::line(&format!("\nsmallest kicks that leave steady sliding ({strength}):"));
@@ -107,7 +100,7 @@ impl Kicks {
 
     /// What a laboratory may conclude.
     fn conclusion(&self) -> String {
-        let KickSizes::Tried(all) = &self.found else {
+        let Some(all) = &self.tried else {
             return "Every disturbance leaves steady sliding, however small: no laboratory is quiet enough."
                 .into();
         };

@@ -185,8 +185,9 @@ impl OpenBlock {
     /// When it cannot be read.
     pub fn open(folder: &Path, block: u64) -> Result<Result<Self, String>, Failure> {
         let name = folder.join(block_name(block));
-        let unreadable = |error| Failure::io(&name, "cannot be read", &error);
-        let file = match open_regular(&name).and_then(not_an_output) {
+        let unreadable = |error| Failure::io(&name, "cannot be read")(error);
+        // A block that the command is going to overwrite must not be read by it.
+        let file = match open_regular(&name).and_then(|file| check_input(&file).map(|()| file)) {
             Err(error) if error.kind() == io::ErrorKind::NotFound => {
                 return Ok(Err("changed while the blocks were merged".into()));
             }
@@ -224,11 +225,10 @@ impl OpenBlock {
         let mut skipped = if with_columns { 0 } else { self.heading.columns };
         let mut buffer = vec![0; 1 << 16];
         loop {
-            let count = match self.reader.read(&mut buffer) {
-                Ok(0) => break,
-                Ok(count) => count,
-                Err(error) => return Err(Failure::io(&self.name, "cannot be read", &error)),
-            };
+            let count = self.reader.read(&mut buffer).map_err(Failure::io(&self.name, "cannot be read"))?;
+            if count == 0 {
+                break;
+            }
             digest.update(&buffer[..count]);
             shape.add(&buffer[..count]);
             let from = usize::try_from(skipped).unwrap_or(usize::MAX).min(count);
@@ -241,12 +241,6 @@ impl OpenBlock {
         }
         Ok(Err("damaged or altered: its SHA-256 is not the stated one".into()))
     }
-}
-
-/// A block that the command is going to overwrite must not be read by it.
-fn not_an_output(file: File) -> io::Result<File> {
-    check_input(&file).map_err(io::Error::other)?;
-    Ok(file)
 }
 
 /// Writes a block: next to its place, synced, renamed.

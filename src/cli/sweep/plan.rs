@@ -71,11 +71,6 @@ impl Plan {
         (shards as u64).clamp(1, self.blocks.count().min(super::MOST_SHARDS))
     }
 
-    /// How many blocks there are.
-    pub fn blocks(&self) -> u64 {
-        self.blocks.count()
-    }
-
     fn block_seconds(&self) -> f64 {
         self.seconds_per_point * self.blocks.points.min(self.blocks.block_points) as f64
     }
@@ -91,7 +86,7 @@ impl Plan {
         let (minutes, hours) = (self.shard_minutes(shards), self.core_seconds() / 3600.0);
         Answer::to(inputs)
             .item("points", "points", points)
-            .item("blocks", "blocks", self.blocks())
+            .item("blocks", "blocks", self.blocks.count())
             .note(&format!("(of {block_points} points)"))
             .item("shards", "shards", shards)
             .note(&format!("(about {} minutes each)", digits(minutes)))
@@ -123,6 +118,6 @@ pub fn print_plan(
     inputs: &Option<Value>,
 ) -> Result<(), Failure> {
     let plan = Plan::measure(loaded, &loaded.points()?)?;
-    let shards = shards.map_or_else(|| plan.shards(minutes), |shards| shards.min(plan.blocks()));
+    let shards = shards.map_or_else(|| plan.shards(minutes), |shards| shards.min(plan.blocks.count()));
     plan.answer(shards, inputs).print(inputs.is_some())
 }

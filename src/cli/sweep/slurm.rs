@@ -9,9 +9,9 @@ use crate::cli::answer::Answer;
 use crate::cli::failure::Failure;
 use crate::cli::output::Output;
 use crate::cli::path_text::{json_path, word_of};
-use crate::cli::sweep::create_folder;
 use crate::cli::sweep::load::Loaded;
 use crate::cli::sweep::plan::Plan;
+use crate::cli::terminal::count_of;
 
 /// Writes the scripts for a sweep; `inputs` are repeated by the JSON object, when one is printed.
 ///
@@ -30,7 +30,7 @@ pub fn write_scripts(
         Some(shards) => shards.min(blocks),
         None => Plan::measure(loaded, &points)?.shards(minutes),
     };
-    create_folder(out)?;
+    fs::create_dir_all(out).map_err(Failure::io(out, "cannot be created"))?;
     let program = std::env::current_exe().map_err(|error| Failure::machine("the program's place", &error))?;
     let [program, scene, script_out] = [&*program, scene, out].map(absolute);
     let (name, program, scene, script_out) = (&loaded.name, program?, scene?, script_out?);
@@ -57,18 +57,17 @@ pub fn write_scripts(
     for (name, text) in &files {
         Output::create(&out.join(name))?.finish(text)?;
     }
-    let plural = if shards == 1 { "" } else { "s" };
     Answer::to(inputs)
         .with("shards", shards)
         .with("output", json_path(out))
         .with("files", files.map(|(name, _)| name))
-        .text(&format!("{shards} shard{plural}; submit with: sh {script_out}/submit.sh\n"))
+        .text(&format!("{}; submit with: sh {script_out}/submit.sh\n", count_of(shards, "shard")))
         .print(inputs.is_some())
 }
 
 /// A path as one word of a shell, without a line break: it also stands in comments.
 fn absolute(path: &Path) -> Result<String, Failure> {
-    let path = fs::canonicalize(path).map_err(|error| Failure::io(path, "cannot be found", &error))?;
+    let path = fs::canonicalize(path).map_err(Failure::io(path, "cannot be found"))?;
     match path.to_str() {
         Some(text) if !text.contains(char::is_control) => Ok(word_of(&path)),
         _ => {

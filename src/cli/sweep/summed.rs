@@ -3,13 +3,13 @@
 use slipmode::sweep::{Blocks, RowPlaces, Summary, SummaryError, SummarySection};
 
 use crate::cli::failure::Failure;
-use crate::cli::sweep::block_file::Content;
 use crate::cli::sweep::points::{Job, Points};
 use crate::cli::sweep::work::Lines;
 
 /// How rows are summed up.
 pub struct Summed {
-    empty: Summary,
+    /// A summary of no rows.
+    pub empty: Summary,
     places: RowPlaces,
 }
 
@@ -23,16 +23,6 @@ impl Summed {
         Ok(Self { empty, places })
     }
 
-    /// What blocks hold.
-    pub fn content(&self) -> Content {
-        Content::Summary(self.empty.key_count())
-    }
-
-    /// The line of column names.
-    pub fn columns(&self) -> Vec<u8> {
-        self.empty.columns()
-    }
-
     /// How many bytes the summary of these rows has.
     ///
     /// # Errors
@@ -40,7 +30,7 @@ impl Summed {
     pub fn bytes(&self, rows: &Lines) -> Result<f64, Failure> {
         let mut summary = self.empty.clone();
         summary.add_rows(&self.places, &rows.text).map_err(refused)?;
-        Ok((self.columns().len() + summary.lines().len()) as f64)
+        Ok((self.empty.columns().len() + summary.lines().len()) as f64)
     }
 
     /// The lines of a block.

@@ -100,33 +100,26 @@ impl<W: PointWork> MadePoints for Made<W> {
     }
 
     fn lines(&self, numbers: &mut dyn Iterator<Item = u64>) -> Lines {
-        let varying = self.source.varying();
+        let (varying, laws) = (self.source.varying(), self.laws.len().max(1) as u64);
         let mut lines = Lines::default();
         for number in numbers {
-            self.line(number, &varying, &mut lines);
+            let point = self.source.at(number / laws);
+            for (place, index) in varying.iter().enumerate() {
+                if place > 0 {
+                    lines.text.push(b',');
+                }
+                lines.text.extend_from_slice(shortest(point[*index]).as_bytes());
+            }
+            let law = self.laws.get((number % laws) as usize);
+            if let Some(law) = law {
+                lines.text.push(b',');
+                lines.text.extend_from_slice(law.as_str().as_bytes());
+            }
+            let input = self.work.input(&self.source, &point, law.copied().unwrap_or(EvolutionLaw::Slip));
+            lines.unanswered += u64::from(self.work.append(&input, &mut lines.text).is_unanswered);
+            lines.text.push(b'\n');
         }
         lines
-    }
-}
-
-impl<W: PointWork> Made<W> {
-    fn line(&self, number: u64, varying: &[usize], lines: &mut Lines) {
-        let laws = self.laws.len().max(1) as u64;
-        let point = self.source.at(number / laws);
-        for (place, index) in varying.iter().enumerate() {
-            if place > 0 {
-                lines.text.push(b',');
-            }
-            lines.text.extend_from_slice(shortest(point[*index]).as_bytes());
-        }
-        let law = self.laws.get((number % laws) as usize);
-        if let Some(law) = law {
-            lines.text.push(b',');
-            lines.text.extend_from_slice(law.as_str().as_bytes());
-        }
-        let input = self.work.input(&self.source, &point, law.copied().unwrap_or(EvolutionLaw::Slip));
-        lines.unanswered += u64::from(self.work.append(&input, &mut lines.text).is_unanswered);
-        lines.text.push(b'\n');
     }
 }
 

@@ -38,26 +38,23 @@ fn row(region: &ParameterBox, asymptote: Asymptote, relative_error: &Rational) -
     let limits = found.as_ref().map(LimitOverBox::certain_and_best);
     let digits = |value: &Ball| certain_digits(value, DIGITS);
     let [value_key, limit_key, unit] = keys(asymptote);
+    // The cusp is the limit of some sliders and not of others.
+    let place = place_of_limit(asymptote, false);
     let words = found.as_ref().zip(limits).map(|(found, limits)| {
         let [least, greatest] = found.values.each_ref().map(digits);
         let range = if least == greatest { least } else { format!("{least} to {greatest}") };
         let [certain, best] = limits.map(digits);
         let limit =
             format!("{certain} {unit}  ({best} {unit} for the values with which it is good farthest)");
-        (formula(asymptote, &range), place(asymptote), limit)
+        (formula(asymptote, &range), place, limit)
     });
     let (formula, where_good, limit) =
         words.unwrap_or_else(|| (String::new(), "nowhere certain", EQUAL_EFFECTS.to_string()));
     let [certain, best] = limits.map_or([None; 2], |limits| limits.map(|limit| Some(limit.to_f64())));
     part(asymptote, relative_error, WIDTH, [&formula, where_good, &limit])
-        .with("where", place(asymptote))
+        .with("where", place)
         .with(value_key, found.as_ref().map(|found| found.values.each_ref().map(Ball::to_f64)))
         .with("limit", json!({ limit_key: certain }))
         .with("farthest_limit", json!({ limit_key: best }))
         .with("reason", found.is_none().then_some(EQUAL_EFFECTS))
-}
-
-/// On which side of its limit a formula is good; the cusp is the limit of some sliders and not of others.
-fn place(asymptote: Asymptote) -> &'static str {
-    place_of_limit(asymptote, false)
 }
