@@ -35,12 +35,9 @@ This archive contains no binary; `Cargo.lock` names their exact versions and dig
 pub fn contents(parts: &Parts<'_>) -> Files {
     let mut files = Files::new();
     files.extend(parts.inputs.iter().map(|(path, bytes)| (format!("{INPUT_FOLDER}/{path}"), bytes.clone())));
-    let product = parts.product.iter();
-    files.extend(product.map(|(path, text)| (format!("{REPORT_FOLDER}/{path}"), text.clone().into_bytes())));
-    let theorems = parts.theorems.iter();
-    files.extend(
-        theorems.map(|(path, text)| (format!("{THEOREMS_FOLDER}/{path}"), text.clone().into_bytes())),
-    );
+    for (folder, made) in [(REPORT_FOLDER, parts.product), (THEOREMS_FOLDER, parts.theorems)] {
+        files.extend(made.iter().map(|(path, text)| (format!("{folder}/{path}"), text.clone().into_bytes())));
+    }
     let texts = [
         (LOCK_FILE, CARGO_LOCK),
         ("CITATION.cff", CITATION),

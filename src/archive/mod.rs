@@ -105,12 +105,8 @@ impl Facts {
         let refuse = |why: &str| format!("{VERSIONS_FILE}: {why}");
         let stated: Self = serde_json::from_slice(json).map_err(|error| refuse(&error.to_string()))?;
         let facts = Self { time, ..stated };
-        let is_word = |text: &String| {
-            text.len() <= 100
-                && text
-                    .chars()
-                    .all(|c| c.is_ascii_alphanumeric() || matches!(c, ' ' | '.' | '+' | '-' | '(' | ')'))
-        };
+        let is_of_a_word = |c: char| c.is_ascii_alphanumeric() || " .+-()".contains(c);
+        let is_word = |text: &String| text.len() <= 100 && text.chars().all(is_of_a_word);
         let digest = &facts.source_sha256;
         let is_digest = digest.len() == 64 && digest.bytes().all(|byte| byte.is_ascii_hexdigit());
         if !facts.versions.contains_key("slipmode") {

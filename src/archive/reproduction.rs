@@ -91,15 +91,11 @@ fn other_build_differences(path: &str, archived: &[u8], computed: &[u8]) -> Vec<
     let made = path.strip_prefix(REPORT_FOLDER).and_then(|path| path.strip_prefix('/'));
     match made {
         None => byte_difference(path, archived, computed).into_iter().collect(),
-        Some("ledger.json") => {
-            let mut found = ledger_differences(archived, computed, same_text)
-                .unwrap_or_else(|fault| vec![format!("{path}: {fault}")]);
-            if found.is_empty() {
-                // What a reader of JSON passes over: spaces, doubled keys.
-                found = text_differences(path, archived, computed);
-            }
-            found
-        }
+        Some("ledger.json") => match ledger_differences(archived, computed, same_text) {
+            // What a reader of JSON passes over: spaces, doubled keys.
+            Ok(found) if found.is_empty() => text_differences(path, archived, computed),
+            found => found.unwrap_or_else(|fault| vec![format!("{path}: {fault}")]),
+        },
         Some(_) => text_differences(path, archived, computed),
     }
 }

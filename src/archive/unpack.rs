@@ -126,11 +126,8 @@ impl Reader<'_> {
 
     fn note_time(&mut self, time: Option<zip::DateTime>) -> Result<(), &'static str> {
         let time = time.map(ReleaseTime).ok_or("states no valid time")?;
-        if *self.time.get_or_insert(time) == time {
-            Ok(())
-        } else {
-            Err("states another time than the files before it")
-        }
+        let first = *self.time.get_or_insert(time);
+        if first == time { Ok(()) } else { Err("states another time than the files before it") }
     }
 }
 

@@ -86,9 +86,8 @@ impl PointSource {
     /// The positions in [`Quantity::ALL`] of the quantities that vary.
     #[must_use]
     pub fn varying(&self) -> Vec<usize> {
-        (0..Quantity::ALL.len())
-            .filter(|index| !matches!(self.coordinates[*index], Slot::Fixed(..)))
-            .collect()
+        let varies = |index: &usize| !matches!(self.coordinates[*index], Slot::Fixed(..));
+        (0..Quantity::ALL.len()).filter(varies).collect()
     }
 
     /// The point of a number below [`Self::count`].

@@ -116,17 +116,13 @@ impl Summary {
             return Err(SummaryError::Malformed);
         };
         let field = |name: &String| {
-            let statistic = Statistic::ALL
-                .into_iter()
-                .find(|statistic| name.rsplit_once('_').is_some_and(|(_, end)| end == statistic.as_str()))?;
+            let (_, end) = name.rsplit_once('_')?;
+            let statistic = Statistic::ALL.into_iter().find(|statistic| statistic.as_str() == end)?;
             Some(Field { name: name.clone(), statistic })
         };
         let fields = names[keys + 1..].iter().map(field).collect::<Option<Vec<_>>>();
-        Ok(Self {
-            keys: key_names.to_vec(),
-            fields: fields.ok_or(SummaryError::Malformed)?,
-            tallies: HashMap::new(),
-        })
+        let fields = fields.ok_or(SummaryError::Malformed)?;
+        Ok(Self { keys: key_names.to_vec(), fields, tallies: HashMap::new() })
     }
 
     /// How many columns are keys.
