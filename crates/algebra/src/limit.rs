@@ -300,19 +300,14 @@ fn negated(end: End) -> End {
 
 /// The end of a sum; none where some parts go up and others down without bound.
 fn sum(ends: Vec<End>) -> Option<End> {
-    let infinite: Vec<i8> = ends
-        .iter()
-        .filter_map(|end| if let End::Infinite(sign) = end { Some(*sign) } else { None })
-        .collect();
-    match infinite.first() {
-        Some(first) => infinite.iter().all(|sign| sign == first).then_some(End::Infinite(*first)),
-        None => {
-            let finite = ends
-                .into_iter()
-                .filter_map(|end| if let End::Finite(value) = end { Some(value) } else { None });
-            Some(End::Finite(finite.fold(Expression::integer(0), |sum, value| sum + value)))
+    let zero = End::Finite(Expression::integer(0));
+    ends.into_iter().try_fold(zero, |sum, end| match (sum, end) {
+        (End::Finite(sum), End::Finite(value)) => Some(End::Finite(sum + value)),
+        (End::Infinite(one), End::Infinite(other)) => (one == other).then_some(End::Infinite(one)),
+        (End::Infinite(sign), End::Finite(_)) | (End::Finite(_), End::Infinite(sign)) => {
+            Some(End::Infinite(sign))
         }
-    }
+    })
 }
 
 #[cfg(test)]
