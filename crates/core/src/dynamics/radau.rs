@@ -328,9 +328,4 @@ macro_rules! steppers {
     )+};
 }
 
-steppers! {
-    f64, 3;
-    f64, 5;
-    f64, 7;
-    Dd, 7;
-}
+steppers!(f64, 3; f64, 5; f64, 7; Dd, 7;);

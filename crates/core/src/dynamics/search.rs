@@ -106,15 +106,8 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
         options: &'o Options,
         Leftover { known, work }: Leftover,
     ) -> Self {
-        Self {
-            model,
-            unrounded: model.in_double_double(exact),
-            method,
-            options,
-            levels: Levels::for_error(options.tolerance),
-            known,
-            work,
-        }
+        let (unrounded, levels) = (model.in_double_double(exact), Levels::for_error(options.tolerance));
+        Self { model, unrounded, method, options, levels, known, work }
     }
 
     /// Tightens until the stated errors of peak and period are no larger than requested.
