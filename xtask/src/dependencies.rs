@@ -61,6 +61,26 @@ pub fn advisories() -> Result {
 mod tests {
     use super::*;
 
+    /// Otherwise a part of the program is compiled twice: for its tests and for `verify`.
+    #[test]
+    fn tests_have_the_features_of_the_program() {
+        // Each package with its version, and its features.
+        let features = |of: &str| -> BTreeSet<(String, String)> {
+            let tree = format!("tree --locked --prefix=none --no-dedupe --format={{p}}|{{f}} {of}");
+            let listing = cargo(&tree).text().unwrap();
+            let pairs = listing.lines().filter_map(|line| line.split_once('|'));
+            pairs.map(|(name, features)| (name.into(), features.trim_end_matches(" (*)").into())).collect()
+        };
+        let program = features("--package=slipmode --package=slipmode-python --edges=normal");
+        let tests = features("--workspace --edges=normal,dev");
+        assert!(program.len() > 50);
+        let more: Vec<_> = tests
+            .difference(&program)
+            .filter(|(name, _)| program.iter().any(|(own, _)| own == name))
+            .collect();
+        assert!(more.is_empty(), "{more:?}");
+    }
+
     #[test]
     fn a_listing_gives_each_package_once() {
         let listing = "b v1.0.0|MIT\nrug v1.30.0|LGPL-3.0+\nb v1.0.0|MIT (*)\n\na v0.1.0 (proc-macro)|\n";

@@ -1,5 +1,7 @@
 //! `cargo xtask test`: every check of the repository in one command, and a count of the tests at the end.
 
+use std::thread;
+
 use crate::prelude::*;
 use crate::{dependencies, interface, lines, machine, tidy, verify};
 
@@ -69,6 +71,9 @@ fn profiled(words: &str) -> Command {
 
 fn tests(count: &mut Count, is_slow: bool) -> Result {
     let mut command = profiled("test --workspace --locked --no-fail-fast");
+    // Some tests wait for a prepared state that another one makes.
+    let threads = thread::available_parallelism().map_or(1, usize::from) + 1;
+    command.env("RUST_TEST_THREADS", threads.to_string());
     let code = command.envs(is_slow.then_some(("SLIPMODE_SLOW", "1"))).listen(|line| hear(count, line))?;
     let is_passed = code == 0 && count[0] > 0 && count[1] == 0;
     // A test program that was not built, or that died, prints no count: it is a failure all the same.

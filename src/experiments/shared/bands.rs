@@ -213,7 +213,7 @@ mod tests {
             for of in BandOf::ALL {
                 let classes = Cells::new(&region, of, [&axes[0], &axes[1]], COARSE).classes();
                 let is_in = |cells: &[usize]| cells.iter().any(|cell| classes[*cell] == 1);
-                for _ in 0..150 * slow() {
+                for _ in 0..150 {
                     let within = |ends: [f64; 2], share: f64| ends[0] * (ends[1] / ends[0]).powf(share);
                     let [velocity, stress] = [within(VELOCITY, random.unit()), within(STRESS, random.unit())];
                     let cells = cells_at([velocity, stress], &axes);
@@ -227,7 +227,7 @@ mod tests {
                     open += u32::from(is_open);
                     outside += u32::from(!is_in(&cells));
                 }
-                for _ in 0..10 * slow() {
+                for _ in 0..10 {
                     let share = |i: usize, random: &mut SplitMix64| {
                         let [low, high]: [[Rational; 7]; 2] = [region.lower().into(), region.upper().into()];
                         let share = decimal(random.unit());
