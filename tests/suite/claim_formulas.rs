@@ -54,6 +54,27 @@ const ROWS: &[Row] = &[
     ("K_c = K_c_qs", "", "fails", Some(|point| point.stiffnesses()[1] != 0)),
     ("K_c > K_c_qs", WEAKENING, "holds", None),
     ("K_c > K_c_qs", "", "fails", Some(|point| point.stiffnesses()[1] <= 0)),
+    // In cases by the signs of what has an absolute value; false ones differ from true ones in a sign or an edge.
+    ("abs(a - b) >= a - b", "", "holds", None),
+    ("abs(a - b) > a - b", "", "fails", Some(|point| point.of("a") >= point.of("b"))),
+    ("abs(a - b) <= a + b", "", "holds", None),
+    ("a >= b or abs(a - b) = b - a", "", "holds", None),
+    ("a >= b or abs(a - b) = a - b", "", "fails", Some(Point::weakening)),
+    ("abs((a - b)*(K - M)) = abs(a - b)*abs(K - M)", "", "holds", None),
+    (
+        "abs((a - b)*(K - M)) = (a - b)*abs(K - M)",
+        "",
+        "fails",
+        Some(|point| point.weakening() && point.of("K") != point.of("M")),
+    ),
+    ("abs(a - b + K - M) <= abs(a - b) + abs(K - M)", "", "holds", None),
+    (
+        "abs(a - b + K - M) < abs(a - b) + abs(K - M)",
+        "",
+        "fails",
+        Some(|point| (point.of("a") - point.of("b")) * (point.of("K") - point.of("M")) >= 0),
+    ),
+    ("a + b + abs(a - b) >= 2*a", "", "holds", None),
     // False on the edge a = b only.
     ("K_c != 0", "", "fails", Some(|point| point.of("a") == point.of("b"))),
     ("K_c -> K_c_qs as V_0 -> 0", "", "holds", None),

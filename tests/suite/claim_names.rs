@@ -240,3 +240,41 @@ fn units_of_equations_systems_definitions_and_formulas_are_checked() {
         "definition K_per_square: 'M' is kg m^-2 and 'L' is m",
     ]);
 }
+
+/// A slider with two state variables: stable at or above the largest stiffness that friction can have, since on the axis the real part
+/// of A s + K exceeds that of the sum of B_i s/(L_i s + 1), and so is a larger stiffness. The letters are names of variables.
+const TWO_STATES: &str = r#"
+[assumptions]
+positive = ["P", "Q", "R", "S", "T", "U", "W", "v", "th_1", "th_2"]
+[[system]]
+name = "two"
+state = ["v", "th_1", "th_2"]
+rates = ["v/P*(Q*(R - v) - S*(1/th_1 - v/T) - U*(1/th_2 - v/W))", "1 - v*th_1/T", "1 - v*th_2/W"]
+steady = ["R", "T/R", "W/R"]
+[[definition]]
+name = "cubic"
+is = "characteristic(two, s)"
+"#;
+
+#[test]
+fn a_verdict_does_not_depend_on_the_names_of_variables() {
+    const LETTERS: &str = "PQRSTUW";
+    let given = "\ngiven = [\"Q >= S/T + U/W\"]";
+    let claims = formula("A1", "holds", "stable(cubic, s)") + given.trim_start();
+    for shift in 0..LETTERS.len() {
+        for step in [1, 2, 3] {
+            let renamed = |text: &str| -> String {
+                let name = |letter: char| match LETTERS.find(letter) {
+                    Some(at) => char::from(LETTERS.as_bytes()[(at * step + shift) % LETTERS.len()]),
+                    None => letter,
+                };
+                text.chars().map(name).collect()
+            };
+            let place = Workplace::new();
+            let (equations, claims) = (renamed(TWO_STATES), claims.split_once("formula").unwrap());
+            place.write("claims.toml", format!("{equations}{}formula{}", claims.0, renamed(claims.1)));
+            let said = place.run(["check", "claims.toml"]).expect_success();
+            assert!(said.contains("A1   holds         exact"), "{equations}{said}");
+        }
+    }
+}

@@ -124,10 +124,11 @@ impl Expression {
             || self.parts().any(|part| part.contains(variable))
     }
 
-    /// Whether a square root is in it.
+    /// Whether a call of this function is in it.
     #[must_use]
-    pub fn has_root(&self) -> bool {
-        matches!(self, Self::Call(Function::Sqrt, _)) || self.parts().any(Self::has_root)
+    pub fn calls(&self, function: Function) -> bool {
+        matches!(self, Self::Call(own, _) if *own == function)
+            || self.parts().any(|part| part.calls(function))
     }
 
     /// The variables that occur.

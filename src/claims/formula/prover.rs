@@ -4,8 +4,8 @@ use std::cell::Cell;
 use std::collections::BTreeSet;
 
 use slipmode_algebra::{
-    Certificate, Condition, Domain, Expression, Extent, Function, Literal, Monomial, Polynomial, Proof,
-    Refutation, Relation, Sign, Symbol,
+    Certificate, Condition, ConversionError, Domain, Expression, Extent, Function, Literal, Monomial,
+    Polynomial, Proof, Refutation, Relation, Sign, Symbol,
 };
 use slipmode_core::number::Rational;
 
@@ -43,14 +43,17 @@ const MOST_PARTS: usize = 16;
 /// How often a case is divided into two.
 const MOST_DIVISIONS: usize = 8;
 
+/// For how many names an equation is solved besides the first.
+const OTHER_NAMES: usize = 6;
+
 /// The highest derivative that shows that something grows.
 const MOST_ORDER: u32 = 3;
 
 /// Looks for certificates, with a bound on the work.
 pub(super) struct Prover<'p> {
     points: &'p Points,
-    /// How many expressions were looked at, in the usual search and in the wider one.
-    attempts: [Cell<usize>; 2],
+    /// How many expressions were looked at, in the usual search and in the wider ones.
+    attempts: [Cell<usize>; 3],
     /// Whether other searches follow where the usual one does not succeed.
     is_wide: bool,
     search: Cell<Search>,
@@ -65,11 +68,13 @@ enum Search {
     Sums,
     /// In the forms of [`Domain::forms_in_way`].
     Way(u8),
+    /// In the usual forms, with equations solved for another one of their names: the first is that of the usual search.
+    Names(usize),
 }
 
 impl<'p> Prover<'p> {
-    /// The most expressions in forms of the conditions of which the sign is looked at, in the usual search and in the wider one.
-    const MOST_OF_EACH: [usize; 2] = [400, 3600];
+    /// The most expressions in forms of the conditions of which the sign is looked at, in the usual search and in the wider ones.
+    const MOST_OF_EACH: [usize; 3] = [400, 3600, 1600];
     /// The most in the usual one.
     pub const MOST: usize = Self::MOST_OF_EACH[0];
 
@@ -85,7 +90,11 @@ impl<'p> Prover<'p> {
 
     /// Notes one more expression that is looked at, if the work allows it.
     fn attempt(&self) -> bool {
-        let search = usize::from(self.search.get() != Search::Usual);
+        let search = match self.search.get() {
+            Search::Usual => 0,
+            Search::Sums | Search::Way(_) => 1,
+            Search::Names(_) => 2,
+        };
         let made = &self.attempts[search];
         made.set(made.get() + 1);
         made.get() <= Self::MOST_OF_EACH[search]
@@ -99,6 +108,7 @@ impl<'p> Prover<'p> {
             self.contradiction(premises, negated.clone(), MOST_DIVISIONS)
         };
         let others = [Search::Sums].into_iter().chain((0..Domain::WAYS).map(Search::Way));
+        let others = others.chain((1..=OTHER_NAMES).map(Search::Names));
         let found = search(Search::Usual).or_else(|| others.filter(|_| self.is_wide).find_map(search));
         self.search.set(Search::Usual);
         found
@@ -118,19 +128,29 @@ impl<'p> Prover<'p> {
             return Some(steps);
         }
         let all = || literals.iter().chain(&premises.conditions);
-        let open = all().find(|literal| matches!(literal.sign, Sign::NonNegative | Sign::NonZero))?;
-        let divided = [
-            Literal::new(open.expression.clone(), Sign::Positive),
-            match open.sign {
-                Sign::NonNegative => Literal::new(open.expression.clone(), Sign::Zero),
-                _ => Literal::new(-open.expression.clone(), Sign::Positive),
-            },
-        ];
+        let open = all().find(|literal| matches!(literal.sign, Sign::NonNegative | Sign::NonZero));
+        // Two cases: the expression is positive or zero, positive or negative, negative or not.
+        let (expression, strict, other) = match open {
+            Some(open) if open.sign == Sign::NonNegative => {
+                (open.expression.clone(), Sign::Positive, Sign::Zero)
+            }
+            Some(open) => (open.expression.clone(), Sign::Positive, Sign::Positive),
+            None => {
+                let assumed = Premises { conditions: all().cloned().collect(), ..premises.clone() }.domain();
+                let inner = all().flat_map(|literal| open_absolutes(&literal.expression, &assumed));
+                // The sign of a product is known from those of its factors.
+                let inner = inner.min_by_key(|inner| inner.to_string().len())?;
+                (inner, Sign::NonNegative, Sign::Positive)
+            }
+        };
+        let opposite = if other == Sign::Zero { expression.clone() } else { -expression.clone() };
+        let divided = [Literal::new(expression, strict), Literal::new(opposite, other)];
         let left = divisions.checked_sub(1)?;
         for case in divided {
             let mut premises = premises.clone();
-            premises.conditions.retain(|known| known != open);
-            let others = literals.iter().filter(|known| *known != open).cloned().chain([case]).collect();
+            premises.conditions.retain(|known| Some(known) != open);
+            let others =
+                literals.iter().filter(|known| Some(*known) != open).cloned().chain([case]).collect();
             steps.extend(self.contradiction(&premises, others, left)?);
         }
         Some(steps)
@@ -145,12 +165,14 @@ impl<'p> Prover<'p> {
         steps: &mut Vec<Draft>,
     ) -> Option<Option<Vec<Literal>>> {
         let mut rest = literals;
+        let other = if let Search::Names(other) = self.search.get() { other } else { 0 };
         loop {
             let equation = rest.iter().enumerate().filter(|(_, literal)| literal.sign == Sign::Zero);
             let found = equation.into_iter().find_map(|(at, literal)| {
                 let names = literal.expression.variables().into_iter();
-                let solved = names.filter_map(|name| premises.solve(&literal.expression, &name)).next()?;
-                Some((at, solved))
+                let mut solved = names.filter_map(|name| premises.solve(&literal.expression, &name));
+                let first = solved.next()?;
+                Some((at, solved.take(other).last().unwrap_or(first)))
             });
             let Some((at, solved)) = found else { break };
             rest.remove(at);
@@ -281,7 +303,7 @@ impl<'p> Prover<'p> {
         let Literal { expression, sign } = goal;
         let sides = std::slice::from_ref(expression);
         let forms = match self.search.get() {
-            Search::Usual => domain.forms(sides),
+            Search::Usual | Search::Names(_) => domain.forms(sides),
             Search::Sums => return self.by_sum(goal, domain),
             Search::Way(way) => domain.forms_in_way(way, sides),
         };
@@ -328,7 +350,7 @@ impl<'p> Prover<'p> {
     /// Whether the work allows one more expression, and it is not too large in a form of the conditions.
     fn counted(&self, expression: &Expression, form: &Domain) -> bool {
         let is_small = || form.substituted(expression).check_extent(LARGEST).is_ok();
-        self.attempt() && (self.search.get() != Search::Usual || is_small())
+        self.attempt() && (matches!(self.search.get(), Search::Sums | Search::Way(_)) || is_small())
     }
 
     fn positive(&self, expression: &Expression, form: &Domain) -> Option<Certificate> {
@@ -447,6 +469,16 @@ fn factors(whole: &Expression, part: &Expression, domain: &Domain) -> Vec<Expres
         }
     }
     found
+}
+
+/// What has an absolute value in an expression although its sign is open.
+pub(super) fn open_absolutes(expression: &Expression, domain: &Domain) -> Vec<Expression> {
+    let is_open = || matches!(domain.rational_function(expression), Err(ConversionError::OpenSign(_)));
+    let own = match expression {
+        Expression::Call(Function::Abs, inner) if is_open() => Some((**inner).clone()),
+        _ => None,
+    };
+    own.into_iter().chain(expression.parts().flat_map(|part| open_absolutes(part, domain))).collect()
 }
 
 /// Whether the wider search uses a condition.

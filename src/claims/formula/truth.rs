@@ -2,7 +2,9 @@
 
 use std::cell::RefCell;
 
-use slipmode_algebra::{Certificate, Comparison, Domain, Expression, Literal, Proof, Sign, SignFormula};
+use slipmode_algebra::{
+    Certificate, Comparison, Domain, Expression, Function, Literal, Proof, Sign, SignFormula,
+};
 
 use super::lowering::{Lowered, words};
 use super::points::{self, Point, Points};
@@ -147,7 +149,7 @@ fn help(formula: &Formula, expressions: &[Expression]) -> String {
     if !matches!(formula, Formula::Compare(..)) {
         ways.push("one part for each clause");
     }
-    if expressions.iter().any(Expression::has_root) {
+    if expressions.iter().any(|one| one.calls(Function::Sqrt)) {
         ways.push("a parameter r for a root, with r^2 = ... in `given`");
     }
     let tried = "signs of terms, sums of squares, conditions solved for variables";

@@ -18,7 +18,7 @@ use setting::Setting;
 use statement::Statement;
 use tactic::Tactics;
 
-use super::{Certificate, ConversionError, Domain, Expression, Symbol};
+use super::{Certificate, ConversionError, Domain, Expression, Function, Symbol};
 
 /// Why a certificate has no theorem yet.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -104,6 +104,10 @@ impl Theorem {
                 "Theorem {name}{binders} :\n  {}.\nProof. {tactics}. Qed.\n",
                 shown(false, true)
             );
+        } else if domain.conditions().iter().any(|one| one.expression.calls(Function::Abs)) {
+            return Err(Obstacle(
+                "no tactic for a condition with an absolute value in other variables".into(),
+            ));
         } else {
             lemmas.extend(setting.cover()?);
             let _ = write!(

@@ -1,7 +1,9 @@
 //! Taylor parts of expressions, and unknown coefficients found by the conditions that something vanishes.
 
 use crate::notation::{formula, rational};
-use slipmode_algebra::{Domain, Expression, Polynomial, Proof, RationalFunction, Refutation, Symbol};
+use slipmode_algebra::{
+    Domain, Expression, Function, Polynomial, Proof, RationalFunction, Refutation, Symbol,
+};
 
 /// The homogeneous part of this degree of the Taylor series about zero, as derived: Euler's relation
 /// k T_k(f) = Σ x_j T_(k−1)(∂f/∂x_j) gives it from derivatives.
@@ -56,7 +58,7 @@ pub(crate) fn solve(
     // Two forms of one number, such as w^2*m and k with a root w, are one number in the rows.
     let reduced = |entry: RationalFunction| {
         let above = Expression::from(entry.numerator());
-        let above = above.has_root().then(|| domain.rational_function(&above).ok()).flatten();
+        let above = above.calls(Function::Sqrt).then(|| domain.rational_function(&above).ok()).flatten();
         let below = RationalFunction::from(entry.denominator().clone());
         above.and_then(|above| above.checked_div(&below)).unwrap_or(entry)
     };

@@ -4,13 +4,14 @@
 use std::collections::BTreeMap;
 
 use slipmode_algebra::coq;
-use slipmode_algebra::{Certificate, Comparison, Expression, Proof, Sign, SignFormula, Symbol};
+use slipmode_algebra::{Certificate, Comparison, Domain, Expression, Proof, Sign, SignFormula, Symbol};
 use slipmode_core::number::Rational;
 use slipmode_theory::root_location::{self, RootStatement};
 
 use super::{Stated, Steps, same_sides};
 use crate::claims::formula::lowering::{Lowered, located};
 use crate::claims::formula::points::Point;
+use crate::claims::formula::prover::open_absolutes;
 use crate::scene::{Formula, Scope};
 
 /// A formula as Coq reads it, each of its comparisons and predicates as `atom` writes it.
@@ -255,6 +256,9 @@ impl Steps<'_> {
         let over_signs = if is_negated { format!("~ ({over_signs})") } else { over_signs };
         tactics += &format!("apply (fun same => from_signs _ ({over_signs}) same); [ by_signs | ");
         let mut zeros = String::new();
+        if let Some(inner) = self.divided(&lowered, !values.is_empty()) {
+            return Err(format!("no tactic for the cases of the absolute value of {inner}"));
+        }
         // At a point the values alone decide.
         let is_point = !values.is_empty() && stated.there_is.is_empty();
         let facts = if is_point { Vec::new() } else { self.facts() };
@@ -275,6 +279,18 @@ impl Steps<'_> {
             format!("first [ solve [by_cases] | {zeros}by_cases ]")
         };
         Ok(tactics + &cases + " ]" + &" ]".repeat(polynomials.len()))
+    }
+
+    /// What has an absolute value although its sign is open, at a point or in cases of the proof by that sign.
+    fn divided(&self, lowered: &Lowered, is_point: bool) -> Option<Expression> {
+        let domain = self.stated.premises.domain();
+        let domains = || self.proof.steps.iter().filter_map(|step| step.certificate.as_ref()?.domain());
+        let assumed = |one: &Expression| {
+            domains().flat_map(Domain::conditions).any(|condition| condition.expression == *one)
+        };
+        let expressions = lowered.expressions();
+        let mut open = expressions.iter().flat_map(|one| open_absolutes(one, &domain));
+        open.find(|inner| is_point || assumed(inner) || assumed(&-inner.clone()))
     }
 
     /// Which expressions are the opposites of others.
