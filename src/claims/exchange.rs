@@ -2,8 +2,8 @@
 
 use crate::claims::Evidence;
 use crate::experiments::Context;
-use crate::experiments::map::MapPoint;
 use slipmode_core::number::format::round_digits;
+use slipmode_core::stability::Classification;
 
 /// How max Im(s) differs on the maps of the scenes with a < b and a > b: the ratio where both oscillate, and where one does.
 pub(super) fn frequency_changes(context: &Context) -> Option<Vec<Evidence>> {
@@ -15,7 +15,7 @@ pub(super) fn frequency_changes(context: &Context) -> Option<Vec<Evidence>> {
         return None;
     }
     let pairs = || {
-        let frequency = |point: &MapPoint| point.max_imaginary_per_s.to_f64().unwrap_or(0.0);
+        let frequency = |point: &Classification| point.max_imaginary_per_s.to_f64().unwrap_or(0.0);
         one.values.iter().zip(&other.values).map(move |(one, other)| (frequency(one), frequency(other)))
     };
     let differing = pairs().filter(|(one, other)| (*one == 0.0) != (*other == 0.0)).count();

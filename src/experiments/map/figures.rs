@@ -1,7 +1,6 @@
 //! Maps of max Im(s) over the (V, σ) plane (figs 1 and 6a).
 
 use crate::experiments::boundary::BoundaryOutcome;
-use crate::experiments::map::MapPoint;
 use crate::experiments::operating_point::mark::operating_point_mark;
 use crate::experiments::shared::Grid;
 use crate::experiments::shared::axes::{
@@ -11,8 +10,8 @@ use crate::experiments::shared::bands::{FINE, band_lines};
 use crate::experiments::shared::map_readout::readout;
 use crate::experiments::{Drawer, SceneOutcome, Words};
 use slipmode_core::number::nearest_f64;
-use slipmode_core::stability::Arc;
 use slipmode_core::stability::boundary::BoundaryPoint;
+use slipmode_core::stability::{Arc, Classification};
 use slipmode_plot::figure::{Axis, HeatMap, Line, LineRole};
 
 pub(crate) const FIGURES: &[Drawer] = &[
@@ -75,7 +74,7 @@ pub(crate) fn heat_map<T>(
 
 fn frequency_map(scene: &SceneOutcome, words: &Words) -> Option<String> {
     let (grid, boundary) = (scene.map.as_ref()?, scene.boundary.as_ref()?);
-    let frequency = |_, point: &MapPoint| point.max_imaginary_per_s.to_f64().unwrap_or(0.0);
+    let frequency = |_, point: &Classification| point.max_imaginary_per_s.to_f64().unwrap_or(0.0);
     let mut map = heat_map(scene, words, grid, frequency)?;
     let natural = scene.slider()?.map(nearest_f64).natural_angular_frequency_per_s();
     (map.colours.min, map.colours.max) = (natural * 1e-4, natural);

@@ -4,11 +4,12 @@ pub(crate) mod figures;
 pub(crate) mod run;
 pub(crate) mod tables;
 
-pub use run::{MapPoint, classify_rectangle};
+pub use run::classify_rectangle;
 
 use crate::experiments::shared::Grid;
 use crate::experiments::{Work, experiment};
 use crate::scene::Rectangle;
+use slipmode_core::stability::Classification;
 
 experiment! {
     /// `[map]`: the points that are classified.
@@ -17,7 +18,7 @@ experiment! {
         pub rectangle: Rectangle = |section, _| section.rectangle(),
     }
     points: |section| section.rectangle.points(),
-    outcome: Grid<MapPoint>,
+    outcome: Grid<Classification>,
     tables: [tables::TABLES],
     figures: [figures::FIGURES],
     work: |section| Work::map(&section.rectangle),

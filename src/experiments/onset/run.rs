@@ -3,7 +3,7 @@
 use crate::parallel;
 
 use crate::experiments::map::run::exactly;
-use crate::experiments::onset::search::{GivenCoordinate, Line};
+use crate::experiments::onset::search::Line;
 use crate::experiments::onset::theory::{DIGITS, inertial_velocity, stable_boundary, stable_boundary_stress};
 use crate::experiments::onset::{Located, OnsetSection, SeenOnset, Swing};
 use slipmode_core::dynamics::{Behaviour, Options, simulate};
@@ -12,7 +12,7 @@ use slipmode_core::number::{Ball, Rational, bits_for_digits, nearest_f64};
 use slipmode_core::stability::asymptote::{
     inertial_lower_velocity_m_per_s, quasi_static_lower_normal_stress_pa,
 };
-use slipmode_core::stability::{Asymptote, InertialThreshold, SlipMode, classify};
+use slipmode_core::stability::{Asymptote, InertialThreshold, Section, SlipMode, classify};
 
 /// One line of constant normal stress that crosses the boundary in the stable zone.
 #[derive(Debug, Clone)]
@@ -126,7 +126,8 @@ fn onset_at(
     let ball = |value: &Rational| Ball::from_rational(value, bits);
     let asymptote_velocity = asymptote.value(&parameters.map(ball), &ball(stress));
     let tolerance = nearest_f64(&section.tolerance);
-    let line = |law| Line { parameters, given: GivenCoordinate::NormalStress(stress), law, tolerance };
+    let given = &Section::AtNormalStress(stress.clone());
+    let line = |law| Line { parameters, given, law, tolerance };
     let (from, at) = (asymptote_velocity.to_f64(), boundary.to_f64());
     let visible = nearest_f64(&section.visible);
     let first = section.laws.first().map(|&law| line(law));
@@ -161,7 +162,8 @@ fn stress_onset(
     let at = boundary_pa.to_f64();
     let from = quasi_static_lower_normal_stress_pa(&parameters.map(nearest_f64));
     let (tolerance, visible) = (nearest_f64(&section.tolerance), nearest_f64(&section.visible));
-    let line = |law| Line { parameters, given: GivenCoordinate::LoadingVelocity(velocity), law, tolerance };
+    let given = &Section::AtVelocity(velocity.clone());
+    let line = |law| Line { parameters, given, law, tolerance };
     Some(StressOnset {
         loading_velocity_m_per_s: velocity.clone(),
         seen: parallel::map(&section.laws, |&law| line(law).search(from, at, visible)),

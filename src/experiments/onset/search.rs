@@ -12,6 +12,7 @@ use slipmode_core::dynamics::{
 use slipmode_core::friction::{EvolutionLaw, Slider};
 use slipmode_core::number::search::{border_between, interpolated};
 use slipmode_core::number::{Rational, nearest_f64};
+use slipmode_core::stability::Section;
 
 /// A loading velocity in m/s, or on a line of constant velocity a normal stress in Pa, with its error.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,18 +38,12 @@ pub struct SeenOnset {
     pub peak_excess_at_boundary: Option<f64>,
 }
 
-/// What is given on a line; the other of the two varies along it, and its logarithm is the place on the line.
-#[derive(Debug, Clone, Copy)]
-pub(crate) enum GivenCoordinate<'p> {
-    NormalStress(&'p Rational),
-    LoadingVelocity(&'p Rational),
-}
-
 /// A line of constant normal stress or loading velocity under one law.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Line<'p> {
     pub parameters: &'p Slider<Rational>,
-    pub given: GivenCoordinate<'p>,
+    /// What is given; the other coordinate varies, and its logarithm is the place on the line.
+    pub given: &'p Section,
     pub law: EvolutionLaw,
     pub tolerance: f64,
 }
@@ -80,8 +75,8 @@ impl Line<'_> {
     fn model(&self, place: f64) -> Model<f64> {
         let value = exactly(libm::exp(place));
         let point = match self.given {
-            GivenCoordinate::NormalStress(stress) => self.parameters.at(stress.clone(), value),
-            GivenCoordinate::LoadingVelocity(velocity) => self.parameters.at(value, velocity.clone()),
+            Section::AtNormalStress(stress) => self.parameters.at(stress.clone(), value),
+            Section::AtVelocity(velocity) => self.parameters.at(value, velocity.clone()),
         };
         Model::new(point.groups().map(nearest_f64), self.law)
     }

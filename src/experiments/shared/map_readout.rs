@@ -2,13 +2,11 @@
 //! what was simulated there.
 
 use crate::experiments::boundary::BoundaryOutcome;
-use crate::experiments::map::run::MapPoint;
 use crate::experiments::shared::Grid;
 use crate::experiments::shared::axes::place;
 use crate::experiments::simulations::run::SimulatedPoint;
 use slipmode_core::dynamics::Behaviour;
-use slipmode_core::number::Wide;
-use slipmode_core::stability::SlipMode;
+use slipmode_core::stability::Classification;
 use slipmode_core::stability::boundary::BoundaryPoint;
 use slipmode_plot::figure::{Readout, Words};
 
@@ -19,18 +17,15 @@ const POINTS: usize = 25;
 const THEORY: &str = "V = {x} m/s, σ = {y} Pa: {0}; max Im(s) = {1} 1/s. Nearest asymptote: {2}, with an error of {3} % at the nearest point of the boundary.";
 
 /// The words at a coarse part of the map's grid.
-pub(crate) fn readout(map: &Grid<MapPoint>, boundary: &BoundaryOutcome) -> Readout {
-    words(map, &boundary.points, THEORY, |_, point| {
-        theory(point.slip_mode, &point.max_imaginary_per_s).to_vec()
-    })
+pub(crate) fn readout(map: &Grid<Classification>, boundary: &BoundaryOutcome) -> Readout {
+    words(map, &boundary.points, THEORY, |_, point| theory(point).to_vec())
 }
 
 /// The words of a map of simulations: those of theory, and what the run did.
 pub(crate) fn simulated_readout(grid: &Grid<SimulatedPoint>, boundary: &BoundaryOutcome) -> Readout {
     let sentence = format!("{THEORY} Simulated: {{4}}, peak {{5}} V_l.");
     words(grid, &boundary.points, &sentence, |velocity, point| {
-        let theory_says = theory(point.theory.slip_mode, &point.theory.max_imaginary_per_s);
-        theory_says.into_iter().chain(simulated(velocity, point)).collect()
+        theory(&point.theory).into_iter().chain(simulated(velocity, point)).collect()
     })
 }
 
@@ -62,8 +57,8 @@ fn words<T>(
     })
 }
 
-fn theory(mode: SlipMode, max_imaginary_per_s: &Wide) -> [String; 2] {
-    [mode.words().into(), three_digits(max_imaginary_per_s.to_f64().unwrap_or(0.0))]
+fn theory(found: &Classification) -> [String; 2] {
+    [found.slip_mode.words().into(), three_digits(found.max_imaginary_per_s.to_f64().unwrap_or(0.0))]
 }
 
 /// What a run did, and its largest velocity over the loading velocity.

@@ -1,13 +1,12 @@
 //! Maps of slip modes over the (V, σ) plane (fig 7).
 
-use crate::experiments::map::MapPoint;
 use crate::experiments::map::figures::theory_lines;
 use crate::experiments::operating_point::mark::operating_point_mark;
 use crate::experiments::shared::Grid;
 use crate::experiments::shared::axes::{asymptote_lines, axes, cusp_mark, pair_line, transition_line};
 use crate::experiments::{Drawer, SceneOutcome, Words};
 use slipmode_core::number::nearest_f64;
-use slipmode_core::stability::{Arc, PairRatio, SlipMode, asymptote};
+use slipmode_core::stability::{Arc, Classification, PairRatio, SlipMode, asymptote};
 use slipmode_plot::figure::{Axis, Line, LineRole, PointMark, Readout, Zone, ZoneMap, zones_of_grid};
 
 pub(crate) const FIGURES: &[Drawer] = &[
@@ -19,8 +18,9 @@ pub(crate) const FIGURES: &[Drawer] = &[
 fn zone_map(scene: &SceneOutcome, words: &Words, frequencies: &str) -> Option<String> {
     let (zones, boundary) = (scene.zones.as_ref()?, scene.boundary.as_ref()?);
     let (x, y) = axes(&zones.exact)?;
-    let same_axes =
-        |map: &Grid<MapPoint>| axes(map).is_some_and(|(other_x, other_y)| (&other_x, &other_y) == (&x, &y));
+    let same_axes = |map: &Grid<Classification>| {
+        axes(map).is_some_and(|(other_x, other_y)| (&other_x, &other_y) == (&x, &y))
+    };
     let said = scene.map.as_ref().filter(|map| same_axes(map)).map(|_| Readout::SameAs(frequencies.into()));
     let drawing: ZoneMap = words.drawing()?;
     let map = |grid: &Grid<SlipMode>, lines: Vec<Line>, marks: Vec<PointMark>| {

@@ -1,10 +1,9 @@
 //! The simplified map of fig 7, drawn from the paper's equations, against exact slip modes.
 
-use crate::experiments::map::MapPoint;
 use crate::experiments::shared::Grid;
 use slipmode_core::friction::Slider;
 use slipmode_core::number::{Rational, Wide, nearest_f64};
-use slipmode_core::stability::{Asymptote, SlipMode, SpectralClass};
+use slipmode_core::stability::{Asymptote, Classification, SlipMode, SpectralClass};
 
 /// ω/ω_n of the thresholds whose effect on the map is reported, besides the default √(1/2).
 const FREQUENCY_RATIOS: [f64; 7] = [0.1, 0.3, 0.5, std::f64::consts::FRAC_1_SQRT_2, 0.9, 0.95, 0.99];
@@ -65,7 +64,7 @@ pub struct ThresholdShare {
 
 /// Compares the exact slip modes of a map with the simplified map of fig 7 on the same points.
 #[must_use]
-pub fn compare_zones(parameters: &Slider<Rational>, map: &Grid<MapPoint>) -> ZonesOutcome {
+pub fn compare_zones(parameters: &Slider<Rational>, map: &Grid<Classification>) -> ZonesOutcome {
     let lines = Lines::new(&parameters.map(nearest_f64));
     let zones = |line| Grid {
         loading_velocity_m_per_s: map.loading_velocity_m_per_s.clone(),
@@ -196,10 +195,10 @@ impl Lines {
     }
 }
 
-fn threshold_shares(parameters: &Slider<Rational>, map: &Grid<MapPoint>) -> Vec<ThresholdShare> {
+fn threshold_shares(parameters: &Slider<Rational>, map: &Grid<Classification>) -> Vec<ThresholdShare> {
     let natural = parameters.map(nearest_f64).natural_angular_frequency_per_s();
     let oscillating = map.values.iter().filter(|point| point.max_imaginary_per_s != Wide::ZERO);
-    let ratio = |point: &MapPoint| point.max_imaginary_per_s.to_f64().unwrap_or(0.0) / natural;
+    let ratio = |point: &Classification| point.max_imaginary_per_s.to_f64().unwrap_or(0.0) / natural;
     let ratios: Vec<f64> = oscillating.map(ratio).collect();
     let above = |threshold: f64| ratios.iter().filter(|ratio| **ratio > threshold).count();
     let default = above(std::f64::consts::FRAC_1_SQRT_2);
