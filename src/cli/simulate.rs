@@ -13,6 +13,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use slipmode::scene::{AllowedRange, Problem};
+use slipmode_core::dynamics;
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::nearest_f64;
 
@@ -29,7 +30,7 @@ use history::{Extent, History};
 use kicks::Kicks;
 use over_box::{BoxOptions, BoxRuns, is_point};
 use rows::SimulateRows;
-use run::{Settings, Simulated, simulate_point};
+use run::{Simulated, simulate_point};
 
 /// The most samples of a trajectory: 500 MB of text.
 const MOST_SAMPLES: u64 = 10_000_000;
@@ -125,23 +126,28 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     let settings = arguments.finish(settings)?;
     let (rows, progress) = (&options.rows, *progress);
     if options.certify {
-        return points::run(points, rows, SimulateRows::<true> { law, settings, box_runs }, progress);
+        return points::run(
+            points,
+            rows,
+            SimulateRows::<true> { law, options: settings, box_runs },
+            progress,
+        );
     }
-    points::run(points, rows, SimulateRows::<false> { law, settings, box_runs }, progress)
+    points::run(points, rows, SimulateRows::<false> { law, options: settings, box_runs }, progress)
 }
 
 impl Options {
-    fn settings(&self, arguments: &mut Arguments) -> Option<Settings> {
+    fn settings(&self, arguments: &mut Arguments) -> Option<dynamics::Options> {
         let range = AllowedRange::SIMULATION_TOLERANCE;
         let tolerance = arguments.number("--tolerance", &self.tolerance, |text| range.parse(text));
         let start = arguments.number("--start", &self.start, start_of_word);
-        Some(Settings { tolerance: nearest_f64(&tolerance?), start: start? })
+        Some(dynamics::Options { start: start?, ..dynamics::Options::at(nearest_f64(&tolerance?)) })
     }
 
     fn single(
         &self,
         law: Option<EvolutionLaw>,
-        settings: Option<Settings>,
+        settings: Option<dynamics::Options>,
         mut arguments: Arguments,
         progress: Progress,
     ) -> Result<(), Failure> {

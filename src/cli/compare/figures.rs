@@ -4,13 +4,13 @@ use slipmode::comparison::recording::Recording;
 use slipmode::comparison::{Observable, Reference};
 use slipmode::experiments::described::{extent, picture, with_points};
 use slipmode::report::FigureView;
-use slipmode_core::dynamics::Behaviour;
+use slipmode_core::dynamics::{Behaviour, Options};
 use slipmode_core::number::format::round_digits;
 use slipmode_core::number::nearest_f64;
 use slipmode_plot::figure::{Caption, LineChart, Series};
 
 use crate::cli::compare::rows::ComparedRow;
-use crate::cli::simulate::run::{Settings, follow};
+use crate::cli::simulate::run::follow;
 
 /// Late cycles drawn, from the first rows that have one.
 const MOST_CYCLES: usize = 6;
@@ -41,7 +41,7 @@ fn differences(rows: &[ComparedRow]) -> Option<FigureView> {
     }
     let end = libm::exp10(libm::log10(largest).floor() + 1.0);
     let mut chart: LineChart = picture("differences");
-    let number = |row: Option<&ComparedRow>, default| row.map_or(default, |row| row.number as f64);
+    let number = |row: Option<&ComparedRow>, default| row.map_or(default, |row| row.read.number as f64);
     let first = number(rows.first(), 0.0) - 0.5;
     // Five rows at least: a shorter axis would have ticks between its rows.
     (chart.x.min, chart.x.max) = (first, (number(rows.last(), 1.0) + 0.5).max(first + 5.0));
@@ -54,7 +54,7 @@ fn differences(rows: &[ComparedRow]) -> Option<FigureView> {
 /// Marks without a line between them: a point without a place on the axes interrupts it.
 fn series<'r>(rows: &'r [ComparedRow], of: Observable) -> Series {
     let findings =
-        |row: &'r ComparedRow| row.comparison.findings.iter().map(move |it| (row.number as f64, it));
+        |row: &'r ComparedRow| row.comparison.findings.iter().map(move |it| (row.read.number as f64, it));
     let all = rows.iter().flat_map(findings);
     let meant = all.filter(|(_, it)| it.observable == of && it.reference == Reference::Simulation);
     let marks = meant.filter_map(|(number, it)| Some((number, it.difference? / it.allowed?)));
@@ -64,28 +64,28 @@ fn series<'r>(rows: &'r [ComparedRow], of: Observable) -> Series {
 
 /// The last cycle of a trajectory and of our run, both from their upward crossing of V_l on.
 fn long_term_cycles(row: &ComparedRow) -> Option<FigureView> {
-    let recording = row.run.recording.as_ref()?;
-    let level = nearest_f64(&row.run.parameters.point.loading_velocity_m_per_s);
+    let recording = row.read.run.recording.as_ref()?;
+    let level = nearest_f64(&row.read.run.parameters.point.loading_velocity_m_per_s);
     let theirs = last_cycle(recording, level)?;
     let ours = last_cycle(&our_recording(row)?, level)?;
     let both = || theirs.iter().chain(&ours);
     let (lowest, highest) = extent(both().map(|(_, v)| *v))?;
     let end = both().map(|(t, _)| *t).fold(0.0, f64::max);
     let (low, high) = (libm::log10(lowest).floor(), libm::log10(highest).ceil());
-    let id = format!("late-cycle-row-{}", row.number);
+    let id = format!("late-cycle-row-{}", row.read.number);
     let description = format!(
         "Velocity over one late cycle of row {}, starting at the upward crossing of the loading velocity: the recorded trajectory, and our simulation.",
-        row.number
+        row.read.number
     );
     let mut chart: LineChart = picture("late-cycle");
-    chart.caption = Caption::new(&id, &format!("Late cycle of row {}", row.number), &description);
+    chart.caption = Caption::new(&id, &format!("Late cycle of row {}", row.read.number), &description);
     chart.x.max = end;
     (chart.y.min, chart.y.max) = (libm::exp10(low), libm::exp10(high.max(low + 1.0)));
     let chart = with_points(chart, [ours, theirs])?;
     let periods = round_digits(PERIODS, 2);
     let caption = format!(
         "The last cycle of the trajectory of row {}, and the last of {periods} periods of our simulation from its start. Both begin at the upward crossing of the loading velocity.",
-        row.number
+        row.read.number
     );
     Some(FigureView::new(&chart.caption, "", &caption, chart.svg()))
 }
@@ -106,11 +106,11 @@ fn last_cycle(recording: &Recording, level: f64) -> Option<Vec<(f64, f64)>> {
 fn our_recording(row: &ComparedRow) -> Option<Recording> {
     let found = row.comparison.simulation.as_ref().ok()?;
     let period_s = found.period_s.filter(|_| found.behaviour == Behaviour::Periodic)?;
-    let parameters = &row.run.parameters;
+    let parameters = &row.read.run.parameters;
     let rate_per_s = nearest_f64(&parameters.rate_per_s());
-    let settings = Settings { tolerance: found.peak_relative_error, start: row.start };
+    let options = Options { start: row.read.start, ..Options::at(found.peak_relative_error) };
     let until = PERIODS * period_s * rate_per_s;
-    let samples = follow(parameters, row.run.law, settings, found, (until, None)).ok()?;
+    let samples = follow(parameters, row.read.run.law, options, found, (until, None)).ok()?;
     let level = libm::log(nearest_f64(&parameters.point.loading_velocity_m_per_s));
     Some(Recording {
         times_s: samples.iter().map(|sample| sample.time / rate_per_s).collect(),

@@ -20,7 +20,8 @@ pub fn inputs(runs: &Path, rows: &[ComparedRow]) -> Result<Vec<InputView>, Failu
     if runs.as_os_str() != "-" {
         views.push(view(runs, &runs.file_name().unwrap_or_default().to_string_lossy())?);
     }
-    let trajectories: BTreeSet<&String> = rows.iter().filter_map(|row| row.trajectory.as_ref()).collect();
+    let trajectories: BTreeSet<&String> =
+        rows.iter().filter_map(|row| row.read.trajectory.as_ref()).collect();
     for name in trajectories {
         views.push(view(&folder.join(name), name)?);
     }

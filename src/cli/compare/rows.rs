@@ -9,14 +9,14 @@ use slipmode::csv::{
     Cells, Column, Datum, Dialect, Remark, RowWork, is_named, misnamed, names, push_cells, read_recording,
 };
 use slipmode::scene::{AllowedRange, CsvProblem, Faults, Problem, Quantity, check_name, nearest, of_word};
-use slipmode_core::dynamics::{Simulation, Start};
+use slipmode_core::dynamics::{Options, Simulation, Start};
 use slipmode_core::friction::{EvolutionLaw, ParameterBox, Parameters};
 use slipmode_core::number::{Rational, nearest_f64};
 
 use crate::cli::input::{open_named_csv, place_inside};
 use crate::cli::simulate::over_box::{is_point, points_within};
 use crate::cli::simulate::range;
-use crate::cli::simulate::run::{Settings, simulate_point};
+use crate::cli::simulate::run::simulate_point;
 use crate::cli::words::{LAW_COLUMN, law_of_word, start_of_word};
 
 /// The optional columns next to the values.
@@ -42,30 +42,27 @@ pub struct CompareRows {
 }
 
 /// A row that was read.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct ReadRow {
-    run: StatedRun,
-    region: ParameterBox,
-    start: Start,
-    number: u64,
-    trajectory: Option<String>,
-}
-
-/// A row that was compared.
-#[derive(Debug)]
-pub struct ComparedRow {
     /// The number of the row, the header being row 0.
     pub number: u64,
-    /// What it states; without its trajectory unless figures are wanted.
+    /// What it states; without its trajectory, once compared, unless figures are wanted.
     pub run: StatedRun,
     /// All values within its error bars.
     pub region: ParameterBox,
     /// The start of our simulation.
     pub start: Start,
-    /// The comparison.
-    pub comparison: Comparison,
     /// The file of its trajectory, as the row names it.
     pub trajectory: Option<String>,
+}
+
+/// A row that was compared.
+#[derive(Debug)]
+pub struct ComparedRow {
+    /// What was read.
+    pub read: ReadRow,
+    /// The comparison.
+    pub comparison: Comparison,
     /// Groups outside the ranges over which simulations were tested.
     pub warnings: Vec<String>,
 }
@@ -144,20 +141,16 @@ impl RowWork for CompareRows {
 
     fn append(&self, row: &ReadRow, out: &mut Vec<u8>) -> Remark<ComparedRow> {
         let simulate = |parameters: &Parameters<Rational>, law, tolerance| {
-            simulate_point(parameters, law, Settings { tolerance, start: row.start })
+            simulate_point(parameters, law, Options { start: row.start, ..Options::at(tolerance) })
         };
         let others = points_within(&row.region, self.box_runs);
         let mut compared = ComparedRow {
-            number: row.number,
+            read: row.clone(),
             comparison: compare_run(&row.run, &others, &simulate),
-            run: row.run.clone(),
-            region: row.region.clone(),
-            start: row.start,
-            trajectory: row.trajectory.clone(),
             warnings: range::warnings(&row.run.parameters),
         };
         if !self.keeps_recordings {
-            compared.run.recording = None;
+            compared.read.run.recording = None;
         }
         push_cells(&COLUMNS, &compared, out);
         Remark {
@@ -204,7 +197,7 @@ pub fn counts(rows: &[ComparedRow]) -> [usize; 3] {
 /// How many rows agree within their error bars only; none where no row has error bars.
 pub fn within_error_bars(rows: &[ComparedRow]) -> Option<usize> {
     let agrees = |row: &&ComparedRow| row.comparison.verdict == Agreement::AgreesWithinErrorBars;
-    rows.iter().any(|row| !is_point(&row.region)).then(|| rows.iter().filter(agrees).count())
+    rows.iter().any(|row| !is_point(&row.read.region)).then(|| rows.iter().filter(agrees).count())
 }
 
 /// Columns of which one at least has to be there.

@@ -18,9 +18,9 @@ pub fn tables(rows: &[ComparedRow]) -> Vec<Table> {
 
 fn runs(rows: &[ComparedRow]) -> Table {
     Table::of("runs", "The runs and their verdicts", rows)
-        .number("row", "Row", "", |row| row.number)
+        .number("row", "Row", "", |row| row.read.number)
         .text("verdict", "Verdict", |row| row.comparison.verdict.as_str())
-        .text("law", "Law", |row| row.run.law.as_str())
+        .text("law", "Law", |row| row.read.run.law.as_str())
         .number("stiffness_over_critical", "K/K_c", "", |row| {
             number(row.comparison.theory.stiffness_ratio, ERROR_DIGITS + 2)
         })
@@ -28,7 +28,7 @@ fn runs(rows: &[ComparedRow]) -> Table {
         .text("simulated_slip_mode", "Our simulation", |row| {
             row.comparison.simulation.as_ref().map_or("failed", |found| found.slip_mode.as_str())
         })
-        .number("tolerance", "Tolerance", "", |row| number(Some(row.run.tolerance), ERROR_DIGITS + 1))
+        .number("tolerance", "Tolerance", "", |row| number(Some(row.read.run.tolerance), ERROR_DIGITS + 1))
         .text("reason", "Reason", |row| reason(&row.comparison))
         .text("warning", "Warning", |row| row.warnings.join("; "))
         .table()
@@ -39,7 +39,7 @@ fn findings(rows: &[ComparedRow]) -> Table {
     let all = rows.iter().flat_map(|row| row.comparison.findings.iter().map(move |found| (row, found)));
     Table::of("findings", "All quantities compared with theory and simulation", all)
         .note(note)
-        .number("row", "Row", "", |(row, _)| row.number)
+        .number("row", "Row", "", |(row, _)| row.read.number)
         .text("observable", "Quantity", |(_, found)| found.observable.words())
         .text("unit", "Unit", |(_, found)| found.observable.unit())
         .text("origin", "From", |(_, found)| found.origin.as_str())

@@ -56,11 +56,11 @@ fn heading(row: &ComparedRow) -> String {
     );
     format!(
         "row {}: {}  ({} law, {ratio}, {}, tolerance {})\n",
-        row.number,
+        row.read.number,
         row.comparison.verdict.as_str(),
-        row.run.law.as_str(),
+        row.read.run.law.as_str(),
         theory.slip_mode.as_str(),
-        round_digits(row.run.tolerance, 3),
+        round_digits(row.read.run.tolerance, 3),
     )
 }
 
@@ -107,13 +107,13 @@ fn shown_value(value: Value, unit: &str) -> String {
 fn row_part(row: &ComparedRow) -> Answer {
     let found = &row.comparison;
     let theory = &found.theory;
-    let simulated = Simulated::new(found.simulation.clone(), &row.run.parameters);
+    let simulated = Simulated::new(found.simulation.clone(), &row.read.run.parameters);
     Answer::default()
-        .with("row", row.number)
-        .with("inputs", region_json(&row.region))
-        .with("law", row.run.law.as_str())
-        .with("start", row.start.as_str())
-        .with("tolerance", row.run.tolerance)
+        .with("row", row.read.number)
+        .with("inputs", region_json(&row.read.region))
+        .with("law", row.read.run.law.as_str())
+        .with("start", row.read.start.as_str())
+        .with("tolerance", row.read.run.tolerance)
         .with("verdict", found.verdict.as_str())
         .with("reason", reason(found))
         .with("warnings", &row.warnings)

@@ -5,13 +5,13 @@ use std::fmt;
 use rug::Float;
 use slipmode::experiments::pictures::trajectory_picture;
 use slipmode::experiments::trajectories::Moment;
-use slipmode_core::dynamics::{Sample, Simulation};
+use slipmode_core::dynamics::{Options, Sample, Simulation};
 use slipmode_core::friction::{EvolutionLaw, Parameters};
 use slipmode_core::number::format::{round_float, shortest};
 use slipmode_core::number::{Rational, nearest_f64};
 
 use crate::cli::failure::Failure;
-use crate::cli::simulate::run::{Settings, follow};
+use crate::cli::simulate::run::follow;
 
 /// The columns; the stress is counted from that of steady sliding at V0, which eq 1 gives up to μ0 only, and slip from the start.
 const HEADER: &str = "time_s,velocity_m_per_s,state_variable_s,shear_stress_pa,slip_m\n";
@@ -45,7 +45,7 @@ impl History {
     pub fn of(
         parameters: &Parameters<Rational>,
         law: EvolutionLaw,
-        settings: Settings,
+        options: Options,
         simulation: &Simulation,
         extent: &Extent,
     ) -> Result<Self, Failure> {
@@ -56,7 +56,7 @@ impl History {
         if !(until.is_normal() && units.rate_per_s.is_normal()) {
             return Err(failed(&"its duration is beyond the range of 64-bit numbers"));
         }
-        let samples = follow(parameters, law, settings, simulation, (until, extent.samples));
+        let samples = follow(parameters, law, options, simulation, (until, extent.samples));
         Ok(Self { units, samples: samples.map_err(|failure| failed(&failure))? })
     }
 

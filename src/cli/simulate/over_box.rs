@@ -5,7 +5,7 @@ use slipmode::comparison::{Observable, sampled_range, simulated};
 use slipmode::csv::{Column, Datum};
 use slipmode::parallel;
 use slipmode::sweep::LowDiscrepancy;
-use slipmode_core::dynamics::Simulation;
+use slipmode_core::dynamics::{Options, Simulation};
 use slipmode_core::friction::{EvolutionLaw, Parameters};
 use slipmode_core::number::Rational;
 use slipmode_core::stability::{InertialThreshold, ParameterBox, over_box};
@@ -15,7 +15,7 @@ use crate::cli::classify::box_view;
 use crate::cli::classify::ranges::shown;
 use crate::cli::options::Arguments;
 use crate::cli::simulate::range;
-use crate::cli::simulate::run::{self, Settings, Shown, simulate_point};
+use crate::cli::simulate::run::{self, Shown, simulate_point};
 
 /// The runs between the corners unless their number is given.
 pub const DEFAULT_RUNS: u64 = 32;
@@ -86,11 +86,11 @@ impl BoxRuns {
         middle: Shown,
         region: &ParameterBox,
         law: EvolutionLaw,
-        settings: Settings,
+        options: Options,
         spread: u64,
     ) -> Self {
         let points = points_within(region, spread);
-        let runs = parallel::map(&points, |point| simulate_point(point, law, settings));
+        let runs = parallel::map(&points, |point| simulate_point(point, law, options));
         let runs: Vec<Shown> = std::iter::once(middle).chain(runs).collect();
         let outside_tested_range = points.iter().any(|point| !range::outside_tested(point).is_empty());
         Self { corners: runs.len() - 1 - spread as usize, runs, outside_tested_range }

@@ -2,6 +2,7 @@
 
 use slipmode::csv::{Cells, Remark, RowWork, is_named, joined, names, push_cells};
 use slipmode::scene::{Faults, Problem};
+use slipmode_core::dynamics::Options;
 use slipmode_core::friction::{EvolutionLaw, Parameters};
 use slipmode_core::number::Rational;
 use slipmode_core::stability::ParameterBox;
@@ -9,7 +10,7 @@ use slipmode_core::stability::ParameterBox;
 use crate::cli::simulate::certified::{self, Certified};
 use crate::cli::simulate::over_box::{self, BoxRuns, is_point};
 use crate::cli::simulate::range;
-use crate::cli::simulate::run::{COLUMNS, Settings, Simulated, simulate_point};
+use crate::cli::simulate::run::{COLUMNS, Simulated, simulate_point};
 use crate::cli::words::{LAW_COLUMN, LAWS, law_of_word};
 
 /// Simulates rows, over their error bars; with `CERTIFY`, the middle of the error bars, and certifies all values within them.
@@ -18,7 +19,7 @@ pub struct SimulateRows<const CERTIFY: bool> {
     /// The law of all rows; none when a column chooses it.
     pub law: Option<EvolutionLaw>,
     /// What is the same for every row.
-    pub settings: Settings,
+    pub options: Options,
     /// Runs at points spread within the error bars of a row.
     pub box_runs: u64,
 }
@@ -70,18 +71,18 @@ impl<const CERTIFY: bool> RowWork for SimulateRows<CERTIFY> {
     }
 
     fn append(&self, (middle, region, law): &Self::Input, out: &mut Vec<u8>) -> Remark {
-        let found = simulate_point(middle, *law, self.settings);
+        let found = simulate_point(middle, *law, self.options);
         let mut is_unanswered = found.is_err();
         match region {
             Some(region) if !CERTIFY => {
-                let runs = BoxRuns::new(found, region, *law, self.settings, self.box_runs);
+                let runs = BoxRuns::new(found, region, *law, self.options, self.box_runs);
                 push_cells(&over_box::COLUMNS, &runs, out);
                 is_unanswered = runs.is_unanswered();
             }
             _ => push_cells(&COLUMNS, &Simulated::new(found, middle), out),
         }
         if let Some(region) = region.as_ref().filter(|_| CERTIFY) {
-            push_cells(&certified::COLUMNS, &Certified::new(region, *law, self.settings.start), out);
+            push_cells(&certified::COLUMNS, &Certified::new(region, *law, self.options.start), out);
         }
         Remark { is_unanswered, ..Remark::warning(&range::warnings(middle)) }
     }

@@ -3,7 +3,7 @@
 use crate::cli::simulate::range;
 use slipmode::csv::{Column, Datum};
 use slipmode_core::dynamics::{
-    self, Control, Failure, Model, Radau, Sample, Simulation, Start, trajectory, trajectory_at,
+    self, Control, Failure, Model, Options, Radau, Sample, Simulation, trajectory, trajectory_at,
 };
 use slipmode_core::friction::{EvolutionLaw, Parameters};
 use slipmode_core::number::{Rational, nearest_f64};
@@ -13,28 +13,12 @@ const SAMPLES_PER_STEP: usize = 8;
 /// Most steps of a trajectory, so that its samples stay below half a gigabyte.
 const MOST_STEPS: u64 = 1_000_000;
 
-/// What is the same for every simulation of a command.
-#[derive(Debug, Clone, Copy)]
-pub struct Settings {
-    /// Permitted relative error of peak velocity and period.
-    pub tolerance: f64,
-    /// How the start is completed.
-    pub start: Start,
-}
-
-impl Settings {
-    /// The options of the simulation.
-    pub fn options(self) -> dynamics::Options {
-        dynamics::Options { start: self.start, ..dynamics::Options::at(self.tolerance) }
-    }
-}
-
 /// What a simulation showed, or why it showed nothing.
 pub type Shown = Result<Simulation, String>;
 
 /// Simulates a point.
-pub fn simulate_point(parameters: &Parameters<Rational>, law: EvolutionLaw, settings: Settings) -> Shown {
-    let found = dynamics::simulate(parameters, law, &settings.options());
+pub fn simulate_point(parameters: &Parameters<Rational>, law: EvolutionLaw, options: Options) -> Shown {
+    let found = dynamics::simulate(parameters, law, &options);
     let simulation = found.map_err(|failure| failure.to_string())?;
     let positive = [Some(simulation.peak_velocity_m_per_s), simulation.period_s, simulation.frequency_hz];
     if positive.into_iter().flatten().all(f64::is_normal) && simulation.stress_drop_pa.is_finite() {
@@ -52,13 +36,13 @@ pub fn simulate_point(parameters: &Parameters<Rational>, law: EvolutionLaw, sett
 pub fn follow(
     parameters: &Parameters<Rational>,
     law: EvolutionLaw,
-    settings: Settings,
+    options: Options,
     simulation: &Simulation,
     (until, count): (f64, Option<u64>),
 ) -> Result<Vec<Sample>, Failure> {
     let model = Model::new(parameters.groups().map(nearest_f64), law);
     let control = Control { local_tolerance: simulation.local_tolerance, most_steps: MOST_STEPS };
-    let start = settings.start.state(&model, &libm::log(settings.options().velocity_ratio));
+    let start = options.start.state(&model, &libm::log(options.velocity_ratio));
     let method = Radau::<f64, 5>::new();
     let Some(count) = count else {
         return Ok(trajectory(&model, method, start, control, until, SAMPLES_PER_STEP)?.samples);

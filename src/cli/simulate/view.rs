@@ -2,7 +2,7 @@
 
 use rug::Float;
 use rug::float::Round;
-use slipmode_core::dynamics::{Behaviour, Simulation};
+use slipmode_core::dynamics::{Behaviour, Options, Simulation};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::Ball;
 use slipmode_core::number::format::{certain_digits, round_digits};
@@ -11,7 +11,7 @@ use slipmode_core::stability::ParameterBox;
 use crate::cli::answer::Answer;
 use crate::cli::inputs::region_json;
 use crate::cli::simulate::over_box::is_point;
-use crate::cli::simulate::run::{COLUMNS, Settings, Simulated};
+use crate::cli::simulate::run::{COLUMNS, Simulated};
 
 /// The most significant digits in the text for people: those of a 64-bit number.
 const MOST_DIGITS: usize = 17;
@@ -21,23 +21,23 @@ const OF_CYCLE: &str = "(of the cycle)";
 const ERROR_DIGITS: usize = 2;
 
 /// States what was requested and found: the columns of `--points` are keys, and so are the errors that have no column.
-pub fn answer(simulated: &Simulated, region: &ParameterBox, law: EvolutionLaw, settings: Settings) -> Answer {
+pub fn answer(simulated: &Simulated, region: &ParameterBox, law: EvolutionLaw, options: Options) -> Answer {
     let middle = if is_point(region) { "" } else { "the middle of the error bars:\n" };
     let answer = Answer::to(region_json(region))
         .text(middle)
         .with("law", law.as_str())
-        .with("tolerance", settings.tolerance)
-        .with("start", settings.start.as_str())
+        .with("tolerance", options.tolerance)
+        .with("start", options.start.as_str())
         .columns(&COLUMNS, simulated);
     let Ok(found) = &simulated.found else { return answer };
     answer
         .with("stress_drop_relative_error", found.stress_drop_relative_error)
         .with("minimum_velocity_log10_error", found.minimum_velocity_log10_error)
-        .and(lines(found, law, settings))
+        .and(lines(found, law, options))
 }
 
 /// Writes lines of name, value and meaning, with only the digits that the estimated errors support.
-fn lines(found: &Simulation, law: EvolutionLaw, settings: Settings) -> Answer {
+fn lines(found: &Simulation, law: EvolutionLaw, options: Options) -> Answer {
     let [mode, extent, stress, stress_extent, oscillation] = match found.behaviour {
         Behaviour::Periodic => ["(a limit cycle)", OF_CYCLE, "stress drop", OF_CYCLE, OF_CYCLE],
         Behaviour::Decaying => [
@@ -75,7 +75,7 @@ fn lines(found: &Simulation, law: EvolutionLaw, settings: Settings) -> Answer {
         .named("error of the period", &found.period_relative_error.map_or_else(none, error))
         .note("(relative)")
         .named("law", law.as_str())
-        .named("start", settings.start.as_str())
+        .named("start", options.start.as_str())
         .note("(V = V0/10)")
         .named("steps, evaluations", &format!("{}, {}", found.steps, found.evaluations))
 }

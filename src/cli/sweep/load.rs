@@ -6,7 +6,7 @@ use slipmode::archive::sha256_hex;
 use slipmode::experiments::Scene;
 use slipmode::scene::Limits;
 use slipmode::sweep::{PointSource, SweepPoints, SweepSection, SweepWork};
-use slipmode_core::dynamics::Start;
+use slipmode_core::dynamics::Options;
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::nearest_f64;
 use slipmode_core::stability::{InertialThreshold, is_allowed_over_box};
@@ -18,7 +18,6 @@ use crate::cli::input::{lacks, read_small_file};
 use crate::cli::options::OVER_BOX;
 use crate::cli::simulate::over_box::DEFAULT_RUNS;
 use crate::cli::simulate::rows::SimulateRows;
-use crate::cli::simulate::run::Settings;
 use crate::cli::sweep::asymptote_rows::AsymptoteRows;
 use crate::cli::sweep::boundary_rows::BoundaryRows;
 use crate::cli::sweep::points::{Listed, Points};
@@ -77,10 +76,10 @@ impl Loaded {
             SweepWork::Boundary => self.with(BoundaryRows, Vec::new()),
             SweepWork::AsymptoteError => self.with(AsymptoteRows, Vec::new()),
             SweepWork::Simulate { laws, tolerance } => {
-                let settings = Settings { tolerance: nearest_f64(tolerance), start: Start::default() };
+                let options = Options::at(nearest_f64(tolerance));
                 // A list has one law for all its rows, or a column for them.
                 let work =
-                    SimulateRows::<false> { law: laws.first().copied(), settings, box_runs: DEFAULT_RUNS };
+                    SimulateRows::<false> { law: laws.first().copied(), options, box_runs: DEFAULT_RUNS };
                 self.with(work, laws.clone())
             }
         }
