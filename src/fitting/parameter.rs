@@ -28,6 +28,10 @@ pub const PARAMETERS: usize = 6;
 /// Values of all parameters as the search has them: the logarithms of a, b, D_c and K, then μ0 and the drift.
 pub type Point = [f64; PARAMETERS];
 
+/// The symbol of each parameter, and its unit: empty for pure numbers.
+const SYMBOLS: [&str; PARAMETERS] = ["a", "b", "D_c", "K", "mu_0", "drift"];
+const UNITS: [&str; PARAMETERS] = ["", "", "m", "Pa/m", "", "1/m"];
+
 impl Parameter {
     /// Whether the search has the logarithm: the value is positive.
     pub(crate) const fn is_logarithmic(self) -> bool {
@@ -48,25 +52,13 @@ impl Parameter {
     /// Its symbol.
     #[must_use]
     pub const fn symbol(self) -> &'static str {
-        match self {
-            Self::DirectEffect => "a",
-            Self::EvolutionEffect => "b",
-            Self::CriticalSlipDistance => "D_c",
-            Self::Stiffness => "K",
-            Self::ReferenceFriction => "mu_0",
-            Self::Drift => "drift",
-        }
+        SYMBOLS[self as usize]
     }
 
     /// Its unit; empty for pure numbers.
     #[must_use]
     pub const fn unit(self) -> &'static str {
-        match self {
-            Self::CriticalSlipDistance => "m",
-            Self::Stiffness => "Pa/m",
-            Self::Drift => "1/m",
-            Self::DirectEffect | Self::EvolutionEffect | Self::ReferenceFriction => "",
-        }
+        UNITS[self as usize]
     }
 }
 

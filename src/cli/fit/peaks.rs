@@ -10,6 +10,7 @@ use slipmode_core::number::format::round_digits;
 use slipmode_core::number::{Rational, nearest_f64};
 
 use super::Request;
+use super::view::estimated;
 use crate::cli::answer::{Answer, csv_of_numbers};
 use crate::cli::failure::Failure;
 use crate::cli::options::{Arguments, option_of};
@@ -116,8 +117,8 @@ pub fn answer(table: &PeakTable, fits: &PeakFits, known: &Known) -> Answer {
     let best = &fits.laws[0];
     let impedance = known.machine.map(|[stiffness, mass]| (stiffness * mass).sqrt());
     let effects = impedance.zip(table.normal_stress_pa).map(|(impedance, stress)| impedance / stress);
-    let scaled = |key: &str, name: &str, unit: &str, size: Option<f64>| {
-        size.map_or_else(Answer::default, |size| estimated(key, name, unit, best, fits.ends, size))
+    let of_best = |names, size: Option<f64>| {
+        size.map_or_else(Answer::default, |size| scaled(names, best, fits.ends, size))
     };
     let scatter = match table.has_errors {
         true => format!("{} times their errors", round_digits(best.scatter, 2)),
@@ -125,9 +126,9 @@ pub fn answer(table: &PeakTable, fits: &PeakFits, known: &Known) -> Answer {
     };
     let mut answer = Answer::to(inputs)
         .item("law", "evolution law", best.law.as_str())
-        .and(scaled("twice_v18_m_per_s", "(b - a) sigma/sqrt(K M)", "m/s", Some(1.0)))
-        .and(scaled("effect_difference_stress_pa", "(b - a) sigma", "Pa", impedance))
-        .and(scaled("effect_difference", "b - a", "", effects))
+        .and(of_best(["twice_v18_m_per_s", "(b - a) sigma/sqrt(K M)", "m/s"], Some(1.0)))
+        .and(of_best(["effect_difference_stress_pa", "(b - a) sigma", "Pa"], impedance))
+        .and(of_best(["effect_difference", "b - a", ""], effects))
         .and(error_parts(fits, known))
         .list("laws", fits.laws.iter().map(of_law))
         .named("scatter of the peaks", &scatter)
@@ -145,20 +146,15 @@ pub fn answer(table: &PeakTable, fits: &PeakFits, known: &Known) -> Answer {
     answer.with("remarks", remarks).text(&lines)
 }
 
-fn estimated(key: &str, name: &str, unit: &str, fit: &PeakFit, ends: [Option<f64>; 2], size: f64) -> Answer {
-    let ends = ends.map(|end| end.map(|end| end * size));
-    let [value, error] = [fit.scale_m_per_s, fit.standard_error].map(|value| value * size);
-    let [text, range] = estimate_words(value, error, ends, unit);
-    Answer::default()
-        .with(key, json!({ "value": value, "error": error, "low": ends[0], "high": ends[1] }))
-        .named(name, &text)
-        .note(&format!("(95 %: {range})"))
+fn scaled(names: [&str; 3], fit: &PeakFit, ends: [Option<f64>; 2], size: f64) -> Answer {
+    let estimate = [fit.scale_m_per_s, fit.standard_error].map(|value| value * size);
+    estimated(names, estimate, ends.map(|end| end.map(|end| end * size)))
 }
 
 /// The fit of one law: its value at the middle b/a, and its interval over b/a, the model and the bandwidth.
 fn of_law(fit: &PeakFit) -> Answer {
     let name = format!("with the {} law", fit.law.as_str());
-    estimated("twice_v18_m_per_s", &name, "m/s", fit, fit.ends, 1.0)
+    scaled(["twice_v18_m_per_s", &name, "m/s"], fit, fit.ends, 1.0)
         .with("law", fit.law.as_str())
         .with("from_noise_m_per_s", fit.from_noise)
         .with("stiffness_over_quasi_static", fit.softness)

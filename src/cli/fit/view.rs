@@ -1,7 +1,7 @@
 //! The answer of `fit`, and its rows.
 
 use serde_json::json;
-use slipmode::experiments::fit::shares_of_modes;
+use slipmode::experiments::fit::{estimate_words, shares_of_modes};
 use slipmode::fitting::{Estimate, Fit, Fits, SAMPLES, StepRecord, advice, comparison_words, sampled_modes};
 use slipmode_core::friction::OperatingPoint;
 use slipmode_core::number::format::{round_digits, shortest};
@@ -26,7 +26,7 @@ pub fn answer(record: &StepRecord, fits: &Fits, point: &OperatingPoint<Rational>
         all.with(&[i, j].map(|index| fit.estimates[index].parameter.as_str()).join(","), correlation)
     });
     let head = Answer::to(inputs).item("law", "evolution law", given.law.as_str());
-    let answer = fit.estimates.iter().map(estimated).fold(head, Answer::and);
+    let answer = fit.estimates.iter().map(parameter).fold(head, Answer::and);
     let answer = answer
         .part("correlations", correlations)
         .with("residual_standard_deviation", noise.standard_deviation)
@@ -44,16 +44,18 @@ pub fn answer(record: &StepRecord, fits: &Fits, point: &OperatingPoint<Rational>
     answer.and(comparison(fits)).and(modes(fit, point)).with("remarks", sentences).text(&lines)
 }
 
-fn estimated(estimate: &Estimate) -> Answer {
-    let parameter = estimate.parameter;
-    let [low, high] = estimate.ends;
-    let object =
-        json!({ "value": estimate.value, "error": estimate.standard_error, "low": low, "high": high });
-    let [value, range] = estimate.words();
+/// A value with its standard error and its interval.
+pub fn estimated([key, name, unit]: [&str; 3], [value, error]: [f64; 2], ends: [Option<f64>; 2]) -> Answer {
+    let [text, range] = estimate_words(value, error, ends, unit);
     Answer::default()
-        .with(parameter.as_str(), object)
-        .named(parameter.symbol(), &value)
+        .with(key, json!({ "value": value, "error": error, "low": ends[0], "high": ends[1] }))
+        .named(name, &text)
         .note(&format!("(95 %: {range})"))
+}
+
+fn parameter(estimate: &Estimate) -> Answer {
+    let Estimate { parameter: of, value, standard_error, ends, .. } = estimate;
+    estimated([of.as_str(), of.symbol(), of.unit()], [*value, *standard_error], *ends)
 }
 
 /// How the other law compares.

@@ -19,15 +19,7 @@ fn digits_of(value: f64, standard_error: f64) -> usize {
     (digits as usize + ERROR_DIGITS - 1).clamp(ERROR_DIGITS, 16)
 }
 
-impl Estimate {
-    /// The value with its error and its interval: `0.0081 ± 0.0002` and `0.0077 to 0.0085`.
-    #[must_use]
-    pub fn words(&self) -> [String; 2] {
-        estimate_words(self.value, self.standard_error, self.ends, self.parameter.unit())
-    }
-}
-
-/// [`Estimate::words`] of these numbers.
+/// A value with its error and its interval: `0.0081 ± 0.0002` and `0.0077 to 0.0085`.
 #[must_use]
 pub fn estimate_words(value: f64, standard_error: f64, ends: [Option<f64>; 2], unit: &str) -> [String; 2] {
     let digits = digits_of(value, standard_error);
@@ -52,9 +44,9 @@ pub(crate) fn fit_words(outcome: &Outcome) -> Option<String> {
         Err(failure) => return Some(format!("The record gives no friction parameters: {failure}.")),
     };
     let fit = &fits.best;
-    let values = fit.estimates.iter().map(|estimate| {
-        let [value, range] = estimate.words();
-        format!("{} = {value} (95 %: {range})", estimate.parameter.symbol())
+    let values = fit.estimates.iter().map(|Estimate { parameter, value, standard_error, ends, .. }| {
+        let [value, range] = estimate_words(*value, *standard_error, *ends, parameter.unit());
+        format!("{} = {value} (95 %: {range})", parameter.symbol())
     });
     let values = values.collect::<Vec<_>>().join(", ");
     let mut sentences = vec![format!("With the {} law the record gives {values}.", fit.given.law.as_str())];
