@@ -76,8 +76,8 @@ pub fn produce(
     let outcome = experiments::run(&folder.scenes, &needs, &folder.references, progress);
     let context = Context::new(&folder.equations, &outcome).with_claims(&folder.claims);
     let ledger = Ledger::decide(&folder.plan.name, &folder.claims, &context);
-    let apart = wanted.apart(folder);
-    let (figures, tables) = (wanted.figures(&outcome, &apart)?, wanted.tables(&context, &apart)?);
+    let (figures, tables) = wanted.apart(folder);
+    let (figures, tables) = (wanted.figures(&outcome, &figures)?, wanted.tables(&context, &tables)?);
     let mut files = figure_and_table_files(&figures, &tables);
     files.insert("ledger.json".into(), ledger.to_json());
     files.extend(theorems(&ledger, &folder.equations).map(|text| (THEOREMS_FILE.to_owned(), text)));
@@ -162,12 +162,6 @@ fn figure_of(measured: &MeasuredChart) -> Figure {
     Figure { data: data.clone(), ..Figure::new(&chart.caption, label, caption_markdown, chart.svg()) }
 }
 
-/// Figures and tables that no experiment makes.
-struct Apart {
-    figures: Vec<Figure>,
-    tables: Vec<Table>,
-}
-
 /// The ids of the figures and tables that prose places, and of the tables with the numbers of its figures.
 #[derive(Default)]
 struct Wanted {
@@ -199,17 +193,15 @@ impl Wanted {
     }
 
     /// What no experiment makes: charts and tables that were measured, and charts of equations.
-    fn apart(&self, folder: &Folder) -> Apart {
+    fn apart(&self, folder: &Folder) -> (Vec<Figure>, Vec<Table>) {
         let is_placed = |chart: &&EquationChart| self.tables.contains(&chart.caption.id);
         let charts: Vec<&EquationChart> = folder.charts.iter().filter(is_placed).collect();
         let drawn = parallel::map(&charts, |chart| charts::draw(chart));
         let (figures, tables): (Vec<_>, Vec<_>) = drawn.into_iter().unzip();
         let Measured { charts, tables: measured, .. } = &folder.measured;
         let charts = charts.iter().filter(|measured| self.figures.contains(&measured.chart.caption.id));
-        Apart {
-            figures: charts.map(figure_of).chain(figures).collect(),
-            tables: measured.iter().cloned().chain(tables).collect(),
-        }
+        let figures = charts.map(figure_of).chain(figures).collect();
+        (figures, measured.iter().cloned().chain(tables).collect())
     }
 
     fn include(&mut self, kind: BlockKind, id: &str) {
@@ -229,8 +221,8 @@ impl Wanted {
         of_figures.chain(of_tables).copied().collect()
     }
 
-    fn figures(&self, outcome: &Outcome, apart: &Apart) -> Result<Vec<Figure>, ReportError> {
-        let other = |id: &String| apart.figures.iter().find(|one| one.id == *id);
+    fn figures(&self, outcome: &Outcome, apart: &[Figure]) -> Result<Vec<Figure>, ReportError> {
+        let other = |id: &String| apart.iter().find(|one| one.id == *id);
         let shown = |id: &String| match figure_maker(id) {
             Some(maker) => Some((maker.id, maker.figure(outcome))),
             None => other(id).map(|one| (one.id.as_str(), Some(one.clone()))),
@@ -238,8 +230,8 @@ impl Wanted {
         collect("figure", parallel::flat_map(&self.figures, shown), |_| None)
     }
 
-    fn tables(&self, context: &Context, apart: &Apart) -> Result<Vec<Table>, ReportError> {
-        let other = |id: &String| apart.tables.iter().find(|one| one.id == *id);
+    fn tables(&self, context: &Context, apart: &[Table]) -> Result<Vec<Table>, ReportError> {
+        let other = |id: &String| apart.iter().find(|one| one.id == *id);
         let shown = |id: &String| match table_maker(id) {
             Some(maker) => Some((maker.id, maker.table(context))),
             None => other(id).map(|one| (one.id.as_str(), Some(one.clone()))),

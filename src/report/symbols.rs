@@ -1,8 +1,6 @@
 //! Mathematics in plain words: `K_c,qs`, `1e-5`, `V*theta` and `x^2` as they are set in print.
 
-use std::io::Write;
-
-use slipmode_plot::table::printable;
+use slipmode_plot::table::escape_html;
 
 /// The words as HTML, everything in them escaped.
 ///
@@ -14,7 +12,8 @@ pub(crate) fn set_symbols(words: &str) -> String {
     let (mut rest, mut before) = (words, None);
     while let Some(first) = rest.chars().next() {
         let found = [number, name, raised, sign].iter().find_map(|rule| rule(before, rest));
-        let (set, length) = found.unwrap_or_else(|| (escaped(&rest[..first.len_utf8()]), first.len_utf8()));
+        let (set, length) =
+            found.unwrap_or_else(|| (escape_html(&rest[..first.len_utf8()]), first.len_utf8()));
         html += &set;
         before = rest[..length].chars().next_back();
         rest = &rest[length..];
@@ -85,7 +84,7 @@ fn name(before: Option<char>, rest: &str) -> Set {
         }
         None if greek.is_some() => Some((letter.into(), length)),
         None if word.is_empty() => None,
-        None => Some((escaped(word), word.len())),
+        None => Some((escape_html(word), word.len())),
     }
 }
 
@@ -178,29 +177,6 @@ fn index_of(text: &str) -> &str {
 /// The longest beginning that consists of such characters.
 fn run(text: &str, belongs: impl Fn(char) -> bool) -> &str {
     &text[..text.find(|c| !belongs(c)).unwrap_or(text.len())]
-}
-
-fn escaped(words: &str) -> String {
-    let mut escaped = Vec::with_capacity(words.len());
-    // Writing to memory does not fail, and what is escaped stays text.
-    escape_html(words, &mut escaped).ok();
-    String::from_utf8_lossy(&escaped).into_owned()
-}
-
-/// Text for HTML content and quoted attributes; invisible and direction-changing characters become U+FFFD.
-pub(super) fn escape_html(text: &str, output: &mut dyn Write) -> std::io::Result<()> {
-    let mut buffer = [0; 4];
-    for c in text.chars() {
-        match c {
-            '&' => output.write_all(b"&amp;")?,
-            '<' => output.write_all(b"&lt;")?,
-            '>' => output.write_all(b"&gt;")?,
-            '"' => output.write_all(b"&quot;")?,
-            '\'' => output.write_all(b"&#39;")?,
-            c => output.write_all(printable(c).encode_utf8(&mut buffer).as_bytes())?,
-        }
-    }
-    Ok(())
 }
 
 #[cfg(test)]

@@ -4,8 +4,8 @@ use serde::Serialize;
 use tera::{Context, Kwargs, State, Tera, Value};
 
 use super::ReportError;
-use super::symbols::{escape_html, set_symbols};
-use slipmode_plot::table::escape_markdown;
+use super::symbols::set_symbols;
+use slipmode_plot::table::{escape_html, escape_markdown};
 
 /// The templates with these names, each with its text.
 macro_rules! sources {
@@ -37,7 +37,7 @@ impl Templates {
     /// # Errors
     /// When a template does not parse: an error of this program.
     pub fn html() -> Result<Self, ReportError> {
-        Self::parsed(&HTML, |text, output| escape_html(text, output))
+        Self::parsed(&HTML, |text, output| output.write_all(escape_html(text).as_bytes()))
     }
 
     /// The Markdown report's templates.

@@ -43,12 +43,9 @@ pub fn read_swept(
         return Err(fault(&scene_file, "scene", wanted));
     }
     let title = scene.title;
-    let (section, kept) = match scene.sweep {
-        Some(SweepSection { summary: Some(kept), work, points, block_points }) => {
-            (SweepSection { summary: Some(kept.clone()), work, points, block_points }, kept)
-        }
-        _ => return Err(fault(&scene_file, "sweep.summary", "a [sweep] with a [sweep.summary]".into())),
-    };
+    let missing = || fault(&scene_file, "sweep.summary", "a [sweep] with a [sweep.summary]".into());
+    let section = scene.sweep.ok_or_else(missing)?;
+    let kept = section.summary.as_ref().ok_or_else(missing)?;
     let rows = row_count(&section)
         .ok_or_else(|| fault(&scene_file, "sweep", "points that can be counted: no list".into()))?;
     let (columns, lines) = text.split_once('\n').unwrap_or((text, ""));

@@ -26,13 +26,11 @@ impl Look {
 
     /// Opens a group whose `currentColor` is the series' colour.
     pub fn open(self, svg: &mut Svg) {
-        match self.index {
-            Some(index) => {
-                let class = format!("series s{index}");
-                open_series(svg, &class, palette::SERIES[index]);
-            }
-            None => open_series(svg, "series theory", palette::FAINT_INK),
-        }
+        let (class, colour) = match self.index {
+            Some(index) => (format!("series s{index}"), palette::SERIES[index]),
+            None => ("series theory".into(), palette::FAINT_INK),
+        };
+        svg.open("g", &[("class", &class), ("color", colour), ("fill", "none"), ("stroke", "currentColor")]);
     }
 
     /// Draws the line inside such a group.
@@ -43,10 +41,6 @@ impl Look {
             svg.leaf("path", &[("d", data), ("stroke-width", width), ("stroke-dasharray", dash)]);
         }
     }
-}
-
-fn open_series(svg: &mut Svg, class: &str, colour: &str) {
-    svg.open("g", &[("class", class), ("color", colour), ("fill", "none"), ("stroke", "currentColor")]);
 }
 
 /// Draws the markers of a look around points, inside the look's group; formulas have none.

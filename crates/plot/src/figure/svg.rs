@@ -2,7 +2,7 @@
 
 use super::path::Point;
 use super::{Caption, palette};
-use crate::table::printable;
+use crate::table::escape_html;
 
 /// Fonts of all figures; the first that the viewer has is taken.
 const FONTS: &str = "system-ui, -apple-system, 'Segoe UI', Roboto, 'Helvetica Neue', Arial, sans-serif";
@@ -154,19 +154,7 @@ pub fn within_html(svg: &str) -> String {
 
 /// Text for use between tags and in quoted attributes.
 pub(crate) fn escape(text: &str) -> String {
-    let mut escaped = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => escaped += "&amp;",
-            '<' => escaped += "&lt;",
-            '>' => escaped += "&gt;",
-            '"' => escaped += "&quot;",
-            '\'' => escaped += "&#39;",
-            '\n' | '\r' | '\t' => escaped.push(' '),
-            c => escaped.push(printable(c)),
-        }
-    }
-    escaped
+    escape_html(&text.replace(['\n', '\r', '\t'], " "))
 }
 
 /// The id with every character that an id in a reference cannot carry replaced.

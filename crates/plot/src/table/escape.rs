@@ -38,6 +38,23 @@ pub fn escape_cell(text: &str) -> String {
     escaped
 }
 
+/// Text for HTML and SVG: characters with a meaning there are escaped.
+#[must_use]
+pub fn escape_html(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => escaped += "&amp;",
+            '<' => escaped += "&lt;",
+            '>' => escaped += "&gt;",
+            '"' => escaped += "&quot;",
+            '\'' => escaped += "&#39;",
+            c => escaped.push(printable(c)),
+        }
+    }
+    escaped
+}
+
 /// The character itself, or U+FFFD for controls (newline and tab apart), zero-width and direction-changing characters.
 #[must_use]
 pub fn printable(c: char) -> char {

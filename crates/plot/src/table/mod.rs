@@ -16,7 +16,7 @@ mod escape;
 mod markdown;
 mod rows;
 
-pub use escape::{escape_cell, escape_markdown, printable};
+pub use escape::{escape_cell, escape_html, escape_markdown, printable};
 pub use rows::TableRows;
 
 use serde::Serialize;
