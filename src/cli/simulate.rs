@@ -123,17 +123,12 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
             .refuse("no --certify: rows then have the run of the middle values", &mut arguments);
     }
     let box_runs = options.within_error_bars.read(&mut arguments);
-    let settings = arguments.finish(settings)?;
-    let (rows, progress) = (&options.rows, *progress);
-    if options.certify {
-        return points::run(
-            points,
-            rows,
-            SimulateRows::<true> { law, options: settings, box_runs },
-            progress,
-        );
+    let (rows, certify, progress) = (&options.rows, options.certify, *progress);
+    let options = arguments.finish(settings)?;
+    if certify {
+        return points::run(points, rows, SimulateRows::<true> { law, options, box_runs }, progress);
     }
-    points::run(points, rows, SimulateRows::<false> { law, options: settings, box_runs }, progress)
+    points::run(points, rows, SimulateRows::<false> { law, options, box_runs }, progress)
 }
 
 impl Options {

@@ -4,7 +4,8 @@ mod over_box;
 
 use clap::Args;
 use serde_json::json;
-use slipmode::experiments::tolerance::{ToleranceRow, ToleranceSection, place_of_limit, tolerance_limits};
+use slipmode::experiments::tolerance::run::tolerance_limits;
+use slipmode::experiments::tolerance::{ToleranceRow, ToleranceSection, place_of_limit};
 use slipmode::scene::AllowedRange;
 use slipmode_core::friction::Slider;
 use slipmode_core::number::format::{certain_digits, rational_to_decimal};

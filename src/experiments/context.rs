@@ -31,8 +31,7 @@ pub struct Context<'c> {
 
 impl<'c> Context<'c> {
     /// Nothing is derived from the equations yet.
-    #[must_use]
-    pub fn new(equations: &'c Equations, outcome: &'c Outcome) -> Self {
+    pub(crate) fn new(equations: &'c Equations, outcome: &'c Outcome) -> Self {
         let (kind, known, hopf) = (Kind::default(), Arc::default(), Arc::default());
         Self { equations, outcome, claims: &[], kind, is_gated: true, known, hopf }
     }

@@ -30,8 +30,7 @@ pub struct Figure {
 
 impl Figure {
     /// A drawing with its caption.
-    #[must_use]
-    pub fn new(caption: &Caption, label: &str, caption_markdown: &str, svg: String) -> Self {
+    pub(crate) fn new(caption: &Caption, label: &str, caption_markdown: &str, svg: String) -> Self {
         let Caption { id, description, .. } = caption.clone();
         let (label, caption_markdown) = (label.into(), caption_markdown.into());
         Self { id, label, caption_markdown, description, svg, data: Vec::new() }
@@ -131,8 +130,7 @@ impl FigureMaker {
     }
 
     /// The figure; `None` when the scenes do not hold what it shows.
-    #[must_use]
-    pub fn figure(&self, outcome: &Outcome) -> Option<Figure> {
+    pub(crate) fn figure(&self, outcome: &Outcome) -> Option<Figure> {
         let mut words = self.words();
         let svg = (self.draw)(outcome, &mut words)?;
         Some(Figure::new(&words.caption, &words.label, &words.markdown, svg).with_data(&self.data))

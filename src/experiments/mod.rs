@@ -67,8 +67,7 @@ macro_rules! experiments {
             pub const ALL: &'static [Self] = &[$($(#[cfg($condition)])? Self::$word,)*];
 
             /// The key of the section that states it.
-            #[must_use]
-            pub fn key(self) -> &'static str {
+            pub(crate) fn key(self) -> &'static str {
                 match self {
                     $($(#[cfg($condition)])? Self::$word => stringify!($key),)*
                 }
@@ -110,8 +109,7 @@ macro_rules! experiments {
 
         impl Scene {
             /// What the sections ask of the machine, each with its key.
-            #[must_use]
-            pub fn work(&self) -> Vec<(&'static str, Work)> {
+            pub(crate) fn work(&self) -> Vec<(&'static str, Work)> {
                 [$($(#[cfg($condition)])? (stringify!($key), self.$key.as_ref().map(Experiment::work)),)*]
                     .into_iter()
                     .filter_map(|(key, work)| Some((key, work?)))
@@ -138,8 +136,7 @@ macro_rules! experiments {
 
         impl SceneOutcome {
             /// A scene of which nothing has been computed yet.
-            #[must_use]
-            pub fn new(scene: Scene) -> Self {
+            pub(crate) fn new(scene: Scene) -> Self {
                 Self { scene, $($(#[cfg($condition)])? $key: None,)* }
             }
         }

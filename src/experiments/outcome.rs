@@ -14,8 +14,7 @@ use slipmode_core::number::Rational;
 
 impl SceneOutcome {
     /// The slider, where the scene states one.
-    #[must_use]
-    pub fn slider(&self) -> Option<&Slider<Rational>> {
+    pub(crate) fn slider(&self) -> Option<&Slider<Rational>> {
         self.scene.parameters.as_ref().map(|section| &section.slider)
     }
 

@@ -20,8 +20,7 @@ impl Scene {
     }
 
     /// The threshold between inertial and non-inertial that the scene chose, or the default.
-    #[must_use]
-    pub fn threshold(&self) -> InertialThreshold {
+    pub(crate) fn threshold(&self) -> InertialThreshold {
         self.inertial_threshold.as_ref().and_then(InertialThreshold::from_ratio).unwrap_or_default()
     }
 

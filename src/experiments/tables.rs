@@ -23,8 +23,7 @@ pub struct TableMaker {
 
 impl TableMaker {
     /// The table, unless it has no rows.
-    #[must_use]
-    pub fn table(&self, context: &Context) -> Option<Table> {
+    pub(crate) fn table(&self, context: &Context) -> Option<Table> {
         let table = (self.make)(context).filter(|table| !table.rows.is_empty())?;
         let columns = table.columns.into_iter().map(|one| Column { header: cited(&one.header), ..one });
         let (title, note) = (cited(&table.title), cited(&table.note));

@@ -35,22 +35,19 @@ impl Work {
     }
 
     /// Certificates that are proved again.
-    #[must_use]
-    pub fn certificates(count: usize) -> Self {
+    pub(crate) fn certificates(count: usize) -> Self {
         let core_seconds = count as f64 * CERTIFICATE_S;
         Self { what: format!("{count} certificates"), core_seconds, memory_mib: 0.0, digits: 0.0 }
     }
 
     /// Points that are all kept.
-    #[must_use]
-    pub fn points(points: f64, seconds_per_point: f64) -> Self {
+    pub(crate) fn points(points: f64, seconds_per_point: f64) -> Self {
         let (core_seconds, memory_mib) = (points * seconds_per_point, points * POINT_MIB);
         Self { what: format!("{points} points"), core_seconds, memory_mib, digits: 0.0 }
     }
 
     /// The decisions of a grid.
-    #[must_use]
-    pub fn map(rectangle: &Rectangle) -> Self {
+    pub(crate) fn map(rectangle: &Rectangle) -> Self {
         Self::points(rectangle_points(rectangle), DECISION_S)
     }
 
@@ -66,8 +63,7 @@ impl Work {
     }
 
     /// Runs of the nonlinear slider: a run takes 1.26 times as long for each further digit.
-    #[must_use]
-    pub fn simulations(runs: f64, tolerance: f64) -> Self {
+    pub(crate) fn simulations(runs: f64, tolerance: f64) -> Self {
         let core_seconds = runs * RUN_S * libm::pow(tolerance / 1e-8, -0.1);
         let what = format!("{runs} simulations at tolerance {tolerance:e}");
         Self { what, core_seconds, memory_mib: runs * POINT_MIB, digits: 0.0 }

@@ -123,8 +123,7 @@ impl Fits {
     }
 
     /// How the two laws compare, where both have a fit.
-    #[must_use]
-    pub fn comparison(&self) -> Option<LawComparison> {
+    pub(crate) fn comparison(&self) -> Option<LawComparison> {
         self.other.as_ref().map(|other| self.best.compared_with(other))
     }
 }
@@ -338,8 +337,7 @@ impl Fit {
     }
 
     /// Compares this fit with that of another law on the same record.
-    #[must_use]
-    pub fn compared_with(&self, other: &Self) -> LawComparison {
+    pub(crate) fn compared_with(&self, other: &Self) -> LawComparison {
         let (better, worse) = if self.cost <= other.cost { (self, other) } else { (other, self) };
         let rows = self.differences.len() as f64;
         // Each law has its own variance, that of the maximum likelihood.

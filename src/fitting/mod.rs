@@ -29,5 +29,5 @@ pub use profile::ProfilePoint;
 pub use record::{Load, Measured, Response, StepRecord};
 pub use record_faults::{Column, RecordFault};
 pub use residuals::Residuals;
-pub use sampled_modes::{SAMPLES, sampled_modes};
-pub use words::{advice, comparison_words};
+pub(crate) use sampled_modes::{SAMPLES, sampled_modes};
+pub(crate) use words::{advice, comparison_words};

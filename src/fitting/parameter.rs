@@ -39,8 +39,7 @@ impl Parameter {
     }
 
     /// The value for a coordinate of the search.
-    #[must_use]
-    pub fn value(self, coordinate: f64) -> f64 {
+    pub(crate) fn value(self, coordinate: f64) -> f64 {
         if self.is_logarithmic() { libm::exp(coordinate) } else { coordinate }
     }
 
@@ -50,14 +49,12 @@ impl Parameter {
     }
 
     /// Its symbol.
-    #[must_use]
-    pub const fn symbol(self) -> &'static str {
+    pub(crate) const fn symbol(self) -> &'static str {
         SYMBOLS[self as usize]
     }
 
     /// Its unit; empty for pure numbers.
-    #[must_use]
-    pub const fn unit(self) -> &'static str {
+    pub(crate) const fn unit(self) -> &'static str {
         UNITS[self as usize]
     }
 }

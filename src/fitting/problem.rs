@@ -20,8 +20,7 @@ pub struct FitGiven {
 
 impl FitGiven {
     /// The parameters that are fitted.
-    #[must_use]
-    pub fn free(&self) -> Vec<Parameter> {
+    pub(crate) fn free(&self) -> Vec<Parameter> {
         let is_free = |parameter: &Parameter| match parameter {
             Parameter::Stiffness => self.stiffness_pa_per_m.is_none(),
             Parameter::Drift => self.has_drift,

@@ -113,8 +113,7 @@ impl StepRecord {
     }
 
     /// The number of samples.
-    #[must_use]
-    pub fn rows(&self) -> usize {
+    pub(crate) fn rows(&self) -> usize {
         self.times_s.len()
     }
 
@@ -125,8 +124,7 @@ impl StepRecord {
     }
 
     /// What a difference in friction is multiplied by to be one of what was measured, over the normal stress at the start.
-    #[must_use]
-    pub fn scale(&self, sample: usize) -> f64 {
+    pub(crate) fn scale(&self, sample: usize) -> f64 {
         match self.measured.response {
             Response::ShearStress(_) => self.weights[sample],
             Response::Friction(_) => 1.0,

@@ -17,8 +17,7 @@ const SEED: u64 = 38;
 /// The slip modes of sliders drawn from the normal distribution of the fit, each decided exactly, with their counts, the most frequent first.
 ///
 /// None for a fit without mass, which has no slip mode.
-#[must_use]
-pub fn sampled_modes(
+pub(crate) fn sampled_modes(
     fit: &Fit,
     point: &OperatingPoint<Rational>,
     threshold: &InertialThreshold,

@@ -16,8 +16,7 @@ const DIFFERS: f64 = 0.2;
 const TOLD_APART: f64 = 1.96;
 
 /// Sentences on what the record cannot tell.
-#[must_use]
-pub fn advice(fit: &Fit, record: &StepRecord) -> Vec<String> {
+pub(crate) fn advice(fit: &Fit, record: &StepRecord) -> Vec<String> {
     let mut sentences = Vec::new();
     for (i, j, correlation) in fit.correlations().filter(|(.., correlation)| correlation.abs() > STRONG) {
         let pair = [i, j].map(|index| fit.estimates[index].parameter);
@@ -103,8 +102,7 @@ fn percent(share: f64) -> String {
 }
 
 /// What the comparison of the two laws means.
-#[must_use]
-pub fn comparison_words(comparison: &LawComparison) -> String {
+pub(crate) fn comparison_words(comparison: &LawComparison) -> String {
     let better = comparison.better;
     let other =
         EvolutionLaw::ALL.into_iter().find(|law| *law != better).map_or("other", EvolutionLaw::as_str);

@@ -48,8 +48,7 @@ pub struct Material<'m> {
 }
 
 /// The view of a report.
-#[must_use]
-pub fn assemble(material: Material) -> ReportView {
+pub(crate) fn assemble(material: Material) -> ReportView {
     let Material { plan, prose, equations, outcome, ledger, figures, tables, inputs, environment } = material;
     let mut chapters = plan.chapters.iter();
     let introduction = chapters.next();

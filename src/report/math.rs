@@ -21,8 +21,7 @@ pub(crate) struct Mathematics {
 
 impl Mathematics {
     /// Rules of the classes used so far.
-    #[must_use]
-    pub fn style_rules(&self) -> String {
+    pub(crate) fn style_rules(&self) -> String {
         self.classes.iter().map(|(style, class)| format!(".{class}{{{style}}}\n")).collect()
     }
 

@@ -36,8 +36,9 @@ pub use error::ReportError;
 pub use explorer::{ExplorerPage, render_explorer};
 pub use html::render_html;
 pub use junit::junit;
-pub use markdown::formula_faults;
-pub use produce::{Folder, Product, decide, figure_and_table_files, produce, produce_scene};
+pub(crate) use markdown::formula_faults;
+pub use produce::{Folder, Product, produce};
+pub(crate) use produce::{decide, figure_and_table_files, produce_scene};
 pub use text::{render_edition, render_markdown};
 pub use view::{
     AnswerView, CardView, ChangeView, ChapterView, CitationView, ClaimGroupView, ClaimView, EquationView,
@@ -60,8 +61,7 @@ const ENVIRONMENT_BEGIN: &str = "<!-- environment:begin -->";
 const ENVIRONMENT_END: &str = "<!-- environment:end -->";
 
 /// A page or Markdown report without its environment block: the part that has the same bytes on every machine.
-#[must_use]
-pub fn without_environment(text: &str) -> String {
+pub(crate) fn without_environment(text: &str) -> String {
     let Some((before, rest)) = text.rsplit_once(ENVIRONMENT_BEGIN) else { return text.into() };
     let after = rest.split_once(ENVIRONMENT_END).map_or("", |(_, after)| after);
     format!("{}\n{}", before.trim_end(), after.trim_start())

@@ -17,7 +17,6 @@ pub(crate) const SCRIPT: &str = include_str!("../../templates/page.js");
 const MATH_FONT: &[u8] = include_bytes!("../../templates/fonts/slipmode-math.woff2");
 
 /// The whole style sheet: the font, the rules, and those of the formulas' classes.
-#[must_use]
 pub(crate) fn style_sheet(formula_rules: &str) -> String {
     let font = BASE64_STANDARD.encode(MATH_FONT);
     format!(
@@ -36,13 +35,11 @@ pub(crate) const LIVE_SCRIPT: &str = include_str!("../../templates/live.js");
 pub(crate) const EXPLORER_SCRIPT: &str = include_str!("../../templates/explore.js");
 
 /// The explorer's style sheet: that of the reports without the font, since no formula is set, and its own rules.
-#[must_use]
 pub(crate) fn explorer_style_sheet() -> String {
     format!("{STYLE}{}{LIVE_STYLE}", include_str!("../../templates/explore.css"))
 }
 
 /// A content policy under which the page may use this style sheet, this script and embedded fonts: no requests.
-#[must_use]
 pub(crate) fn content_policy(style_sheet: &str, script: &str) -> String {
     let digest = |text: &str| BASE64_STANDARD.encode(Sha256::digest(text.as_bytes()));
     let (style, script) = (digest(style_sheet), digest(script));

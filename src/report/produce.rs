@@ -52,8 +52,7 @@ pub struct Product {
 }
 
 /// Computes what claims of a folder need, and decides them.
-#[must_use]
-pub fn decide(folder: &Folder, claims: &[ClaimEntry], progress: Progress) -> (Ledger, Outcome) {
+pub(crate) fn decide(folder: &Folder, claims: &[ClaimEntry], progress: Progress) -> (Ledger, Outcome) {
     let needs = claims::needs(claims);
     let outcome = experiments::run(&folder.scenes, &needs, &folder.references, progress);
     let context = Context::new(&folder.equations, &outcome);
@@ -102,8 +101,7 @@ pub fn produce(
 }
 
 /// The tables and figures of one scene, with everything that the scene states.
-#[must_use]
-pub fn produce_scene(
+pub(crate) fn produce_scene(
     scene: &Scene,
     equations: &Equations,
     references: &References,
@@ -125,7 +123,7 @@ fn all_table_makers() -> impl Iterator<Item = &'static TableMaker> {
 }
 
 /// The figures and tables as files.
-pub fn figure_and_table_files(figures: &[Figure], tables: &[Table]) -> BTreeMap<String, String> {
+pub(crate) fn figure_and_table_files(figures: &[Figure], tables: &[Table]) -> BTreeMap<String, String> {
     let figures = figures.iter().map(|figure| (format!("figures/{}.svg", figure.id), figure.svg.clone()));
     let tables = tables.iter().map(|table| (format!("tables/{}.csv", table.id), table.to_csv()));
     figures.chain(tables).collect()

@@ -160,8 +160,7 @@ pub struct StoredFiles {
 
 impl StoredFiles {
     /// The files of a scene, none of which is read yet.
-    #[must_use]
-    pub fn of(scene: &Scene) -> Self {
+    pub(crate) fn of(scene: &Scene) -> Self {
         let both = scene.parameters.as_ref().zip(scene.simulations.as_ref());
         let grid = both.map(|(parameters, section)| Grid::of(&parameters.slider, section));
         Self { scene: scene.name.clone(), grid, laws: Vec::new() }

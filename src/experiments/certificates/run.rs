@@ -37,8 +37,7 @@ pub struct ProvedAgain {
 
 impl Certificates {
     /// Proves this many rows of each file again, evenly chosen from the first on, and those that are extreme.
-    #[must_use]
-    pub fn of(files: Vec<Vec<Stored>>, again: usize) -> Self {
+    pub(crate) fn of(files: Vec<Vec<Stored>>, again: usize) -> Self {
         let mut chosen = BTreeSet::new();
         let mut first = 0;
         for file in &files {
@@ -52,15 +51,18 @@ impl Certificates {
     }
 
     /// The certificate of a point of a grid, if it has one.
-    #[must_use]
-    pub fn at(&self, law: EvolutionLaw, velocity_m_per_s: f64, stress_pa: f64) -> Option<&Certificate> {
+    pub(crate) fn at(
+        &self,
+        law: EvolutionLaw,
+        velocity_m_per_s: f64,
+        stress_pa: f64,
+    ) -> Option<&Certificate> {
         let row = self.places.get(&(law.as_str(), [velocity_m_per_s, stress_pa].map(f64::to_bits)))?;
         self.rows[*row].certificate.as_ref().ok()
     }
 
     /// The first row that was not proved again, in words.
-    #[must_use]
-    pub fn refusal(&self) -> Option<String> {
+    pub(crate) fn refusal(&self) -> Option<String> {
         self.again.iter().find_map(|again| {
             let reason = again.refusal.as_ref()?;
             Some(format!(
@@ -79,8 +81,7 @@ impl Stored {
     }
 
     /// Where the point lies, for people.
-    #[must_use]
-    pub fn place(&self) -> String {
+    pub(crate) fn place(&self) -> String {
         let point = &self.parameters.point;
         format!(
             "σ = {} Pa, V_l = {} m/s, {} law",

@@ -74,8 +74,7 @@ fn is_inside(inner: [f64; 2], outer: [f64; 2]) -> bool {
 
 impl Stored {
     /// Stores what was found at a point of these decimals.
-    #[must_use]
-    pub fn of(
+    pub(crate) fn of(
         inputs: [String; INPUTS],
         parameters: Parameters<Rational>,
         law: EvolutionLaw,
@@ -99,8 +98,7 @@ impl Stored {
     }
 
     /// What a proof of the same row does not confirm; none where all stored bounds hold.
-    #[must_use]
-    pub fn contradiction(&self, proof: &Certificate) -> Option<&'static str> {
+    pub(crate) fn contradiction(&self, proof: &Certificate) -> Option<&'static str> {
         let stored = self.certificate.as_ref().ok()?;
         let proved = match (&stored.proved, &proof.proved) {
             (

@@ -50,8 +50,7 @@ fn given(entry: &Entry<'_>) -> Option<Rational> {
 
 impl FitSection {
     /// What is known.
-    #[must_use]
-    pub fn given(&self) -> FitGiven {
+    pub(crate) fn given(&self) -> FitGiven {
         FitGiven {
             law: self.laws[0],
             stiffness_pa_per_m: self.stiffness_pa_per_m.as_ref().map(nearest_f64),

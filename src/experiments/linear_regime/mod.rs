@@ -8,8 +8,8 @@ pub(crate) mod steady_sliding;
 pub(crate) mod tables;
 
 pub use modes::Direction;
-pub use run::{LinearRegimeOutcome, Mismatch, ModeRuns, linear_regime};
-pub use steady_sliding::{SteadyRun, steady_sliding};
+pub use run::{LinearRegimeOutcome, Mismatch, ModeRuns};
+pub use steady_sliding::SteadyRun;
 
 use crate::experiments::{Work, experiment};
 use crate::scene::section::Section;
@@ -47,7 +47,7 @@ experiment! {
         let starts = section.points.len() as f64 * section.laws.len() as f64 * section.amplitudes.len() as f64 * 3.0;
         Work::simulations(starts, 1e-8)
     },
-    run: |section, earlier, _| Some(linear_regime(earlier.slider()?, section, &earlier.scene.threshold())),
+    run: |section, earlier, _| Some(run::linear_regime(earlier.slider()?, section, &earlier.scene.threshold())),
 }
 
 /// The number of combinations of members of several lists.

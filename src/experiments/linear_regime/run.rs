@@ -16,7 +16,7 @@ use rug::{Complex, Float};
 use crate::experiments::linear_regime::LinearRegimeSection;
 use crate::experiments::linear_regime::modes::{BITS, Direction, Mode, ROOT_DIGITS};
 use crate::experiments::linear_regime::snapshots::{projected_rate, rate_of_snapshots, snapshots};
-use crate::experiments::linear_regime::{SteadyRun, steady_sliding};
+use crate::experiments::linear_regime::steady_sliding::{SteadyRun, steady_sliding};
 use crate::scene::PlanePoint;
 use slipmode_core::dynamics::{Failure, Model, Radau};
 use slipmode_core::friction::{EvolutionLaw, Groups, Slider};
@@ -45,8 +45,7 @@ pub struct Mismatch {
 
 impl Mismatch {
     /// |p_measured − p|/|p| by projection.
-    #[must_use]
-    pub fn size(&self) -> f64 {
+    pub(crate) fn size(&self) -> f64 {
         libm::hypot(self.growth, self.frequency)
     }
 }
@@ -78,8 +77,7 @@ pub struct ModeRuns {
 
 impl ModeRuns {
     /// Slope of ln mismatch over ln amplitude between the largest and the smallest amplitude; 1 is expected. None for one amplitude.
-    #[must_use]
-    pub fn order(&self) -> Option<f64> {
+    pub(crate) fn order(&self) -> Option<f64> {
         let (first, last) = (self.mismatches.first()?, self.mismatches.last()?);
         let decades = libm::log(first.amplitude / last.amplitude);
         (decades > 0.0).then(|| libm::log(first.size() / last.size()) / decades)
@@ -118,8 +116,7 @@ struct Case<'p> {
 }
 
 /// Runs every start of the section.
-#[must_use]
-pub fn linear_regime(
+pub(crate) fn linear_regime(
     parameters: &Slider<Rational>,
     section: &LinearRegimeSection,
     threshold: &InertialThreshold,

@@ -53,8 +53,7 @@ pub struct SteadyRun {
 }
 
 /// Watches steady sliding and gathers the free residual at every point with every law.
-#[must_use]
-pub fn steady_sliding(
+pub(crate) fn steady_sliding(
     parameters: &Slider<Rational>,
     section: &LinearRegimeSection,
 ) -> Vec<Result<SteadyRun, Failure>> {

@@ -4,8 +4,6 @@ pub(crate) mod figures;
 pub(crate) mod run;
 pub(crate) mod tables;
 
-pub use run::classify_rectangle;
-
 use crate::experiments::shared::Grid;
 use crate::experiments::{Work, experiment};
 use crate::scene::Rectangle;
@@ -22,5 +20,5 @@ experiment! {
     tables: [tables::TABLES],
     figures: [figures::FIGURES],
     work: |section| Work::map(&section.rectangle),
-    run: |section, earlier, _| Some(classify_rectangle(earlier.slider()?, &section.rectangle, &earlier.scene.threshold())),
+    run: |section, earlier, _| Some(run::classify_rectangle(earlier.slider()?, &section.rectangle, &earlier.scene.threshold())),
 }

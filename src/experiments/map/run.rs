@@ -9,8 +9,7 @@ use slipmode_core::number::Rational;
 use slipmode_core::stability::{Classification, InertialThreshold, classify};
 
 /// Classifies every point of a rectangle; its coordinates are the f64 of the axes, taken as exact rationals.
-#[must_use]
-pub fn classify_rectangle(
+pub(crate) fn classify_rectangle(
     parameters: &Slider<Rational>,
     rectangle: &Rectangle,
     threshold: &InertialThreshold,

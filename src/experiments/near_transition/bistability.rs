@@ -115,8 +115,7 @@ fn model(family: &CycleFamily, stiffness_group: f64) -> Model<f64> {
 }
 
 /// Loading velocity (m/s) and normal stress (Pa) at which a slider with b > a has this η on K = K_c.
-#[must_use]
-pub fn place_on_transition(parameters: &Slider<Rational>, inertial_parameter: f64) -> [f64; 2] {
+fn place_on_transition(parameters: &Slider<Rational>, inertial_parameter: f64) -> [f64; 2] {
     let slider = parameters.map(nearest_f64);
     let critical = critical_stiffness_group(&slider.effect_ratio(), &inertial_parameter);
     let stress = slider.stiffness_stress_pa() / (slider.direct_effect * critical);

@@ -75,8 +75,7 @@ const LOCAL_TOLERANCE: f64 = 1e-8;
 
 impl CycleFamilyOutcome {
     /// How small cycles are born, decided exactly by the first Lyapunov coefficient.
-    #[must_use]
-    pub fn criticality(&self) -> Criticality {
+    pub(crate) fn criticality(&self) -> Criticality {
         Criticality::of(self.law, &self.inertial_parameter, &self.effect_ratio)
     }
 
@@ -87,8 +86,7 @@ impl CycleFamilyOutcome {
     }
 
     /// How far the cycles are from what the coefficient says, and how fast they approach it.
-    #[must_use]
-    pub fn agreement(&self) -> Option<AmplitudeDeviation> {
+    pub(crate) fn agreement(&self) -> Option<AmplitudeDeviation> {
         let [small, large] = COMPARED.map(|index| self.cycles.get(index));
         let (small, large) = (small?, large?);
         let deviation = |cycle: &FamilyCycle| Some(cycle.excess / cycle.predicted_excess? - 1.0);

@@ -86,7 +86,8 @@ fn border(model: &Model<f64>, kick: Kick, [decays, leaves]: [f64; 2]) -> Result<
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::experiments::near_transition::{NearTransitionSection, near_transition};
+    use crate::experiments::near_transition::NearTransitionSection;
+    use crate::experiments::near_transition::run::near_transition;
     use crate::experiments::shared::fixtures::paper;
     use slipmode_core::friction::EvolutionLaw::{Aging, Slip};
     use slipmode_core::number::parse_decimal;

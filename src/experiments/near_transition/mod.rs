@@ -8,11 +8,11 @@ pub(crate) mod kicks;
 pub(crate) mod run;
 pub(crate) mod tables;
 
-pub use bistability::{Edge, Threshold, place_on_transition};
+pub use bistability::{Edge, Threshold};
 pub use cycle_families::{AmplitudeDeviation, CycleFamilyOutcome, FamilyCycle};
 pub use edge_law::EdgeLaw;
 pub use kicks::{Border, SmallestKick};
-pub use run::{NearRun, NearTransitionOutcome, near_transition};
+pub use run::{NearRun, NearTransitionOutcome};
 
 use crate::experiments::linear_regime::product;
 use crate::experiments::{Work, experiment};
@@ -50,7 +50,7 @@ experiment! {
         let runs = (grid + section.edge_inertial_parameter.len() as f64) * 10.0;
         Work::simulations(runs, nearest_f64(&section.tolerance))
     },
-    run: |section, earlier, _| Some(near_transition(earlier.slider()?, section)),
+    run: |section, earlier, _| Some(run::near_transition(earlier.slider()?, section)),
 }
 
 keys! {

@@ -43,14 +43,12 @@ pub struct NearTransitionOutcome {
 
 impl NearRun {
     /// Whether the run ended on a limit cycle; none when it failed.
-    #[must_use]
-    pub fn periodic(&self) -> Option<bool> {
+    pub(crate) fn periodic(&self) -> Option<bool> {
         self.outcome.as_ref().ok().map(|outcome| matches!(outcome.long_term(), LongTerm::Cycle(_)))
     }
 
     /// Half of the range of ln(V/V_l) along the limit cycle: its amplitude but for terms of third order.
-    #[must_use]
-    pub fn amplitude(&self) -> Option<f64> {
+    pub(crate) fn amplitude(&self) -> Option<f64> {
         match self.outcome.as_ref().ok()?.long_term() {
             LongTerm::Cycle(cycle) => Some(0.5 * (cycle.orbit.peak - cycle.orbit.trough)),
             LongTerm::Decay(_) => None,
@@ -58,8 +56,7 @@ impl NearRun {
     }
 
     /// Growth rate of the oscillation of a decay, in V_l/D_c.
-    #[must_use]
-    pub fn growth(&self) -> Option<f64> {
+    pub(crate) fn growth(&self) -> Option<f64> {
         self.long_term_oscillation().map(|oscillation| oscillation.growth_rate)
     }
 
@@ -82,8 +79,7 @@ impl NearRun {
 }
 
 /// Simulates with each law at κ = (K/K_c)(β − 1)(1 + η), which is eq 9 in the groups, and follows the families of cycles.
-#[must_use]
-pub fn near_transition(
+pub(crate) fn near_transition(
     parameters: &Slider<Rational>,
     section: &NearTransitionSection,
 ) -> NearTransitionOutcome {

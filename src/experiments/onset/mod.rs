@@ -8,7 +8,7 @@ pub(crate) mod tables;
 pub(crate) mod theory;
 
 pub use first_swing::Swing;
-pub use run::{Onset, OnsetOutcome, OtherUnit, ShownRun, StressOnset, onset};
+pub use run::{Onset, OnsetOutcome, OtherUnit, ShownRun, StressOnset};
 pub use search::{Located, SeenOnset};
 
 use crate::experiments::work::SEARCH_RUNS;
@@ -61,5 +61,5 @@ experiment! {
         let runs = runs * section.normal_stress_pa.len() as f64 + stress_runs;
         Work::simulations(runs, nearest_f64(&section.tolerance))
     },
-    run: |section, earlier, _| Some(onset(earlier.slider()?, section, &earlier.scene.threshold())),
+    run: |section, earlier, _| Some(run::onset(earlier.slider()?, section, &earlier.scene.threshold())),
 }

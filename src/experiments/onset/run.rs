@@ -94,8 +94,7 @@ const SHOWN_PERIODS: f64 = 4.0;
 const SHOWN_SAMPLES: usize = 161;
 
 /// Compares the velocities at every normal stress of the section.
-#[must_use]
-pub fn onset(
+pub(crate) fn onset(
     parameters: &Slider<Rational>,
     section: &OnsetSection,
     threshold: &InertialThreshold,

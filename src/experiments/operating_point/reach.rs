@@ -7,8 +7,7 @@ use slipmode_core::number::format::{Side, round_digits, rounded};
 ///
 /// K: the softest spring on a square metre, and a micrometre of rock. M: a sheet of paper is 0.1 kg/m², a crust of 40 km is 1e8.
 /// σ: 1 Pa is 0.1 kg on a square metre, and the deepest earthquakes are at 2e10. V0: 1e-12 m/s is 0.03 mm a year, and seismic slip reaches 10 m/s.
-#[must_use]
-pub fn reach(quantity: Quantity) -> [f64; 2] {
+pub(crate) fn reach(quantity: Quantity) -> [f64; 2] {
     match quantity {
         Quantity::DirectEffect | Quantity::EvolutionEffect => [1e-6, 1.0],
         Quantity::CriticalSlipDistance => [1e-10, 100.0],

@@ -3,7 +3,7 @@
 pub(crate) mod figures;
 pub(crate) mod run;
 
-pub use run::{OwnWeightOutcome, own_weight};
+pub use run::OwnWeightOutcome;
 
 use crate::experiments::work::DECISION_S;
 use crate::experiments::{Work, experiment};
@@ -25,7 +25,7 @@ experiment! {
     outcome: OwnWeightOutcome,
     figures: [figures::FIGURES],
     work: |section| Work::points(section.points() as f64, DECISION_S),
-    run: |section, earlier, _| Some(own_weight(earlier.slider()?, section, &earlier.scene.threshold())),
+    run: |section, earlier, _| Some(run::own_weight(earlier.slider()?, section, &earlier.scene.threshold())),
 }
 
 impl OwnWeightSection {

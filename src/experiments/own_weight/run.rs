@@ -21,8 +21,7 @@ pub struct OwnWeightOutcome {
 }
 
 /// Classifies every point of the plane.
-#[must_use]
-pub fn own_weight(
+pub(crate) fn own_weight(
     slider: &Slider<Rational>,
     section: &OwnWeightSection,
     threshold: &InertialThreshold,

@@ -35,8 +35,7 @@ impl BandOf {
     }
 
     /// What is met on it.
-    #[must_use]
-    pub fn target(self) -> Target {
+    pub(crate) fn target(self) -> Target {
         match self {
             Self::Boundary => Target::Boundary,
             Self::Transition => Target::GrowthRate(Rational::new()),

@@ -21,8 +21,7 @@ impl<T> Grid<T> {
     }
 
     /// The same grid with every value mapped.
-    #[must_use]
-    pub fn map<S>(&self, convert: impl FnMut(&T) -> S) -> Grid<S> {
+    pub(crate) fn map<S>(&self, convert: impl FnMut(&T) -> S) -> Grid<S> {
         Grid {
             loading_velocity_m_per_s: self.loading_velocity_m_per_s.clone(),
             normal_stress_pa: self.normal_stress_pa.clone(),

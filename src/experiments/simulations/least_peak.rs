@@ -69,8 +69,7 @@ pub const SIDE_WIDTH: f64 = 1e-3;
 
 /// Minimises at every normal stress of the section's grid above σ_c, where no velocity is stable; a stress is left out
 /// when a run fails or decays, or when the least sample lies at an end of the searched range.
-#[must_use]
-pub fn least_peaks(
+pub(crate) fn least_peaks(
     parameters: &Slider<Rational>,
     section: &SimulationsSection,
     threshold: &InertialThreshold,

@@ -10,9 +10,9 @@ pub(crate) mod tables;
 pub(crate) mod vibration_limit;
 mod words;
 
-pub use least_peak::{FLATNESS_LEVELS, LeastPeak, PERIOD_LEVELS, SIDE_WIDTH, least_peaks};
-pub use run::{RunCourse, SimulatedPoint, SimulationsOutcome, simulations};
-pub use vibration_limit::{STEP as VIBRATION_STEP, StrongVibration, strong_vibrations};
+pub use least_peak::{FLATNESS_LEVELS, LeastPeak, PERIOD_LEVELS, SIDE_WIDTH};
+pub use run::{RunCourse, SimulatedPoint, SimulationsOutcome};
+pub use vibration_limit::{STEP as VIBRATION_STEP, StrongVibration};
 pub(crate) use words::range_of_velocities;
 
 use crate::experiments::work::rectangle_points;
@@ -42,5 +42,5 @@ experiment! {
         let runs = rectangle_points(&section.rectangle) * section.laws.len() as f64;
         Work::simulations(runs, nearest_f64(&section.tolerance))
     },
-    run: |section, earlier, _| Some(simulations(earlier.slider()?, section, &earlier.scene.threshold())),
+    run: |section, earlier, _| Some(run::simulations(earlier.slider()?, section, &earlier.scene.threshold())),
 }

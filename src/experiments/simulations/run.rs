@@ -4,9 +4,9 @@ use crate::parallel;
 
 use crate::experiments::map::run::exactly;
 use crate::experiments::shared::Grid;
-use crate::experiments::simulations::{
-    CYCLE_TOLERANCE, LeastPeak, SimulationsSection, StrongVibration, least_peaks, strong_vibrations,
-};
+use crate::experiments::simulations::least_peak::{LeastPeak, least_peaks};
+use crate::experiments::simulations::vibration_limit::{StrongVibration, strong_vibrations};
+use crate::experiments::simulations::{CYCLE_TOLERANCE, SimulationsSection};
 use slipmode_core::dynamics::{
     Behaviour, Estimate, Failure, LongTerm, Model, Options, Outcome, Profile, Simulation, simulate_model,
 };
@@ -85,21 +85,18 @@ pub struct SimulationsOutcome {
 
 impl SimulatedPoint {
     /// Whether the simulation ended on a limit cycle; none when it failed.
-    #[must_use]
-    pub fn periodic(&self) -> Option<bool> {
+    pub(crate) fn periodic(&self) -> Option<bool> {
         self.simulation.as_ref().ok().map(|simulation| simulation.behaviour == Behaviour::Periodic)
     }
 
     /// Whether the simulation's slip mode is the theory's; a failed simulation agrees with nothing.
-    #[must_use]
-    pub fn agrees(&self) -> bool {
+    pub(crate) fn agrees(&self) -> bool {
         self.simulation.as_ref().is_ok_and(|simulation| simulation.slip_mode == self.theory.slip_mode)
     }
 }
 
 /// Simulates every point of the section's grid with each law, and the other computations of the section.
-#[must_use]
-pub fn simulations(
+pub(crate) fn simulations(
     parameters: &Slider<Rational>,
     section: &SimulationsSection,
     threshold: &InertialThreshold,

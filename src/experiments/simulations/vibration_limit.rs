@@ -29,8 +29,7 @@ pub const STEP: f64 = 100.0;
 const TOLERANCE: f64 = 1e-6;
 
 /// The limit cycles of each law by ascending η; a run without a limit cycle or a result is left out.
-#[must_use]
-pub fn strong_vibrations(effect_ratio: f64, laws: &[EvolutionLaw]) -> Vec<StrongVibration> {
+pub(crate) fn strong_vibrations(effect_ratio: f64, laws: &[EvolutionLaw]) -> Vec<StrongVibration> {
     let cases = laws.iter().flat_map(|&law| INERTIAL_PARAMETERS.map(|inertial| (law, inertial)));
     let cases: Vec<(EvolutionLaw, f64)> = cases.collect();
     parallel::flat_map(&cases, |&(law, inertial)| strong_vibration(effect_ratio, law, inertial))

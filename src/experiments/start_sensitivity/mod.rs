@@ -3,7 +3,7 @@
 pub(crate) mod run;
 pub(crate) mod tables;
 
-pub use run::{Early, StartGroup, StartRun, start_sensitivity};
+pub use run::{Early, StartGroup, StartRun};
 
 use crate::experiments::linear_regime::product;
 use crate::experiments::{Work, experiment};
@@ -29,5 +29,5 @@ experiment! {
         let runs = section.points.len() as f64 * section.laws.len() as f64 * 4.0;
         Work::simulations(runs, nearest_f64(&section.tolerance))
     },
-    run: |section, earlier, _| Some(start_sensitivity(earlier.slider()?, section, &earlier.scene.threshold())),
+    run: |section, earlier, _| Some(run::start_sensitivity(earlier.slider()?, section, &earlier.scene.threshold())),
 }

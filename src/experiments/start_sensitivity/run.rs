@@ -62,8 +62,7 @@ pub struct StartGroup {
 }
 
 /// Runs every completion of the start.
-#[must_use]
-pub fn start_sensitivity(
+pub(crate) fn start_sensitivity(
     parameters: &Slider<Rational>,
     section: &StartSensitivitySection,
     threshold: &InertialThreshold,

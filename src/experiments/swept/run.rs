@@ -22,8 +22,7 @@ pub struct Swept {
 
 impl Swept {
     /// What was kept of its rows.
-    #[must_use]
-    pub fn kept(&self) -> Option<&SummarySection> {
+    pub(crate) fn kept(&self) -> Option<&SummarySection> {
         self.section.summary.as_ref()
     }
 }

@@ -5,7 +5,7 @@ pub(crate) mod run;
 pub(crate) mod tables;
 pub(crate) mod words;
 
-pub use run::{ToleranceOutcome, ToleranceRow, tolerance_limits};
+pub use run::{ToleranceOutcome, ToleranceRow};
 pub(crate) use tables::place_of_limit;
 pub(crate) use words::accuracy_of_asymptotes;
 
@@ -26,5 +26,5 @@ experiment! {
     tables: [tables::TABLES],
     figures: [figures::FIGURES],
     work: |section| Work::points(section.relative.len() as f64, 100.0 * certified_point_s(0.0)),
-    run: |section, earlier, _| Some(tolerance_limits(earlier.slider()?, section)),
+    run: |section, earlier, _| Some(run::tolerance_limits(earlier.slider()?, section)),
 }

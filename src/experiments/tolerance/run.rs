@@ -35,8 +35,10 @@ const DIGITS: u32 = 20;
 const DECADES: u32 = 8;
 
 /// Computes the limits; asymptotes that do not exist (eqs 15 and 18 for a = b) have no rows.
-#[must_use]
-pub fn tolerance_limits(parameters: &Slider<Rational>, section: &ToleranceSection) -> ToleranceOutcome {
+pub(crate) fn tolerance_limits(
+    parameters: &Slider<Rational>,
+    section: &ToleranceSection,
+) -> ToleranceOutcome {
     let beta = parameters.effect_ratio();
     let slider = parameters.map(|value| Ball::from_rational(value, bits_for_digits(DIGITS) + 24));
     let rows = Asymptote::ALL

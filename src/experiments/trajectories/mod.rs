@@ -7,7 +7,7 @@ pub(crate) mod run;
 pub(crate) mod tables;
 
 pub(crate) use own_runs::own_run_words;
-pub use run::{Course, DRAWING_TOLERANCE, Moment, TrajectoryRun, trajectories};
+pub use run::{Course, DRAWING_TOLERANCE, Moment, TrajectoryRun};
 
 use crate::experiments::{Work, experiment};
 use crate::scene::section::{Entry, ReadSection, keys};
@@ -32,7 +32,7 @@ experiment! {
         let runs = section.points.iter().map(|point| point.laws.len()).sum::<usize>();
         Work::simulations(runs as f64, nearest_f64(&section.tolerance))
     },
-    run: |section, earlier, _| Some(trajectories(earlier.slider()?, section, &earlier.scene.threshold())),
+    run: |section, earlier, _| Some(run::trajectories(earlier.slider()?, section, &earlier.scene.threshold())),
 }
 
 keys! {

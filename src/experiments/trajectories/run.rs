@@ -57,8 +57,7 @@ const SAMPLES_PER_STEP: usize = 12;
 const MOST_STEPS: u64 = 200_000;
 
 /// Follows every point of the section with each of its laws.
-#[must_use]
-pub fn trajectories(
+pub(crate) fn trajectories(
     parameters: &Slider<Rational>,
     section: &TrajectoriesSection,
     threshold: &InertialThreshold,

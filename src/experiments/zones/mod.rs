@@ -4,9 +4,9 @@ pub(crate) mod figures;
 pub(crate) mod run;
 pub(crate) mod tables;
 
-pub use run::{InertialLine, ThresholdShare, ZonesOutcome, compare_zones};
+pub use run::{InertialLine, ThresholdShare, ZonesOutcome};
 
-use crate::experiments::map::classify_rectangle;
+use crate::experiments::map::run::classify_rectangle;
 use crate::experiments::{Work, experiment};
 use crate::scene::Rectangle;
 
@@ -26,8 +26,8 @@ experiment! {
         // A map of the same rectangle has the exact half already.
         let same = earlier.scene.map.as_ref().is_some_and(|map| map.rectangle == section.rectangle);
         Some(match earlier.map.as_ref().filter(|_| same) {
-            Some(map) => compare_zones(slider, map),
-            None => compare_zones(slider, &classify_rectangle(slider, &section.rectangle, &earlier.scene.threshold())),
+            Some(map) => run::compare_zones(slider, map),
+            None => run::compare_zones(slider, &classify_rectangle(slider, &section.rectangle, &earlier.scene.threshold())),
         })
     },
 }

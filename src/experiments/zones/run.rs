@@ -63,8 +63,7 @@ pub struct ThresholdShare {
 }
 
 /// Compares the exact slip modes of a map with the simplified map of fig 7 on the same points.
-#[must_use]
-pub fn compare_zones(parameters: &Slider<Rational>, map: &Grid<Classification>) -> ZonesOutcome {
+pub(crate) fn compare_zones(parameters: &Slider<Rational>, map: &Grid<Classification>) -> ZonesOutcome {
     let lines = Lines::new(&parameters.map(nearest_f64));
     let zones = |line| Grid {
         loading_velocity_m_per_s: map.loading_velocity_m_per_s.clone(),

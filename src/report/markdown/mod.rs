@@ -131,8 +131,7 @@ fn letters(mathml: &str) -> usize {
 }
 
 /// The formulas of a Markdown text that cannot be set, each with its line, counted from 1, and what is wrong.
-#[must_use]
-pub fn formula_faults(markdown: &str) -> Vec<(usize, String)> {
+pub(crate) fn formula_faults(markdown: &str) -> Vec<(usize, String)> {
     let mut mathematics = Mathematics::default();
     let source = visible(markdown);
     let mut faults = Vec::new();
