@@ -110,9 +110,9 @@ impl<'a> Frame<'a> {
     fn draw_border(&self, svg: &mut Svg, upright_ticks: bool) {
         svg.open("g", &[("class", "axis"), ("stroke", palette::FAINT_INK), ("fill", "none")]);
         svg.rect((self.bounds.left, self.bounds.top), self.size(), &[]);
-        self.draw_ticks_x(svg);
+        self.draw_ticks(svg, self.ticks_x(), |u| (u, 0.0), (0.0, 1.0));
         if upright_ticks {
-            self.draw_ticks_y(svg);
+            self.draw_ticks(svg, self.ticks_y(), |v| (0.0, v), (-1.0, 0.0));
         }
         svg.close();
     }
@@ -142,20 +142,13 @@ impl<'a> Frame<'a> {
         with_room(self.uncrowded(self.y, length), |(v, _), (next_v, _)| (next_v - v) * length >= LABEL_ROW)
     }
 
-    fn draw_ticks_x(&self, svg: &mut Svg) {
-        let rule = |(u, tick): (f64, Tick)| {
-            let (x, y) = self.place_unit((u, 0.0));
-            ((x, y), (x, y + tick_length(&tick)))
+    /// Ticks at their places along an axis, which point outwards.
+    fn draw_ticks(&self, svg: &mut Svg, ticks: Vec<(f64, Tick)>, at: fn(f64) -> Point, out: Point) {
+        let rule = |(place, tick): (f64, Tick)| {
+            let ((x, y), length) = (self.place_unit(at(place)), tick_length(&tick));
+            ((x, y), (x + out.0 * length, y + out.1 * length))
         };
-        svg.rules(&self.ticks_x().into_iter().map(rule).collect::<Vec<_>>());
-    }
-
-    fn draw_ticks_y(&self, svg: &mut Svg) {
-        let rule = |(v, tick): (f64, Tick)| {
-            let (x, y) = self.place_unit((0.0, v));
-            ((x, y), (x - tick_length(&tick), y))
-        };
-        svg.rules(&self.ticks_y().into_iter().map(rule).collect::<Vec<_>>());
+        svg.rules(&ticks.into_iter().map(rule).collect::<Vec<_>>());
     }
 
     fn label_x(&self, svg: &mut Svg) {

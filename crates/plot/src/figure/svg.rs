@@ -111,7 +111,6 @@ impl Svg {
     }
 
     /// Closes everything and gives the text.
-    #[must_use]
     pub fn finish(mut self) -> String {
         while !self.open.is_empty() {
             self.close();
