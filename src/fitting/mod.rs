@@ -22,6 +22,7 @@ mod words;
 pub use estimate::{Estimate, Fit, FitFailure, Fits, LawComparison};
 pub use load_path::LoadPath;
 pub use parameter::{Parameter, slider};
+pub use peak_profile::CaseFit;
 pub use peak_rows::{LEAST_ROWS, PeakFailure, PeakGiven, PeakRow};
 pub use peaks::{EFFECT_RATIOS, PeakComparison, PeakFit, PeakFits, fit_peaks, hidden_part};
 pub use problem::FitGiven;

@@ -27,13 +27,17 @@ pub(super) struct Case<'t> {
 
 /// Its fit.
 #[derive(Debug, Clone)]
-pub(super) struct CaseFit {
-    pub scale: f64,
+pub struct CaseFit {
+    /// S at the normal stress of the first row, m/s.
+    pub scale_m_per_s: f64,
+    /// One standard error of it, from the noise: its interval over that of a standard error.
     pub standard_error: f64,
+    /// The ends of its 95 % interval, from the noise; none where the table sets no bound.
     pub ends: [Option<f64>; 2],
+    /// K/K_c,qs.
     pub softness: f64,
-    pub residuals: Vec<f64>,
-    pub cost: f64,
+    pub(super) residuals: Vec<f64>,
+    pub(super) cost: f64,
 }
 
 /// The best K/K_c,qs at a held scale.
@@ -183,7 +187,7 @@ impl Case<'_> {
         let width = libm::log(ends[1].unwrap_or(scale) / ends[0].unwrap_or(scale));
         let sides = if ends[0].is_some() { 2.0 } else { 1.0 };
         Ok(CaseFit {
-            scale,
+            scale_m_per_s: scale,
             standard_error: scale * width / (sides * quantile),
             ends,
             softness: libm::exp(held.log_softness),

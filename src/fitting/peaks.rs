@@ -16,20 +16,14 @@ use super::peak_profile::{Case, CaseFit};
 pub struct PeakFit {
     /// The law.
     pub law: EvolutionLaw,
-    /// S at the normal stress of the first row, at the middle b/a and half of the bounded loss of the spring, m/s.
-    pub scale_m_per_s: f64,
-    /// One standard error of it, from the noise: its interval over that of a standard error.
-    pub standard_error: f64,
-    /// The ends of its 95 % interval, from the noise; none where the table sets no bound.
-    pub from_noise: [Option<f64>; 2],
+    /// The fit at the middle b/a and half of the bounded loss of the spring.
+    pub central: CaseFit,
     /// The least and the greatest S over b/a.
     pub over_effect_ratio: [f64; 2],
     /// S without and with all of the loss that the law bounds.
     pub over_loss: [f64; 2],
     /// The ends of the 95 % interval over all of these, and over what the bandwidth hides.
     pub ends: [Option<f64>; 2],
-    /// K/K_c,qs.
-    pub softness: f64,
     /// V_peak of each row by the law, m/s.
     pub peaks_m_per_s: Vec<f64>,
     /// The same at the ends of the interval from the noise; empty where there is no bound.
@@ -137,14 +131,14 @@ fn fit_law(rows: &[PeakRow], given: &PeakGiven, law: EvolutionLaw) -> Result<Pea
     let middle = possible.get(possible.len() / 2).copied().unwrap_or(0);
     let central = fits[middle].clone()?;
     for (index, row) in rows.iter().enumerate() {
-        let eq18 = 0.5 * central.scale * row.stress;
+        let eq18 = 0.5 * central.scale_m_per_s * row.stress;
         let over = row.load_m_per_s / eq18;
         if over > DEEP {
             return Err(PeakFailure::Fast { row: index, load: row.load_m_per_s, over, eq18 });
         }
     }
     let scales = |of: &[Result<CaseFit, PeakFailure>]| {
-        let scales = of.iter().flatten().map(|fit| fit.scale);
+        let scales = of.iter().flatten().map(|fit| fit.scale_m_per_s);
         scales.fold([f64::INFINITY, 0.0], |[low, high], scale: f64| [low.min(scale), high.max(scale)])
     };
     let unspent: Vec<Result<CaseFit, PeakFailure>> = fits.iter().step_by(LOSSES.len()).cloned().collect();
@@ -156,17 +150,14 @@ fn fit_law(rows: &[PeakRow], given: &PeakGiven, law: EvolutionLaw) -> Result<Pea
     let band_m_per_s = central.ends.map(|end| held(end).map_or_else(Vec::new, |held| peaks(&held.residuals)));
     Ok(PeakFit {
         law,
-        scale_m_per_s: central.scale,
-        standard_error: central.standard_error,
-        from_noise: central.ends,
         over_effect_ratio: scales(&unspent),
         over_loss: scales(&fits[middle..middle + LOSSES.len()]),
         ends: [low, high.map(|high| high / (1.0 - given.hidden))],
-        softness: central.softness,
         scatter: (central.cost / (rows.len() as f64 - UNKNOWNS)).sqrt(),
         cost: fits.iter().flatten().map(|fit| fit.cost).fold(f64::INFINITY, f64::min),
         peaks_m_per_s: peaks(&central.residuals),
         band_m_per_s,
+        central,
     })
 }
 

@@ -4,7 +4,7 @@ use clap::Args;
 use serde_json::json;
 use slipmode::csv::PeakTable;
 use slipmode::experiments::fit::estimate_words;
-use slipmode::fitting::{EFFECT_RATIOS, PeakComparison, PeakFit, PeakFits, PeakGiven, hidden_part};
+use slipmode::fitting::{CaseFit, EFFECT_RATIOS, PeakComparison, PeakFit, PeakFits, PeakGiven, hidden_part};
 use slipmode::scene::{AllowedRange, Problem, Quantity, Uncertain, all_of, parse_value};
 use slipmode_core::number::format::round_digits;
 use slipmode_core::number::{Rational, nearest_f64};
@@ -147,7 +147,7 @@ pub fn answer(table: &PeakTable, fits: &PeakFits, known: &Known) -> Answer {
 }
 
 fn scaled(names: [&str; 3], fit: &PeakFit, ends: [Option<f64>; 2], size: f64) -> Answer {
-    let estimate = [fit.scale_m_per_s, fit.standard_error].map(|value| value * size);
+    let estimate = [fit.central.scale_m_per_s, fit.central.standard_error].map(|value| value * size);
     estimated(names, estimate, ends.map(|end| end.map(|end| end * size)))
 }
 
@@ -156,26 +156,27 @@ fn of_law(fit: &PeakFit) -> Answer {
     let name = format!("with the {} law", fit.law.as_str());
     scaled(["twice_v18_m_per_s", &name, "m/s"], fit, fit.ends, 1.0)
         .with("law", fit.law.as_str())
-        .with("from_noise_m_per_s", fit.from_noise)
-        .with("stiffness_over_quasi_static", fit.softness)
+        .with("from_noise_m_per_s", fit.central.ends)
+        .with("stiffness_over_quasi_static", fit.central.softness)
         .with("residual_standard_deviation", fit.scatter)
 }
 
 /// What each unknown alone makes of the value.
 fn error_parts(fits: &PeakFits, known: &Known) -> Answer {
     let best = &fits.laws[0];
-    let scales = || fits.laws.iter().map(|fit| fit.scale_m_per_s);
+    let scales = || fits.laws.iter().map(|fit| fit.central.scale_m_per_s);
     let over_laws = [scales().fold(f64::INFINITY, f64::min), scales().fold(0.0, f64::max)];
-    let seen = [best.scale_m_per_s, best.scale_m_per_s / (1.0 - known.given.hidden)];
+    let CaseFit { scale_m_per_s, standard_error, ends: from_noise, .. } = best.central;
+    let seen = [scale_m_per_s, scale_m_per_s / (1.0 - known.given.hidden)];
     let parts = [
-        ("noise", "error from noise", best.from_noise),
+        ("noise", "error from noise", from_noise),
         ("law", "error from the law", over_laws.map(Some)),
         ("effect_ratio", "error from b/a", best.over_effect_ratio.map(Some)),
         ("model", "error of the peak law", best.over_loss.map(Some)),
         ("bandwidth", "error from the bandwidth", seen.map(Some)),
     ];
     let part = |part: Answer, (key, name, ends): (&str, &str, [Option<f64>; 2])| {
-        let [_, range] = estimate_words(best.scale_m_per_s, best.standard_error, ends, "m/s");
+        let [_, range] = estimate_words(scale_m_per_s, standard_error, ends, "m/s");
         part.with(key, ends).named(name, &format!("{range} m/s"))
     };
     Answer::default().part("error_parts_m_per_s", parts.into_iter().fold(Answer::default(), part))

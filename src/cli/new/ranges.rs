@@ -124,7 +124,6 @@ impl Ranges {
     }
 
     /// The same with axes of the maps that also show an operating point, with room around it.
-    #[must_use]
     pub fn showing(mut self, point: Option<&OperatingPoint<Rational>>) -> Self {
         let Some(point) = point else { return self };
         let around = |value: &Rational| {
@@ -137,7 +136,6 @@ impl Ranges {
     }
 
     /// The axes that show an operating range, for the maps and for the simulations.
-    #[must_use]
     pub fn of_laboratory([[low_stress, _, high_stress], [slow, _, fast]]: &[OwnRange; 2]) -> Self {
         let stress = Decades::around([low_stress, high_stress]);
         let velocity = Decades::around([slow, fast]);

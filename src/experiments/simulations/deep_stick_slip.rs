@@ -210,7 +210,7 @@ impl Row<'_> {
             fit_peaks(&self.cycles.iter().map(row).collect::<Vec<_>>(), &given(law, ratio)).ok()?.laws.pop()
         };
         let ratio = [self.slider.effect_ratio(); 2];
-        let of = |law, factor| fit(law, ratio, factor).map(|fit| fit.scale_m_per_s / scale);
+        let of = |law, factor| fit(law, ratio, factor).map(|fit| fit.central.scale_m_per_s / scale);
         let other = EvolutionLaw::ALL.into_iter().find(|other| *other != self.law)?;
         let largest = |value: fn(&Deep) -> f64| self.cycles.iter().map(value).fold(0.0, f64::max);
         let load = largest(|deep| deep.load_m_per_s) / scale;
