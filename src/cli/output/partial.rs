@@ -29,12 +29,15 @@ impl Drop for Entry {
     }
 }
 
-/// An unfinished file; dropping it removes it.
+/// An unfinished file or folder; dropping it removes it with all it holds.
 #[derive(Debug)]
-pub struct PartialFile {
-    file: NamedTempFile,
+pub struct Partial<T> {
+    temporary: T,
     _entry: Entry,
 }
+
+pub type PartialFile = Partial<NamedTempFile>;
+pub type PartialFolder = Partial<TempDir>;
 
 impl PartialFile {
     /// Creates an empty file next to `place`.
@@ -42,11 +45,7 @@ impl PartialFile {
     /// # Errors
     /// When the folder is missing or takes no files.
     pub fn beside(place: &Path) -> io::Result<Self> {
-        let (file, entry) = register(
-            || builder(&prefix(place), 0o666).tempfile_in(folder_of(place)),
-            |file: &NamedTempFile| file.path(),
-        )?;
-        Ok(Self { file, _entry: entry })
+        register(|| builder(&prefix(place), 0o666).tempfile_in(folder_of(place)), NamedTempFile::path)
     }
 
     /// Puts the file in its place when its bytes are on the disk; an earlier file is replaced in one step.
@@ -54,7 +53,7 @@ impl PartialFile {
     /// # Errors
     /// When the system refuses; the place is as it was then.
     pub fn persist(self, place: &Path) -> io::Result<()> {
-        let Self { file, _entry } = self;
+        let Self { temporary: file, _entry } = self;
         file.as_file().sync_all()?;
         file.persist(place).map_err(|error| error.error)?;
         sync_folder(folder_of(place))
@@ -63,19 +62,12 @@ impl PartialFile {
 
 impl io::Write for PartialFile {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.file.as_file_mut().write(bytes)
+        self.temporary.as_file_mut().write(bytes)
     }
 
     fn flush(&mut self) -> io::Result<()> {
-        self.file.as_file_mut().flush()
+        self.temporary.as_file_mut().flush()
     }
-}
-
-/// An unfinished folder; dropping it removes it with all it holds.
-#[derive(Debug)]
-pub struct PartialFolder {
-    folder: TempDir,
-    _entry: Entry,
 }
 
 impl PartialFolder {
@@ -84,11 +76,7 @@ impl PartialFolder {
     /// # Errors
     /// When the folder above is missing or takes no folders.
     pub fn beside(place: &Path) -> io::Result<Self> {
-        let (folder, entry) = register(
-            || builder(&prefix(place), 0o777).tempdir_in(folder_of(place)),
-            |folder: &TempDir| folder.path(),
-        )?;
-        Ok(Self { folder, _entry: entry })
+        register(|| builder(&prefix(place), 0o777).tempdir_in(folder_of(place)), TempDir::path)
     }
 
     /// Writes a file, and the folders it lies in, through to the disk.
@@ -96,7 +84,7 @@ impl PartialFolder {
     /// # Errors
     /// When the system refuses.
     pub fn write(&self, name: &str, content: &[u8]) -> io::Result<()> {
-        let path = self.folder.path().join(name);
+        let path = self.temporary.path().join(name);
         fs::create_dir_all(folder_of(&path))?;
         let mut file = File::create_new(&path)?;
         io::Write::write_all(&mut file, content)?;
@@ -108,7 +96,7 @@ impl PartialFolder {
     /// # Errors
     /// When the system refuses; the place holds the earlier or the new folder whole then.
     pub fn persist(self, place: &Path) -> io::Result<()> {
-        let Self { folder, _entry } = self;
+        let Self { temporary: folder, _entry } = self;
         sync_tree(folder.path())?;
         match fs::symlink_metadata(place) {
             Ok(_) => exchange(folder.path(), place)?,
@@ -127,7 +115,7 @@ impl PartialFolder {
 fn register<T>(
     create: impl FnOnce() -> io::Result<T>,
     path: impl FnOnce(&T) -> &Path,
-) -> io::Result<(T, Entry)> {
+) -> io::Result<Partial<T>> {
     static CATCHES_SIGNALS: AtomicBool = AtomicBool::new(false);
     let mut unfinished = unfinished();
     if !crate::cli::streams::is_capturing() && !CATCHES_SIGNALS.load(Ordering::Relaxed) {
@@ -137,7 +125,7 @@ fn register<T>(
     let created = create().map_err(bare)?;
     let path = path(&created).to_path_buf();
     unfinished.insert(path.clone());
-    Ok((created, Entry(path)))
+    Ok(Partial { temporary: created, _entry: Entry(path) })
 }
 
 fn builder(prefix: &str, mode: u32) -> Builder<'_, 'static> {
