@@ -28,7 +28,7 @@ pub struct PeakRow {
 }
 
 /// What is known besides the table.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct PeakGiven {
     /// The evolution laws.
     pub laws: Vec<EvolutionLaw>,

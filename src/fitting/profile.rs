@@ -17,7 +17,7 @@ pub struct ProfilePoint {
 }
 
 /// The profile of a parameter.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Profile {
     /// The ends of the 95 % interval as coordinates; none where the record sets no bound on that side.
     pub ends: [Option<f64>; 2],
@@ -71,11 +71,8 @@ impl Profiler<'_> {
     pub fn profile(&self, index: usize) -> Profile {
         let parameter = self.free[index];
         let best = self.minimum.point[parameter as usize];
-        let mut found = Profile {
-            ends: [None; 2],
-            points: vec![ProfilePoint { value: parameter.value(best), distance: 0.0 }],
-            better: None,
-        };
+        let points = vec![ProfilePoint { value: parameter.value(best), distance: 0.0 }];
+        let mut found = Profile { points, ..Profile::default() };
         for (side, sign) in [-1.0, 1.0].into_iter().enumerate() {
             found.ends[side] = self.end(index, sign, &mut found);
         }

@@ -6,10 +6,12 @@ use slipmode_core::number::format::round_float;
 use slipmode_core::stability::boundary::BoundaryPoint;
 use slipmode_plot::table::{Cell, Table};
 
+const NEEDS: &[Need] = &[Need::Boundary];
+
 pub(crate) const TABLES: &[TableMaker] = &[
-    TableMaker { id: "boundary", needs: &[Need::Boundary], make: all_points },
-    TableMaker { id: "marks", needs: &[Need::Boundary], make: marked_points },
-    TableMaker { id: "routes", needs: &[Need::Boundary], make: routes },
+    TableMaker { id: "boundary", needs: NEEDS, make: |of| point_table(of, "boundary", |_| true) },
+    TableMaker { id: "marks", needs: NEEDS, make: |of| point_table(of, "marks", |at| at.mark.is_some()) },
+    TableMaker { id: "routes", needs: NEEDS, make: routes },
 ];
 
 /// Digits shown of a coordinate in a report; `slipmode boundary --digits` prints as many as requested.
@@ -22,14 +24,6 @@ fn point_table(context: &Context, id: &str, wanted: fn(&BoundaryPoint) -> bool) 
         .text("scene", |(name, _)| name)
         .columns(BoundaryPoint::columns(), |(_, point)| point.row(SHOWN_DIGITS))
         .table()
-}
-
-fn all_points(context: &Context) -> Option<Table> {
-    point_table(context, "boundary", |_| true)
-}
-
-fn marked_points(context: &Context) -> Option<Table> {
-    point_table(context, "marks", |point| point.mark.is_some())
 }
 
 fn routes(context: &Context) -> Option<Table> {

@@ -192,13 +192,7 @@ struct Fitted {
 
 impl Row<'_> {
     fn fitted(&self) -> Option<Fitted> {
-        let given = |law, effect_ratio| PeakGiven {
-            laws: vec![law],
-            effect_ratio,
-            slip_velocity_m_per_s: None,
-            hidden: 0.0,
-            has_errors: false,
-        };
+        let given = |law, effect_ratio| PeakGiven { laws: vec![law], effect_ratio, ..PeakGiven::default() };
         let scale = self.cycles.first()?.twice_eq18_m_per_s;
         let fit = |law, ratio: [f64; 2], factor: f64| {
             let row = |deep: &Deep| PeakRow {

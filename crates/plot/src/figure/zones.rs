@@ -15,18 +15,15 @@ pub fn zones_of_grid(
     count: usize,
 ) -> Vec<Vec<Vec<(f64, f64)>>> {
     let between = contour::areas_between(classes, columns);
+    let place = |&(u, v): &(f64, f64)| Some((x.value_at(u)?, y.value_at(v)?));
     (0..count)
         .map(|class| {
             let inside: Vec<f64> = classes.iter().map(|&found| f64::from(u8::from(found == class))).collect();
             let outlines = contour::outlines(&inside, columns, &|value| value > 0.5, &|_, _| 0.5);
             let between = between.iter().filter(|(of, _)| *of == class).map(|(_, outline)| outline);
-            outlines.iter().chain(between).map(|outline| to_values(x, y, outline)).collect()
+            outlines.iter().chain(between).map(|outline| outline.iter().filter_map(place).collect()).collect()
         })
         .collect()
-}
-
-fn to_values(x: &Axis, y: &Axis, outline: &[(f64, f64)]) -> Vec<(f64, f64)> {
-    outline.iter().filter_map(|&(u, v)| Some((x.value_at(u)?, y.value_at(v)?))).collect()
 }
 
 #[cfg(test)]
