@@ -7,8 +7,7 @@ use serde::de::DeserializeOwned;
 use slipmode_plot::figure::{Axis, LineChart, Scale};
 
 /// The picture of a command as `pictures.toml` describes it, still without numbers.
-#[must_use]
-pub fn picture<T: DeserializeOwned + Default>(id: &str) -> T {
+pub(crate) fn picture<T: DeserializeOwned + Default>(id: &str) -> T {
     static DESCRIBED: LazyLock<toml::Table> =
         LazyLock::new(|| toml::from_str(include_str!("pictures.toml")).unwrap_or_default());
     DESCRIBED.get(id).and_then(|one| one.clone().try_into().ok()).unwrap_or_default()
@@ -41,8 +40,7 @@ pub(crate) fn over(axis: &Axis, values: impl IntoIterator<Item = f64>) -> Option
 }
 
 /// The least and the largest of some values.
-#[must_use]
-pub fn extent(values: impl IntoIterator<Item = f64>) -> Option<(f64, f64)> {
+pub(crate) fn extent(values: impl IntoIterator<Item = f64>) -> Option<(f64, f64)> {
     let wider = |(least, most): (f64, f64), (low, high): (f64, f64)| (least.min(low), most.max(high));
     values.into_iter().filter(|value| value.is_finite()).map(|value| (value, value)).reduce(wider)
 }

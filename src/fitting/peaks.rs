@@ -59,8 +59,7 @@ pub struct PeakComparison {
 impl PeakComparison {
     /// Whether the worse law is excluded. If it is true, this happens in one table of forty at most: the excess is the largest for a law
     /// that differs from it by as much as the excess itself, and then it has the distribution of Student's quantile.
-    #[must_use]
-    pub fn tells_apart(&self) -> bool {
+    pub(crate) fn tells_apart(&self) -> bool {
         self.distance > self.quantile
     }
 }

@@ -251,10 +251,10 @@ impl<'a> Page<'a> {
             BlockKind::Equation => {
                 self.catalogue.equations.get(id).copied().map(|equation| self.equation(equation))
             }
-            BlockKind::Claim => self.catalogue.claims.get(id).copied().map(|claim| {
-                let words = self.prose.inline(&claim.statement_markdown, &format!("claim {}", claim.id));
-                self.templates.render("verdict.html", &json!({ "chip": chip(claim), "words_html": words }))
-            }),
+            BlockKind::Claim => {
+                let claim = self.with_words(std::iter::once(id)).pop();
+                claim.map(|claim| self.templates.render("verdict.html", &claim))
+            }
         };
         rendered.unwrap_or_else(|| Ok(String::new()))
     }

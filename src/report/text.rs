@@ -156,15 +156,12 @@ impl<'a> Report<'a> {
             )
         };
         let listed = sentence.claims.iter().filter(|_| sentence.is_list).filter_map(words);
+        let links = sentence.claims.iter().filter(|_| !sentence.is_list).map(|id| self.claim_link(id));
         json!({
             "text_md": line(&self.prose(&sentence.text_markdown, 1)),
-            "claims_md": if sentence.is_list { String::new() } else { self.claim_links(&sentence.claims) },
+            "claims_md": links.collect::<Vec<_>>().join(", "),
             "listed": listed.collect::<Vec<_>>(),
         })
-    }
-
-    fn claim_links(&self, ids: &[String]) -> String {
-        ids.iter().map(|id| self.claim_link(id)).collect::<Vec<_>>().join(", ")
     }
 
     fn groups(&self) -> Result<Vec<Value>, ReportError> {
@@ -209,7 +206,7 @@ impl<'a> Report<'a> {
             BlockKind::Equation => self.catalogue.equations.get(id).map(|equation| self.equation(equation)),
             BlockKind::Claim => self.catalogue.claims.get(id).map(|claim| {
                 let statement = line(&self.prose(&claim.statement_markdown, 2));
-                let (link, verdict) = (self.claim_links(std::slice::from_ref(&claim.id)), claim.verdict);
+                let (link, verdict) = (self.claim_link(&claim.id), claim.verdict);
                 format!("{QUOTE}{link} {} {}: {statement}", verdict.symbol(), verdict.word())
             }),
         };

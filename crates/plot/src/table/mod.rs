@@ -115,8 +115,7 @@ impl Column {
     }
 
     /// Header with unit for people: `Normal stress σ (Pa)`.
-    #[must_use]
-    pub fn heading(&self) -> String {
+    pub(crate) fn heading(&self) -> String {
         if self.unit.is_empty() { self.header.clone() } else { format!("{} ({})", self.header, self.unit) }
     }
 }
