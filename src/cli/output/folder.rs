@@ -87,7 +87,7 @@ fn check_place(place: &Path, own: &[&str]) -> Result<(), Failure> {
     }
 }
 
-/// Whether an output has such a file or folder. What a kill has left of a file is in nobody's way.
+/// Whether an output has such a file or folder. Unfinished files do not count as files of others.
 fn is_own(name: &str, own: &[&str]) -> bool {
     match name.split_once('/') {
         Some(("tables" | "figures", "")) => true,
