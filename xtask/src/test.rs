@@ -14,8 +14,8 @@ const STEPS: [Step; 7] = [
     ("lines", || lines::run("")),
     ("licences", dependencies::licences),
     ("clippy", || profiled("clippy --workspace --all-targets --locked --quiet -- --deny warnings").check()),
-    ("core without features", || {
-        profiled("check --package slipmode-core --no-default-features --locked --quiet").check()
+    ("core, no features", || {
+        profiled("check -p slipmode-core --no-default-features --locked --quiet").check()
     }),
     ("rustdoc", || {
         let mut doc = profiled("doc --workspace --no-deps --locked --quiet");
@@ -39,9 +39,8 @@ pub fn run(option: &str) -> Result {
         }
     }
     let mut count = [0, 0];
-    if timed("tests", || tests(&mut count, option == "--slow")).is_err() {
-        failed.push("tests");
-    }
+    let passed = timed("tests", || tests(&mut count, option == "--slow"));
+    failed.extend(passed.is_err().then_some("tests"));
     println!();
     let failed = failed.join(", ");
     if !failed.is_empty() {
@@ -70,11 +69,12 @@ fn profiled(words: &str) -> Command {
 }
 
 fn tests(count: &mut Count, is_slow: bool) -> Result {
-    let mut command = profiled("test --workspace --locked --no-fail-fast");
     // Some tests wait for a prepared state that another one makes.
     let threads = thread::available_parallelism().map_or(1, usize::from) + 1;
-    command.env("RUST_TEST_THREADS", threads.to_string());
-    let code = command.envs(is_slow.then_some(("SLIPMODE_SLOW", "1"))).listen(|line| hear(count, line))?;
+    let code = profiled("test --workspace --locked --no-fail-fast")
+        .env("RUST_TEST_THREADS", threads.to_string())
+        .envs(is_slow.then_some(("SLIPMODE_SLOW", "1")))
+        .listen(|line| hear(count, line))?;
     let is_passed = code == 0 && count[0] > 0 && count[1] == 0;
     // A test program that was not built, or that died, prints no count: it is a failure all the same.
     count[1] = count[1].max(u64::from(!is_passed));

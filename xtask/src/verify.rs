@@ -34,10 +34,8 @@ pub fn profile() -> &'static str {
 pub fn build() -> Result {
     machine::run()?;
     let mut command = cargo(&format!("build --profile {} --locked --bin slipmode", profile()));
-    if env::var_os("CARGO_INCREMENTAL").is_none() {
-        // The first build is a tenth shorter without what makes later ones short.
-        command.env("CARGO_INCREMENTAL", "0");
-    }
+    // The first build is a tenth shorter without what makes later ones short.
+    command.env("CARGO_INCREMENTAL", env::var_os("CARGO_INCREMENTAL").unwrap_or_else(|| "0".into()));
     if machine::is_continuous_integration() {
         // The features of shared dependencies are then those of the wheel and of the tests, which are built from the same parts.
         command.args(["--package", "slipmode", "--package", "slipmode-python"]);
