@@ -14,9 +14,7 @@ const STEPS: [Step; 7] = [
     ("lines", || lines::run("")),
     ("licences", dependencies::licences),
     ("clippy", || profiled("clippy --workspace --all-targets --locked --quiet -- --deny warnings").check()),
-    ("core, no features", || {
-        profiled("check -p slipmode-core --no-default-features --locked --quiet").check()
-    }),
+    ("bare core", || profiled("check -p slipmode-core --no-default-features --locked --quiet").check()),
     ("rustdoc", || {
         let mut doc = profiled("doc --workspace --no-deps --locked --quiet");
         doc.env("RUSTDOCFLAGS", "--deny warnings").check()?;
