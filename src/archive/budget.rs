@@ -84,8 +84,7 @@ impl Budget {
     }
 
     /// The first number of a text with more digits than the budget has.
-    #[must_use]
-    pub fn digits_fault(&self, path: &str, text: &str) -> Option<String> {
+    pub(crate) fn digits_fault(&self, path: &str, text: &str) -> Option<String> {
         let longest = |line: &str| -> usize {
             let runs = line.split(|c: char| !c.is_ascii_digit() && c != '.' && c != '_');
             runs.map(|run| run.bytes().filter(u8::is_ascii_digit).count()).max().unwrap_or(0)

@@ -6,8 +6,7 @@ use super::container::{ReleaseTime, pack};
 /// The first byte in which a container differs from what this version of the program packs from its files; none when it is the same.
 ///
 /// Checksums and digests cover the files; this covers what is between them, such as a mode or a time in the directory.
-#[must_use]
-pub fn container_fault(container: &[u8], files: &Files, time: ReleaseTime) -> Option<String> {
+pub(crate) fn container_fault(container: &[u8], files: &Files, time: ReleaseTime) -> Option<String> {
     let packed = match pack(files, time) {
         Ok(packed) => packed,
         Err(error) => return Some(error),

@@ -11,8 +11,7 @@ const MOST_LINES: usize = 10;
 const FEWEST_DIGITS: usize = 3;
 
 /// The first line in which two files differ; none when they have the same bytes.
-#[must_use]
-pub fn byte_difference(path: &str, archived: &[u8], computed: &[u8]) -> Option<String> {
+pub(crate) fn byte_difference(path: &str, archived: &[u8], computed: &[u8]) -> Option<String> {
     let line = first_different_line(archived, computed)?;
     Some(format!("{path}:{line}: differs from the result computed now"))
 }
@@ -25,8 +24,7 @@ pub fn first_different_line(old: &[u8], new: &[u8]) -> Option<usize> {
 }
 
 /// The lines in which two texts differ by more than the last digits of numbers; see [`same_text`].
-#[must_use]
-pub fn text_differences(path: &str, archived: &[u8], computed: &[u8]) -> Vec<String> {
+pub(crate) fn text_differences(path: &str, archived: &[u8], computed: &[u8]) -> Vec<String> {
     if archived == computed {
         return Vec::new();
     }
@@ -54,8 +52,7 @@ pub fn text_differences(path: &str, archived: &[u8], computed: &[u8]) -> Vec<Str
 ///
 /// A number may differ by one unit of the last digit of the *computed* one, if that one has a decimal point or an
 /// exponent and at least three significant digits. Whole numbers, signs, words and everything else must be the same.
-#[must_use]
-pub fn same_text(archived: &str, computed: &str) -> bool {
+pub(crate) fn same_text(archived: &str, computed: &str) -> bool {
     archived == computed || same_pieces(archived, computed)
 }
 

@@ -24,8 +24,7 @@ impl ReleaseTime {
     /// From seconds since 1970 (UTC), as `SOURCE_DATE_EPOCH` has them; zip's clock ticks every two seconds, and odd ones are rounded down.
     ///
     /// None outside the years 1980 to 2107.
-    #[must_use]
-    pub fn from_unix(seconds: u64) -> Option<Self> {
+    pub(crate) fn from_unix(seconds: u64) -> Option<Self> {
         let days = seconds / DAY;
         let (year, month, day) = civil(days.checked_sub(FIRST_DAY)?)?;
         let part = |unit: u64, of: u64| u8::try_from(seconds / unit % of).ok();

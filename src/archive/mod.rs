@@ -92,8 +92,7 @@ impl Facts {
     }
 
     /// As `versions.json`.
-    #[must_use]
-    pub fn to_json(&self) -> String {
+    pub(crate) fn to_json(&self) -> String {
         format!("{:#}\n", serde_json::json!(self))
     }
 

@@ -103,8 +103,7 @@ impl Tie {
     }
 
     /// The digest of a claim with its result and these theorems; none when a theorem or an equation is missing.
-    #[must_use]
-    pub fn digest_of(&self, tied: &Tied<'_>, equations: &Equations) -> Option<String> {
+    pub(crate) fn digest_of(&self, tied: &Tied<'_>, equations: &Equations) -> Option<String> {
         let mut all = vec![tied.digest.to_owned(), serde_json::to_string(&tied.conclusion).ok()?];
         for name in self.names() {
             let (module, _) = name.split_once('.')?;
@@ -121,8 +120,7 @@ impl Tie {
     }
 
     /// Whether its theorems are about this claim with this result.
-    #[must_use]
-    pub fn is_about(&self, tied: &Tied<'_>, equations: &Equations) -> bool {
+    pub(crate) fn is_about(&self, tied: &Tied<'_>, equations: &Equations) -> bool {
         self.claim == tied.claim
             && self.claim_digest == tied.digest
             && self.digest_of(tied, equations).is_some_and(|digest| digest == self.digest)

@@ -81,8 +81,7 @@ impl Evidence {
     }
 
     /// Whether both are the same proof, or the same value of the same quantity.
-    #[must_use]
-    pub fn is_same(&self, other: &Self) -> bool {
+    pub(crate) fn is_same(&self, other: &Self) -> bool {
         self.name_and_value() == other.name_and_value()
     }
 

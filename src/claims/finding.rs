@@ -45,8 +45,7 @@ pub struct Finding {
 
 impl Finding {
     /// Starts from derivations: holds when all succeed, fails with the first step that is false, and is not checked without any.
-    #[must_use]
-    pub fn from_proofs(attempts: impl IntoIterator<Item = Result<Proof, Refutation>>) -> Self {
+    pub(crate) fn from_proofs(attempts: impl IntoIterator<Item = Result<Proof, Refutation>>) -> Self {
         let mut attempts = attempts.into_iter();
         let first = attempts.next().map(Finding::from_proof);
         let finding = first.map(|first| attempts.fold(first, Finding::with_proof));
@@ -55,8 +54,7 @@ impl Finding {
 
     /// Starts from one derivation: holds when it succeeds, and fails when a step of it is false. A step that the rules do not decide decides
     /// nothing.
-    #[must_use]
-    pub fn from_proof(attempt: Result<Proof, Refutation>) -> Self {
+    pub(crate) fn from_proof(attempt: Result<Proof, Refutation>) -> Self {
         match rechecked(attempt) {
             Ok(proof) => Finding::holding(Evidence::Proof { proof }),
             Err(refutation) if refutation.is_false => Finding::failing(refutation.to_string()),
@@ -65,8 +63,7 @@ impl Finding {
     }
 
     /// A claim that is false: fails when its disproof succeeds, and is not decided when the disproof does not go through.
-    #[must_use]
-    pub fn from_disproof(disproof: Result<Proof, Refutation>, counter_example: &str) -> Self {
+    pub(crate) fn from_disproof(disproof: Result<Proof, Refutation>, counter_example: &str) -> Self {
         match rechecked(disproof) {
             Ok(proof) => Finding::holding(Evidence::Proof { proof }).refuted(counter_example),
             Err(refutation) => Finding::not_checked(format!("The disproof fails: {refutation}")),
@@ -75,8 +72,7 @@ impl Finding {
 
     /// Starts from a computation: holds as surely as it is, unless a later condition is not met. A computation over no run and no
     /// point decides nothing.
-    #[must_use]
-    pub fn from_evidence(evidence: Evidence) -> Self {
+    pub(crate) fn from_evidence(evidence: Evidence) -> Self {
         match evidence.is_empty() {
             true => Finding::not_checked("The computation has no run and no point."),
             false => Finding::holding(evidence),
@@ -84,15 +80,13 @@ impl Finding {
     }
 
     /// A claim that fails for a reason that needs no evidence besides.
-    #[must_use]
-    pub fn failing(counter_example: impl Into<String>) -> Self {
+    pub(crate) fn failing(counter_example: impl Into<String>) -> Self {
         let (verdict, strength) = (Verdict::Fails, Strength::Exact);
         Finding { verdict, strength, counter_example: Some(counter_example.into()), ..Finding::default() }
     }
 
     /// It rests on enclosures with outward rounding, unless what decides it is rational.
-    #[must_use]
-    pub fn enclosed_unless(mut self, is_rational: bool) -> Self {
+    pub(crate) fn enclosed_unless(mut self, is_rational: bool) -> Self {
         if !is_rational {
             self.strength = self.strength.max(Strength::Certified);
         }
@@ -106,15 +100,13 @@ impl Finding {
     }
 
     /// A claim on which two evaluations of the program contradict each other: it is not checked, and the program is at fault.
-    #[must_use]
-    pub fn contradicted(contradiction: String) -> Self {
+    pub(crate) fn contradicted(contradiction: String) -> Self {
         let finding = Finding::not_checked(format!("Error of slipmode: {contradiction}"));
         Finding { contradictions: vec![contradiction], ..finding }
     }
 
     /// Where the verdict is seen.
-    #[must_use]
-    pub fn seen_at(mut self, points: impl IntoIterator<Item = NamedPoint>) -> Self {
+    pub(crate) fn seen_at(mut self, points: impl IntoIterator<Item = NamedPoint>) -> Self {
         self.points.extend(points);
         self
     }
@@ -125,8 +117,7 @@ impl Finding {
     }
 
     /// Adds one more derivation that must succeed.
-    #[must_use]
-    pub fn with_proof(self, attempt: Result<Proof, Refutation>) -> Self {
+    pub(crate) fn with_proof(self, attempt: Result<Proof, Refutation>) -> Self {
         match rechecked(attempt) {
             Ok(proof) => self.with_evidence(Evidence::Proof { proof }),
             Err(refutation) if refutation.is_false => self.refuted(refutation.to_string()),
@@ -136,8 +127,7 @@ impl Finding {
     }
 
     /// Names the theorem that states what this finding's one proof proves or disproves, where an independent kernel has accepted it.
-    #[must_use]
-    pub fn with_theorem(mut self, theorem: impl FnOnce(Verdict) -> Option<String>) -> Self {
+    pub(crate) fn with_theorem(mut self, theorem: impl FnOnce(Verdict) -> Option<String>) -> Self {
         let is_decided = self.verdict != Verdict::NotChecked;
         if let (true, [Evidence::Proof { proof }]) = (is_decided, &mut self.evidence[..]) {
             proof.theorem = theorem(self.verdict);
@@ -148,8 +138,7 @@ impl Finding {
 
     /// Names the theorems that state the claim as it is written, and that an independent kernel has accepted. Every proof that
     /// decides it, and every part that a point decides, then counts as checked by that kernel.
-    #[must_use]
-    pub fn with_whole_theorem(mut self, name: &str) -> Self {
+    pub(crate) fn with_whole_theorem(mut self, name: &str) -> Self {
         let deciding: Vec<usize> = match self.readings.first() {
             Some(written) => written.parts.iter().flat_map(Part::deciding).collect(),
             None => self.deciding().collect(),
@@ -176,8 +165,7 @@ impl Finding {
     }
 
     /// Adds what another claim found, which must hold; its limit limits this one too.
-    #[must_use]
-    pub fn with_premise(self, premise: Finding) -> Self {
+    pub(crate) fn with_premise(self, premise: Finding) -> Self {
         match premise.verdict {
             Verdict::Holds | Verdict::HoldsWithin => {
                 let found = premise.evidence.into_iter().fold(self, Finding::with_evidence);
@@ -195,16 +183,14 @@ impl Finding {
     }
 
     /// Adds evidence, lowering the strength where it is weaker.
-    #[must_use]
-    pub fn with_evidence(mut self, evidence: Evidence) -> Self {
+    pub(crate) fn with_evidence(mut self, evidence: Evidence) -> Self {
         self.strength = self.strength.max(evidence.strength());
         self.evidence.push(evidence);
         self
     }
 
     /// Adds evidence that illustrates what stronger evidence decided: the strength stays.
-    #[must_use]
-    pub fn with_supporting(mut self, evidence: Evidence) -> Self {
+    pub(crate) fn with_supporting(mut self, evidence: Evidence) -> Self {
         self.evidence.push(evidence);
         self.supporting.push(self.evidence.len());
         self
@@ -216,8 +202,7 @@ impl Finding {
     }
 
     /// Is it stated to be surer than its weakest reading, part or evidence?
-    #[must_use]
-    pub fn is_overstated(&self) -> bool {
+    pub(crate) fn is_overstated(&self) -> bool {
         let part = |part: &Part| weakest(&self.evidence, part.deciding()) > Some(part.strength);
         let reading =
             |reading: &Reading| reading.parts.iter().any(|one| one.strength > reading.strength || part(one));
@@ -235,8 +220,7 @@ impl Finding {
     }
 
     /// Requires a computed condition; when it is false the claim fails with the given counter-example.
-    #[must_use]
-    pub fn require(self, condition: bool, counter_example: impl FnOnce() -> String) -> Self {
+    pub(crate) fn require(self, condition: bool, counter_example: impl FnOnce() -> String) -> Self {
         if condition { self } else { self.refuted(counter_example()) }
     }
 

@@ -142,8 +142,7 @@ impl Ledger {
     }
 
     /// What its claims are about, in the order of their file.
-    #[must_use]
-    pub fn subjects(&self) -> Vec<&Subject> {
+    pub(crate) fn subjects(&self) -> Vec<&Subject> {
         let mut all: Vec<&Subject> = Vec::new();
         for subject in self.claims.iter().filter_map(|entry| entry.subject.as_ref()) {
             if !all.contains(&subject) {
@@ -162,8 +161,7 @@ impl Ledger {
     }
 
     /// How many distinct steps the proofs of all claims have, and how many of them carry no certificate.
-    #[must_use]
-    pub fn proof_steps(&self) -> (usize, usize) {
+    pub(crate) fn proof_steps(&self) -> (usize, usize) {
         let proofs = self.claims.iter().flat_map(|entry| &entry.finding.evidence).filter_map(Evidence::proof);
         let mut distinct: Vec<&Step> = Vec::new();
         for step in proofs.flat_map(|proof| &proof.steps) {
@@ -176,8 +174,7 @@ impl Ledger {
     }
 
     /// The ledger as pretty JSON with a final newline.
-    #[must_use]
-    pub fn to_json(&self) -> String {
+    pub(crate) fn to_json(&self) -> String {
         // Serialising plain data with string keys cannot fail.
         serde_json::to_string_pretty(self).map_or_else(|error| format!("\"{error}\""), |text| text + "\n")
     }

@@ -141,8 +141,7 @@ impl Families {
     }
 
     /// The error bars of the slider with each b, and its own K and M: a factor multiplies both ends.
-    #[must_use]
-    pub fn uncertain_effects(&self) -> Vec<ParameterBox> {
+    pub(crate) fn uncertain_effects(&self) -> Vec<ParameterBox> {
         let one = Rational::from(1);
         self.factors[0].values.iter().filter_map(|effect| self.region([effect, &one, &one], None)).collect()
     }

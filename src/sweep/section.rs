@@ -96,8 +96,7 @@ impl SweepSection {
 
 impl SweepPoints {
     /// Whether a value that is the same at every point has an error bar.
-    #[must_use]
-    pub fn has_error_bars(&self) -> bool {
+    pub(crate) fn has_error_bars(&self) -> bool {
         let is_uncertain = |coordinate: &Coordinate| match coordinate {
             Coordinate::Fixed(value) => !value.is_certain(),
             Coordinate::Axis { .. } | Coordinate::Anywhere(_) => false,

@@ -126,8 +126,7 @@ impl Summary {
     }
 
     /// How many columns are keys.
-    #[must_use]
-    pub fn key_count(&self) -> usize {
+    pub(crate) fn key_count(&self) -> usize {
         self.keys.len()
     }
 
