@@ -93,8 +93,7 @@ impl Polynomial {
     }
 
     /// The polynomial times the positive number that makes its coefficients integers without a common factor.
-    #[must_use]
-    pub fn with_integers(&self) -> Self {
+    pub(crate) fn with_integers(&self) -> Self {
         self.scale(&integer_scale(self.terms().map(|(_, coefficient)| coefficient)))
     }
 

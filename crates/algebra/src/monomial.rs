@@ -86,8 +86,7 @@ impl Monomial {
     }
 
     /// The greatest monomial that divides both.
-    #[must_use]
-    pub fn common_divisor(&self, other: &Self) -> Self {
+    pub(crate) fn common_divisor(&self, other: &Self) -> Self {
         let shared =
             self.0.iter().map(|(name, exponent)| (name.clone(), (*exponent).min(other.exponent(name))));
         Self(shared.filter(|(_, exponent)| *exponent > 0).collect())

@@ -97,8 +97,7 @@ impl Polynomial {
     }
 
     /// The heaviest term, if there is any.
-    #[must_use]
-    pub fn leading_term(&self) -> Option<(&Monomial, &Rational)> {
+    pub(crate) fn leading_term(&self) -> Option<(&Monomial, &Rational)> {
         self.0.last().map(|(monomial, coefficient)| (monomial, coefficient))
     }
 
@@ -121,8 +120,7 @@ impl Polynomial {
     }
 
     /// The highest degree of a term in all variables together; 0 for the zero polynomial.
-    #[must_use]
-    pub fn total_degree(&self) -> u32 {
+    pub(crate) fn total_degree(&self) -> u32 {
         self.terms()
             .map(|(monomial, _)| monomial.factors().map(|(_, exponent)| exponent).sum())
             .max()
@@ -206,8 +204,7 @@ impl Polynomial {
     /// +1 when every coefficient is positive, −1 when every one is negative, `None` otherwise (and for zero).
     ///
     /// With positive variables this is the polynomial's sign: the certificate behind every inequality here.
-    #[must_use]
-    pub fn coefficient_sign(&self) -> Option<i8> {
+    pub(crate) fn coefficient_sign(&self) -> Option<i8> {
         let positive = self.terms().filter(|(_, value)| value.is_positive()).count();
         match positive {
             _ if self.is_zero() => None,

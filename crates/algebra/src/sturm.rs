@@ -79,8 +79,7 @@ impl UnivariatePolynomial {
     }
 
     /// Whether this polynomial has a root in an isolating interval of another one; the zero polynomial has every one.
-    #[must_use]
-    pub fn has_root_in(&self, interval: &IsolatingInterval) -> bool {
+    pub(crate) fn has_root_in(&self, interval: &IsolatingInterval) -> bool {
         match interval {
             _ if self.degree().unwrap_or(0) == 0 => self.is_zero(),
             IsolatingInterval::Exact(root) => self.evaluate(root) == 0,

@@ -103,8 +103,7 @@ impl Names {
     }
 
     /// The number of the equation that defines a name: the name stands alone on its left, or means one of its sides.
-    #[must_use]
-    pub fn defining_equation(&self, name: &str) -> Option<&str> {
+    pub(crate) fn defining_equation(&self, name: &str) -> Option<&str> {
         self.defining.iter().find(|(known, _)| known.as_str() == name).map(|(_, number)| number.as_str())
     }
 
@@ -154,8 +153,7 @@ impl Names {
     }
 
     /// A condition with the meanings in place of the names.
-    #[must_use]
-    pub fn resolved_condition(&self, one: &Condition) -> Condition {
+    pub(crate) fn resolved_condition(&self, one: &Condition) -> Condition {
         Condition { expression: self.resolved(&one.expression), relation: one.relation }
     }
 

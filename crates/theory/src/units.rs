@@ -63,8 +63,7 @@ impl Dimension {
     }
 
     /// The unit of a rate of change.
-    #[must_use]
-    pub fn per_second(&self) -> Self {
+    pub(crate) fn per_second(&self) -> Self {
         self.over(&Self([0, 0, 1].map(Rational::from)))
     }
 

@@ -83,8 +83,7 @@ impl Generator {
     }
 
     /// The argument, if this is the given function of something.
-    #[must_use]
-    pub fn argument_of(&self, function: Function) -> Option<&Expression> {
+    pub(crate) fn argument_of(&self, function: Function) -> Option<&Expression> {
         self.function().filter(|(own, _)| *own == function).map(|(_, argument)| argument)
     }
 
