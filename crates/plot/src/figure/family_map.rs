@@ -3,7 +3,7 @@
 
 use super::frame::{CANVAS_WIDTH, Frame};
 use super::legend::Legend;
-use super::overlay::{draw_marks, draw_named_lines, legend_entries};
+use super::overlay::{draw_marks, draw_whole_lines, legend_entries};
 use super::path::Point;
 use super::svg::{Svg, number};
 use super::{Axis, Caption, Line, PointMark};
@@ -43,15 +43,8 @@ impl FamilyMap {
         let legend = Legend::new(legend_entries(shown), CANVAS_WIDTH - CORNER.0);
         let below = frame.bounds.bottom + 60.0;
         let mut svg = Svg::new(&self.caption, CANVAS_WIDTH, below + legend.height());
-        let window = svg.id("window");
-        svg.open("defs", &[]);
-        svg.open("clipPath", &[("id", &window)]);
-        svg.rect((frame.bounds.left, frame.bounds.top), frame.size(), &[]);
-        svg.close();
-        svg.close();
         frame.draw_panel(&mut svg, "panel-map");
-        let clip = svg.url("window");
-        svg.open("g", &[("clip-path", &clip)]);
+        frame.open_window(&mut svg, "window");
         self.draw_members(&mut svg, &frame);
         svg.close();
         draw_marks(&mut svg, &frame, &self.marks);
@@ -78,7 +71,7 @@ impl FamilyMap {
         for (index, lines) in self.members.iter().enumerate() {
             let display = if index == self.base { "" } else { "none" };
             svg.open("g", &[("class", "member"), ("display", display)]);
-            draw_named_lines(svg, &wide, lines, &format!("{index}-"));
+            draw_whole_lines(svg, &wide, lines, &format!("{index}-"));
             svg.close();
         }
         self.moves.iter().for_each(|_| svg.close());

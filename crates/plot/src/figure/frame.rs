@@ -71,6 +71,15 @@ impl<'a> Frame<'a> {
         svg.rect(corner, self.size(), &[("class", class), ("fill", palette::PLATE)]);
     }
 
+    /// Opens a group of which nothing shows outside the frame.
+    pub fn open_window(&self, svg: &mut Svg, name: &str) {
+        let (id, clip) = (svg.id(name), svg.url(name));
+        svg.open("clipPath", &[("id", &id)]);
+        svg.rect((self.bounds.left, self.bounds.top), self.size(), &[]);
+        svg.close();
+        svg.open("g", &[("clip-path", &clip)]);
+    }
+
     /// Draws a line at every labelled tick of both axes.
     pub fn draw_grid(&self, svg: &mut Svg) {
         let b = self.bounds;

@@ -118,6 +118,15 @@ pub(crate) fn draw_lines(svg: &mut Svg, frame: &Frame, lines: &[Line]) {
 
 /// The same for one of several sets of lines in a figure: the names of their paths begin with `set`.
 pub(crate) fn draw_named_lines(svg: &mut Svg, frame: &Frame, lines: &[Line], set: &str) {
+    if !lines.is_empty() {
+        frame.open_window(svg, &format!("{set}window"));
+        draw_whole_lines(svg, frame, lines, set);
+        svg.close();
+    }
+}
+
+/// The same without a cut at the frame, where a line that ends there reaches out by half its width.
+pub(crate) fn draw_whole_lines(svg: &mut Svg, frame: &Frame, lines: &[Line], set: &str) {
     draw_bands(svg, frame, lines);
     for role in [
         LineRole::Section,
@@ -276,4 +285,20 @@ pub(crate) fn draw_words_on_lines(
         ],
         &rich_text::to_svg(markup, SMALL),
     );
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::sample::{heat_map, zone_map};
+
+    #[test]
+    fn what_lies_over_a_map_is_cut_at_its_frame() {
+        let beside = zone_map(8).svg_beside(&zone_map(8), ["one", "other"], None);
+        for (svg, maps) in [(heat_map(8).svg(), 1), (zone_map(8).svg(), 1), (beside, 2)] {
+            let parts: Vec<&str> = svg.split(" clip-path=").collect();
+            assert_eq!((parts.len(), svg.matches("<clipPath").count()), (maps + 1, maps));
+            // No line is drawn before the cut.
+            assert!(!parts[0].contains("-casing") && parts[1..].iter().all(|part| part.contains("-casing")));
+        }
+    }
 }
