@@ -169,7 +169,8 @@
         return `${point.name}: ${modeAt(values)}`;
       }).join("; ");
       ranges.forEach((range, which) => { range.value = Math.log10(Number(fields[which].value)); });
-      live.querySelector("code").textContent = `slipmode classify ${fields.map((field) => `-${field.name} ${field.value.trim()}`).join(" ")}`;
+      const typed = (field, which) => field.value.trim() + (field.value === initial[which] && field.dataset.bar || "");
+      live.querySelector("code").textContent = `slipmode classify ${fields.map((field, which) => `-${field.name} ${typed(field, which)}`).join(" ")}`;
       if (isDue) return;
       isDue = true;
       requestAnimationFrame(() => { isDue = false; draw(); });

@@ -1,7 +1,6 @@
 //! `slipmode explore`: one page on which all seven values of a scene can be changed.
 
 use slipmode_core::friction::{OperatingPoint, Slider};
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -19,7 +18,7 @@ use crate::cli::input::read_small_file;
 use crate::cli::inputs::slider_json;
 use crate::cli::new::Ranges;
 use crate::cli::options::{Arguments, operating_point};
-use crate::cli::output::{Output, is_stream};
+use crate::cli::output::{MadeFolder, Output, is_stream};
 use crate::cli::path_text::{json_path, quoted, shown_path, word_of};
 
 /// Options of `explore`.
@@ -57,7 +56,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let parameters = scene.parameters.as_ref().ok_or_else(|| refused("has no [parameters] to explore"))?;
     let own_point = own.clone().or_else(|| parameters.point());
     let window = window(&scene, &parameters.slider, own_point.as_ref()).map_err(|why| refused(&why))?;
-    let place = place(options.output.as_deref(), &scene.name)?;
+    let (place, _folder) = place(options.output.as_deref(), &scene.name)?;
     let output = Output::create(&place)?;
     let (points, mut marks) = points(&scene, parameters, own.as_ref(), window);
     if parameters.error_bars.is_some() {
@@ -66,7 +65,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let followed = points
         .iter()
         .fold(Answer::default(), |followed, point| followed.with(&point.name, point_json(&point.place)));
-    let live = live_map(&parameters.slider, &points, window, &scene.threshold());
+    let live = live_map(parameters, &points, window, &scene.threshold());
     let families =
         Families::of(&parameters.slider, parameters.error_bars.as_ref(), points, &scene.threshold());
     let file = options.scene.file_name().unwrap_or_default().to_string_lossy().into_owned();
@@ -105,13 +104,12 @@ fn point_json(point: &OperatingPoint<Rational>) -> Value {
 }
 
 /// The file to write: inside a folder that is named, it has the scene's name. A new folder, which ends in a slash, is made.
-fn place(output: Option<&Path>, name: &str) -> Result<PathBuf, Failure> {
-    let Some(place) = output else { return Ok(format!("{name}.html").into()) };
+fn place(output: Option<&Path>, name: &str) -> Result<(PathBuf, Option<MadeFolder>), Failure> {
+    let name = format!("{name}.html");
+    let Some(place) = output else { return Ok((name.into(), None)) };
     let is_new = place.as_os_str().as_encoded_bytes().ends_with(b"/") && !place.exists();
-    if is_new {
-        fs::create_dir_all(place).map_err(Failure::io(place, "cannot be created"))?;
-    }
-    Ok(if place.is_dir() { place.join(format!("{name}.html")) } else { place.to_path_buf() })
+    let made = is_new.then(|| MadeFolder::at(place)).transpose()?;
+    Ok((if place.is_dir() { place.join(name) } else { place.to_path_buf() }, made))
 }
 
 impl Options {

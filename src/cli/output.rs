@@ -13,7 +13,7 @@ use crate::cli::failure::Failure;
 use crate::cli::streams::{StandardOutput, is_capturing};
 use partial::PartialFile;
 
-pub use folder::OutputFolder;
+pub use folder::{MadeFolder, OutputFolder};
 pub use places::{check_input, note_input, note_input_folder};
 
 /// A file under writing that appears in its place only when [`Output::commit`] succeeds.

@@ -6,7 +6,7 @@
 use serde::Serialize;
 use serde_json::{Value, json};
 use slipmode_algebra::{Polynomial, RationalFunction};
-use slipmode_core::friction::{Groups, OperatingPoint, Parameters, Slider};
+use slipmode_core::friction::{Groups, OperatingPoint, Parameters};
 use slipmode_core::number::Rational;
 use slipmode_core::number::format::rational_to_decimal;
 use slipmode_core::stability::{
@@ -15,6 +15,7 @@ use slipmode_core::stability::{
 use slipmode_plot::figure::zone_fill;
 
 use super::{NamedPoint, Window};
+use crate::scene::{ParametersSection, Quantity};
 
 /// What the live map of a slider shows and evaluates.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -38,6 +39,8 @@ pub struct LiveControl {
     pub unit: &'static str,
     /// The scene's value.
     pub value: String,
+    /// Its error bar as the command line reads it; empty where the scene has none.
+    pub bar: String,
 }
 
 /// A slip mode on the map.
@@ -65,18 +68,23 @@ const NEUTRAL: &str = "neutral";
 /// Digits of a value: all that a person typed.
 const DIGITS: usize = 17;
 
-/// The live map of a slider; the first point is the one that is moved first.
+/// The live map of a scene's slider; the first point is the one that is moved first.
 #[must_use]
 pub fn live_map(
-    slider: &Slider<Rational>,
+    parameters: &ParametersSection,
     points: &[NamedPoint],
     window: Window,
     threshold: &InertialThreshold,
 ) -> Option<LiveMap> {
     let first = points.first()?;
-    let values: [Rational; 7] = Parameters { slider: slider.clone(), point: first.place.clone() }.into();
+    let values = Parameters { slider: parameters.slider.clone(), point: first.place.clone() };
     let decimal = |value: &Rational| rational_to_decimal(value, DIGITS);
-    let controls = CONTROLS.iter().zip(values.iter().map(decimal));
+    let controls = CONTROLS.iter().zip(<[Rational; 7]>::from(values)).zip(Quantity::ALL);
+    let control = |(([id, name, unit], value), quantity): ((&[&'static str; 3], Rational), Quantity)| {
+        let own = parameters.uncertain(quantity).filter(|own| !own.is_certain() && own.middle() == value);
+        let bar = own.map(|own| format!("±{}", decimal(&(own.upper - &value))));
+        LiveControl { id, name, unit, value: decimal(&value), bar: bar.unwrap_or_default() }
+    };
     let places = points.iter().map(|point| {
         let OperatingPoint { normal_stress_pa, loading_velocity_m_per_s } = &point.place;
         json!([point.name, decimal(normal_stress_pa), decimal(loading_velocity_m_per_s)])
@@ -88,7 +96,7 @@ pub fn live_map(
     data["window"] = json!({ "v": ends(window.velocity), "s": ends(window.stress) });
     let modes = SlipMode::ALL.iter().enumerate();
     Some(LiveMap {
-        controls: controls.map(|([id, name, unit], value)| LiveControl { id, name, unit, value }).collect(),
+        controls: controls.map(control).collect(),
         modes: modes.map(|(style, mode)| LiveMode { name: mode.words(), fill: zone_fill(style) }).collect(),
         data: data.to_string(),
     })
@@ -151,6 +159,7 @@ mod tests {
     use super::*;
     use crate::experiments::shared::fixtures::paper;
     use proptest::prelude::*;
+    use slipmode_core::friction::ParameterBox;
     use slipmode_core::number::parse_decimal;
     use slipmode_core::stability::classify;
 
@@ -204,7 +213,28 @@ mod tests {
             has_error_bars: false,
         };
         let window = Window { velocity: (1e-6, 1e-1), stress: (1e2, 1e8) };
-        let live = live_map(&paper(), &[point], window, &InertialThreshold::default()).unwrap();
+        let [low, high] = ["1e4", "3e5"].map(|stress| Parameters {
+            slider: paper(),
+            point: [parse_decimal(stress).unwrap(), point.place.loading_velocity_m_per_s.clone()].into(),
+        });
+        let with_bars = ParametersSection {
+            slider: paper(),
+            normal_stress_pa: Some(parse_decimal("155000").unwrap()),
+            loading_velocity_m_per_s: None,
+            error_bars: ParameterBox::new(low, high),
+        };
+        let scene = NamedPoint {
+            place: [parse_decimal("155000").unwrap(), parse_decimal("1").unwrap()].into(),
+            ..point.clone()
+        };
+        let threshold = InertialThreshold::default();
+        let bars = |first: &NamedPoint| {
+            let live = live_map(&with_bars, &[first.clone()], window, &threshold).unwrap();
+            live.controls.iter().map(|control| control.bar.clone()).collect::<String>()
+        };
+        // A value that is not the scene's has no error bar.
+        assert_eq!((bars(&scene).as_str(), bars(&point).as_str()), ("±145000", ""));
+        let live = live_map(&with_bars, &[point], window, &threshold).unwrap();
         let values: Vec<&str> = live.controls.iter().map(|control| control.value.as_str()).collect();
         assert_eq!(values, ["0.004", "0.006", "1e-5", "1e7", "1000", "100000", "0.001"]);
         assert_eq!(live.modes.len(), 6);

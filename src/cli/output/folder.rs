@@ -18,6 +18,34 @@ pub struct OutputFolder {
     place: PathBuf,
     partial: PartialFolder,
     own: &'static [&'static str],
+    /// Dropped after the partial folder, which lies in it.
+    above: MadeFolder,
+}
+
+/// Folders that were made for an output. Those that nothing was put into are removed when it is dropped.
+#[derive(Debug)]
+pub struct MadeFolder(Vec<PathBuf>);
+
+impl MadeFolder {
+    /// Makes a folder with those above it, where they are missing.
+    ///
+    /// # Errors
+    /// When the file system refuses.
+    pub fn at(place: &Path) -> Result<Self, Failure> {
+        let missing = place.ancestors().take_while(|folder| !folder.exists());
+        let made = Self(missing.map(Path::to_path_buf).collect());
+        fs::create_dir_all(place).map_err(Failure::io(place, "cannot be created"))?;
+        Ok(made)
+    }
+}
+
+impl Drop for MadeFolder {
+    fn drop(&mut self) {
+        for folder in &self.0 {
+            // A folder that holds something stays.
+            let _ = fs::remove_dir(folder);
+        }
+    }
 }
 
 impl OutputFolder {
@@ -33,11 +61,10 @@ impl OutputFolder {
         };
         let place = place.with_file_name(name);
         check_place(&place, own)?;
-        let above = folder_of(&place);
-        fs::create_dir_all(above).map_err(Failure::io(above, "cannot be created"))?;
+        let above = MadeFolder::at(folder_of(&place))?;
         places::note_output(&place, true).map_err(|why| Failure::place(&place, why))?;
         let partial = PartialFolder::beside(&place).map_err(Failure::io(&place, "cannot be written"))?;
-        Ok(Self { place, partial, own })
+        Ok(Self { place, partial, own, above })
     }
 
     /// Writes all files and puts the folder in its place, where it replaces an earlier output whole.
@@ -46,7 +73,7 @@ impl OutputFolder {
     /// When a name is not safe, two names differ in case only, or the file system refuses; the place is as it was then.
     pub fn commit(self, files: &Files) -> Result<(), Failure> {
         check_names(files)?;
-        let Self { place, partial, own } = self;
+        let Self { place, partial, own, above: _above } = self;
         for (name, text) in files {
             let written = partial.write(name, text.as_bytes());
             written.map_err(Failure::io(&place.join(name), "cannot be written"))?;
@@ -111,4 +138,23 @@ fn check_names(files: &Files) -> Result<(), Failure> {
         }
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_made_folder_stays_only_with_something_in_it() {
+        let root = tempfile::tempdir().unwrap();
+        let [above, deep] = ["a", "a/b/c"].map(|name| root.path().join(name));
+        drop(MadeFolder::at(&deep).unwrap());
+        assert!(!above.exists());
+        let made = MadeFolder::at(&deep).unwrap();
+        fs::write(above.join("f"), "f").unwrap();
+        drop(made);
+        assert!(above.join("f").exists() && !above.join("b").exists());
+        drop(MadeFolder::at(&above).unwrap());
+        assert!(above.exists(), "it was there before");
+    }
 }
