@@ -50,8 +50,7 @@ fn missing(computed: &Computed, equations: &Equations) -> Vec<String> {
 }
 
 /// What procedures and proofs that a file of claims names miss in the equations: each once.
-#[must_use]
-pub fn equation_faults(file: &str, claims: &[ClaimEntry], equations: &Equations) -> Faults {
+pub(crate) fn equation_faults(file: &str, claims: &[ClaimEntry], equations: &Equations) -> Faults {
     let parts = claims
         .iter()
         .flat_map(|claim| claim.formulas().filter_map(move |formula| Some((&claim.id, formula.computed()?))));

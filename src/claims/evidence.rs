@@ -75,8 +75,7 @@ impl Evidence {
     }
 
     /// Whether it rests on no run and no point at all.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
+    pub(crate) fn is_empty(&self) -> bool {
         matches!(self, Evidence::Simulation { runs: 0, .. } | Evidence::Sample { points: 0, .. })
     }
 
@@ -95,8 +94,7 @@ impl Evidence {
     }
 
     /// The proof, if it is one.
-    #[must_use]
-    pub fn proof(&self) -> Option<&Proof> {
+    pub(crate) fn proof(&self) -> Option<&Proof> {
         match self {
             Evidence::Proof { proof } => Some(proof),
             _ => None,
@@ -104,8 +102,7 @@ impl Evidence {
     }
 
     /// How sure this piece is.
-    #[must_use]
-    pub fn strength(&self) -> Strength {
+    pub(crate) fn strength(&self) -> Strength {
         match self {
             Evidence::Proof { proof } if proof.theorem.is_some() => Strength::KernelChecked,
             Evidence::Proof { proof } if proof.is_certified() => Strength::Exact,

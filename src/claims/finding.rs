@@ -94,8 +94,7 @@ impl Finding {
     }
 
     /// A claim that this report gives no ground to decide. No evidence added later turns it into one that holds.
-    #[must_use]
-    pub fn not_checked(reason: impl Into<String>) -> Self {
+    pub(crate) fn not_checked(reason: impl Into<String>) -> Self {
         Finding { remarks: vec![reason.into()], ..Finding::default() }
     }
 
@@ -213,8 +212,7 @@ impl Finding {
     }
 
     /// A claim that the evidence refutes; the first counter-example is kept.
-    #[must_use]
-    pub fn refuted(mut self, counter_example: impl Into<String>) -> Self {
+    pub(crate) fn refuted(mut self, counter_example: impl Into<String>) -> Self {
         self.verdict = Verdict::Fails;
         self.outside(counter_example)
     }
@@ -246,22 +244,19 @@ impl Finding {
     }
 
     /// The points that a universal statement was looked at on, or how far a statement goes; the verdict stays.
-    #[must_use]
-    pub fn on(mut self, points: impl Into<String>) -> Self {
+    pub(crate) fn on(mut self, points: impl Into<String>) -> Self {
         self.limit = Some(points.into());
         self
     }
 
     /// Where the claim stops holding, outside its limit: shown next to it, without changing the verdict.
-    #[must_use]
-    pub fn outside(mut self, counter_example: impl Into<String>) -> Self {
+    pub(crate) fn outside(mut self, counter_example: impl Into<String>) -> Self {
         self.counter_example.get_or_insert(counter_example.into());
         self
     }
 
     /// The step from what was decided to what the claim says is argued in words: the claim is no surer than that.
-    #[must_use]
-    pub fn argued(mut self, step: &str) -> Self {
+    pub(crate) fn argued(mut self, step: &str) -> Self {
         let readings = self.readings.iter_mut().map(|reading| &mut reading.strength);
         for strength in readings.chain([&mut self.strength]) {
             *strength = Strength::Argued.max(*strength);
@@ -270,15 +265,13 @@ impl Finding {
     }
 
     /// Names a number for a replacement of the sentence.
-    #[must_use]
-    pub fn number(mut self, name: impl Into<String>, value: String) -> Self {
+    pub(crate) fn number(mut self, name: impl Into<String>, value: String) -> Self {
         self.numbers.insert(name.into(), value);
         self
     }
 
     /// Adds a remark for readers.
-    #[must_use]
-    pub fn remark(mut self, remark: impl Into<String>) -> Self {
+    pub(crate) fn remark(mut self, remark: impl Into<String>) -> Self {
         self.remarks.push(remark.into());
         self
     }

@@ -66,14 +66,12 @@ impl Entry {
     }
 
     /// The theorems written by hand that state the whole claim, if Coq has accepted them.
-    #[must_use]
-    pub fn tie(&self, equations: &Equations) -> Option<&'static Tie> {
+    pub(crate) fn tie(&self, equations: &Equations) -> Option<&'static Tie> {
         by_hand::accepted_tie(&self.tied(), equations)
     }
 
     /// The claim with its result, as ties to theorems see it.
-    #[must_use]
-    pub fn tied(&self) -> Tied<'_> {
+    pub(crate) fn tied(&self) -> Tied<'_> {
         Tied { claim: &self.id, digest: &self.digest, conclusion: Conclusion::from(&self.finding) }
     }
 
@@ -116,8 +114,7 @@ pub struct Ledger {
 
 impl Ledger {
     /// Decides every listed claim.
-    #[must_use]
-    pub fn decide(report: &str, texts: &[ClaimEntry], context: &Context) -> Self {
+    pub(crate) fn decide(report: &str, texts: &[ClaimEntry], context: &Context) -> Self {
         let decided = |text: &ClaimEntry| {
             let entry = decide_one(text, context);
             let untied = by_hand::untied(report, &entry.tied(), context.equations);
@@ -185,14 +182,12 @@ impl Ledger {
     }
 
     /// How many claims of a source have this verdict.
-    #[must_use]
-    pub fn count(&self, source: Source, verdict: Verdict) -> usize {
+    pub(crate) fn count(&self, source: Source, verdict: Verdict) -> usize {
         self.of(source).filter(|entry| entry.finding.verdict == verdict).count()
     }
 
     /// How many findings the claims of the paper with this verdict are: claims that repeat another or share its counter-example are one.
-    #[must_use]
-    pub fn findings(&self, verdict: Verdict) -> usize {
+    pub(crate) fn findings(&self, verdict: Verdict) -> usize {
         let found = self.of(Source::Paper).filter(|entry| entry.finding.verdict == verdict);
         found.map(|entry| self.first_of_finding(entry)).collect::<BTreeSet<_>>().len()
     }

@@ -32,17 +32,16 @@ mod rule;
 mod theory_tables;
 
 pub use by_hand::{ACCEPTED, Conclusion, LIBRARY, TIES, Tie, Tied, definitions, statement};
-pub use computed::equation_faults;
+pub(crate) use computed::equation_faults;
 pub use error_bars::{DecidedFor, PointWithin};
 pub use evidence::{Evidence, Strength};
 pub use finding::Finding;
 pub use formula::{WholeStatement, WholeTheorem, statement_digest, whole_statements, whole_theorems};
 pub use ledger::{Entry, Ledger, needs};
-pub use over_rows::row_faults;
+pub(crate) use over_rows::row_faults;
 pub use part::{Part, Reading};
 pub use planted_faults::{PlantedFaults, Survivor, plant_faults};
 pub use procedures::procedures;
-pub use reading::verdict_of_parts;
 pub use resolved::{resolved_claim, resolved_formula, sha256_hex};
 
 use crate::experiments::TableMaker;

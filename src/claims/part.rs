@@ -31,8 +31,7 @@ impl Part {
     }
 
     /// Why it fails, within which limit it holds, or why it was not checked; may be empty.
-    #[must_use]
-    pub fn result(&self) -> &str {
+    pub(crate) fn result(&self) -> &str {
         let result = if self.verdict == Verdict::Fails { &self.counter_example } else { &self.limit };
         result.as_deref().unwrap_or_default()
     }

@@ -9,8 +9,7 @@ use crate::claims::{Evidence, Finding, Part, Reading, Strength, Verdict};
 
 /// The verdict on a conjunction: one false part makes it fail, else one undecided part leaves it undecided, else one part with a
 /// limit limits it. Without parts there is nothing to hold.
-#[must_use]
-pub fn verdict_of_parts(parts: &[Verdict]) -> Verdict {
+pub(crate) fn verdict_of_parts(parts: &[Verdict]) -> Verdict {
     let weight = |verdict: &Verdict| match verdict {
         Verdict::Holds => 0,
         Verdict::HoldsWithin => 1,

@@ -104,8 +104,7 @@ pub struct Families {
 
 impl Families {
     /// Computes a slider's families.
-    #[must_use]
-    pub fn of(
+    pub(crate) fn of(
         parameters: &Slider<Rational>,
         error_bars: Option<&ParameterBox>,
         points: Vec<NamedPoint>,
@@ -128,15 +127,13 @@ impl Families {
     }
 
     /// The slider with each b, and its own K and M.
-    #[must_use]
-    pub fn effects(&self) -> Vec<Slider<Rational>> {
+    pub(crate) fn effects(&self) -> Vec<Slider<Rational>> {
         let one = Rational::from(1);
         self.factors[0].values.iter().map(|effect| scaled(&self.parameters, [effect, &one, &one])).collect()
     }
 
     /// Every combination, M varying fastest, b slowest.
-    #[must_use]
-    pub fn sliders(&self) -> Vec<Slider<Rational>> {
+    pub(crate) fn sliders(&self) -> Vec<Slider<Rational>> {
         self.combinations().into_iter().map(|factors| scaled(&self.parameters, factors)).collect()
     }
 
@@ -186,8 +183,7 @@ impl Families {
     }
 
     /// The place of a combination among [`Families::sliders`].
-    #[must_use]
-    pub fn place(&self, [effect, stiffness, mass]: [usize; 3]) -> usize {
+    pub(crate) fn place(&self, [effect, stiffness, mass]: [usize; 3]) -> usize {
         let [_, stiffnesses, masses] = &self.factors;
         (effect * stiffnesses.values.len() + stiffness) * masses.values.len() + mass
     }

@@ -76,8 +76,7 @@ pub fn live_map(
     window: Window,
     threshold: &InertialThreshold,
 ) -> Option<LiveMap> {
-    let first = points.first()?;
-    let values = Parameters { slider: parameters.slider.clone(), point: first.place.clone() };
+    let values = Parameters { slider: parameters.slider.clone(), point: points.first()?.place.clone() };
     let decimal = |value: &Rational| rational_to_decimal(value, DIGITS);
     let controls = CONTROLS.iter().zip(<[Rational; 7]>::from(values)).zip(Quantity::ALL);
     let control = |(([id, name, unit], value), quantity): ((&[&'static str; 3], Rational), Quantity)| {
@@ -89,11 +88,10 @@ pub fn live_map(
         let OperatingPoint { normal_stress_pa, loading_velocity_m_per_s } = &point.place;
         json!([point.name, decimal(normal_stress_pa), decimal(loading_velocity_m_per_s)])
     });
-    let ends = |(low, high): (f64, f64)| json!([low, high]);
     let mut data = model(threshold)?;
     data["neutral"] = NEUTRAL.into();
     data["points"] = places.collect();
-    data["window"] = json!({ "v": ends(window.velocity), "s": ends(window.stress) });
+    data["window"] = json!({ "v": window.velocity, "s": window.stress });
     let modes = SlipMode::ALL.iter().enumerate();
     Some(LiveMap {
         controls: controls.map(control).collect(),
@@ -229,7 +227,7 @@ mod tests {
         };
         let threshold = InertialThreshold::default();
         let bars = |first: &NamedPoint| {
-            let live = live_map(&with_bars, &[first.clone()], window, &threshold).unwrap();
+            let live = live_map(&with_bars, std::slice::from_ref(first), window, &threshold).unwrap();
             live.controls.iter().map(|control| control.bar.clone()).collect::<String>()
         };
         // A value that is not the scene's has no error bar.

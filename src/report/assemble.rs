@@ -95,7 +95,7 @@ fn live(outcome: &Outcome) -> Option<LiveMap> {
             stress: ends(&map.rectangle.normal_stress_pa),
         };
         let (points, _) = points(scene, parameters, None, window);
-        live_map(&parameters.slider, &points, window, &scene.threshold())
+        live_map(parameters, &points, window, &scene.threshold())
     };
     outcome.scenes.iter().find_map(|computed| of(&computed.scene))
 }

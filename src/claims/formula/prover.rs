@@ -130,21 +130,22 @@ impl<'p> Prover<'p> {
         let all = || literals.iter().chain(&premises.conditions);
         let open = all().find(|literal| matches!(literal.sign, Sign::NonNegative | Sign::NonZero));
         // Two cases: the expression is positive or zero, positive or negative, negative or not.
-        let (expression, strict, other) = match open {
-            Some(open) if open.sign == Sign::NonNegative => {
-                (open.expression.clone(), Sign::Positive, Sign::Zero)
+        let case = |expression: &Expression, sign| Literal::new(expression.clone(), sign);
+        let divided = match open {
+            Some(Literal { expression, sign: Sign::NonNegative }) => {
+                [Sign::Positive, Sign::Zero].map(|sign| case(expression, sign))
             }
-            Some(open) => (open.expression.clone(), Sign::Positive, Sign::Positive),
+            Some(Literal { expression, .. }) => {
+                [expression, &-expression.clone()].map(|side| case(side, Sign::Positive))
+            }
             None => {
                 let assumed = Premises { conditions: all().cloned().collect(), ..premises.clone() }.domain();
                 let inner = all().flat_map(|literal| open_absolutes(&literal.expression, &assumed));
                 // The sign of a product is known from those of its factors.
                 let inner = inner.min_by_key(|inner| inner.to_string().len())?;
-                (inner, Sign::NonNegative, Sign::Positive)
+                [case(&inner, Sign::NonNegative), case(&-inner, Sign::Positive)]
             }
         };
-        let opposite = if other == Sign::Zero { expression.clone() } else { -expression.clone() };
-        let divided = [Literal::new(expression, strict), Literal::new(opposite, other)];
         let left = divisions.checked_sub(1)?;
         for case in divided {
             let mut premises = premises.clone();

@@ -52,8 +52,7 @@ pub(super) fn needs(table: &str) -> &'static [Need] {
 }
 
 /// What is wrong with the statements over rows in a file of claims: an unknown table or column, or the grammar.
-#[must_use]
-pub fn row_faults(file: &str, claims: &[ClaimEntry]) -> Faults {
+pub(crate) fn row_faults(file: &str, claims: &[ClaimEntry]) -> Faults {
     let faults = claims.iter().flat_map(|claim| {
         claim.formulas().filter_map(move |formula| {
             let message = check(formula.rows.as_ref()?, &formula.text).err()?;

@@ -233,12 +233,10 @@ impl Tactics<'_> {
     /// The absolute value as a quotient of a form that is not negative by a form that is positive.
     fn not_negative_form(&self, value: &Expression) -> Result<Option<Expression>, Obstacle> {
         let function = self.0.rational_function(value)?;
-        if function.is_zero() {
-            return Ok(Some(Expression::integer(0)));
-        }
         let above = self.factored(function.numerator(), |relation| relation != Relation::NonZero);
         let below = self.factored(function.denominator(), |relation| relation == Relation::Positive);
-        Ok(above.zip(below).map(|(above, below)| above / below))
+        let zero = function.is_zero().then(|| Expression::integer(0));
+        Ok(zero.or_else(|| Some(above? / below?)))
     }
 
     /// Whether coefficients of one sign show the sign, in the factors of which no condition speaks: all in them is positive.
