@@ -241,8 +241,8 @@ fn units_of_equations_systems_definitions_and_formulas_are_checked() {
     ]);
 }
 
-/// A slider with two state variables: stable at or above the largest stiffness that friction can have, since on the axis the real part
-/// of A s + K exceeds that of the sum of B_i s/(L_i s + 1), and so is a larger stiffness. The letters are names of variables.
+/// A slider with two state variables, in letters that the test exchanges. Its roots solve P s/R + Q = Σ B_i (s/R)/(L_i s/R + 1). On the
+/// imaginary axis the real part of the right side is below S/T + U/W. So no root crosses the axis where Q is at least that large.
 const TWO_STATES: &str = r#"
 [assumptions]
 positive = ["P", "Q", "R", "S", "T", "U", "W", "v", "th_1", "th_2"]
@@ -259,8 +259,8 @@ is = "characteristic(two, s)"
 #[test]
 fn a_verdict_does_not_depend_on_the_names_of_variables() {
     const LETTERS: &str = "PQRSTUW";
-    let given = "\ngiven = [\"Q >= S/T + U/W\"]";
-    let claims = formula("A1", "holds", "stable(cubic, s)") + given.trim_start();
+    let claim = formula("A1", "holds", "stable(cubic, s)") + "given = [\"Q >= S/T + U/W\"]";
+    let (heading, said_of_it) = claim.split_once("formula").unwrap();
     for shift in 0..LETTERS.len() {
         for step in [1, 2, 3] {
             let renamed = |text: &str| -> String {
@@ -271,8 +271,8 @@ fn a_verdict_does_not_depend_on_the_names_of_variables() {
                 text.chars().map(name).collect()
             };
             let place = Workplace::new();
-            let (equations, claims) = (renamed(TWO_STATES), claims.split_once("formula").unwrap());
-            place.write("claims.toml", format!("{equations}{}formula{}", claims.0, renamed(claims.1)));
+            let equations = renamed(TWO_STATES);
+            place.write("claims.toml", format!("{equations}{heading}formula{}", renamed(said_of_it)));
             let said = place.run(["check", "claims.toml"]).expect_success();
             assert!(said.contains("A1   holds         exact"), "{equations}{said}");
         }
