@@ -2,7 +2,7 @@
 
 use crate::parallel;
 use slipmode_core::friction::Parameters;
-use slipmode_core::number::{Rational, format::round_digits};
+use slipmode_core::number::{Rational, format::ends_around};
 
 use super::findings::{compare_as_stated, verdict_of};
 use super::{Agreement, Comparison, Finding, Simulate, StatedRun, Value};
@@ -70,10 +70,9 @@ impl Finding {
         let nearest = Measured { value: run.value.clamp(low, high), relative_error: 0.0 };
         let subject = (self.observable, self.origin, self.reference);
         let found = Self::of_numbers(subject, [run, nearest], tolerance);
-        let [from, to] = [low, high].map(|end| round_digits(end, DIGITS));
+        let ends = ends_around([low, high], DIGITS).join(" to ");
         let unit = self.observable.unit();
-        let range =
-            format!("{from} to {to} {unit} is the sampled range of {runs} runs within the error bars");
+        let range = format!("{ends} {unit} is the sampled range of {runs} runs within the error bars");
         (self.range, self.difference, self.allowed) = (Some([low, high]), found.difference, found.allowed);
         (self.verdict, self.why) = match found.verdict {
             Agreement::NotCompared => (Agreement::NotCompared, found.why),

@@ -226,9 +226,30 @@ fn ranges_hold_the_values_of_the_corners_and_are_attained() {
             assert!((enclosed[end] / attained[end] - 1.0).abs() < 1e-8, "{key}");
         }
     }
-    let text = ["classify"].into_iter().chain(with(&[("-b", "0.0126±0.0007")]));
-    let text = Workplace::new().run(text).expect_success();
-    assert!(text.contains("0.118002 to 0.118627 Hz"), "{text}");
+}
+
+#[test]
+fn ranges_in_words_hold_those_of_the_json() {
+    let names = ["max Re(s)", "max Im(s)", "frequency", "K_c"];
+    let keys = ["max_real_per_s", "max_imaginary_per_s", "frequency_hz", "critical_stiffness_pa_per_m"];
+    for bars in ["0.0126±0.0007", "0.0126±1e-6%", "0.0126±1e-12%", "0.0126±0"] {
+        let found = json(&[("-b", bars)]);
+        let text =
+            Workplace::new().run(["classify"].into_iter().chain(with(&[("-b", bars)]))).expect_success();
+        for (name, key) in names.into_iter().zip(keys) {
+            let line = text.lines().find_map(|line| line.strip_prefix(name)).unwrap();
+            let words: Vec<&str> = line.split_whitespace().collect();
+            let [least, most] = [0, 2].map(|at| words[at].parse::<f64>().unwrap());
+            let [low, high] = [0, 1].map(|end| found[key][end].as_f64().unwrap());
+            // The ends of K_c are rational, and those of the JSON the next numbers of 64 bits.
+            let holds = least <= low.next_up() && high.next_down() <= most;
+            assert!(holds && words[1] == "to", "{bars}: {low} to {high} as{line}");
+            assert!(
+                most - least <= 1.5 * (high - low) + 1e-15 * most.abs(),
+                "{bars}: {low} to {high} as{line}"
+            );
+        }
+    }
 }
 
 /// The options of the point without one of them.

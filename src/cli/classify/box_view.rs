@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 use slipmode::scene::{Quantity, cited};
 use slipmode_core::friction::Parameters;
-use slipmode_core::number::format::rational_to_decimal;
+use slipmode_core::number::format::{rational_ends_around, rational_to_decimal};
 use slipmode_core::number::{Rational, nearest_f64};
 use slipmode_core::stability::{
     InertialThreshold, OverBox, ParameterBox, Possible, SlipMode, SpectralClass, over_box, transition_sign,
@@ -33,7 +33,6 @@ pub fn answer(
         Item::new(json!([least, greatest]), text)
     };
     let critical = &found.critical_stiffness_pa_per_m;
-    let [least, greatest] = critical.each_ref().map(shown);
     let answer = Answer::to(ranges_json(region, &[]))
         .and(modes(region, &found))
         .list("spectral_classes", found.spectral_classes.iter().map(class))
@@ -41,7 +40,7 @@ pub fn answer(
         .item("boundary_signs", "sign of discriminant", signs(found.boundary_signs))
         .and(RootRanges::new(region, &found).answer())
         .with("critical_stiffness_pa_per_m", outward(critical))
-        .named("K_c", &format!("{least} to {greatest} Pa/m"))
+        .named("K_c", &format!("{} Pa/m", rational_ends_around(critical, SHOWN_DIGITS).join(" to ")))
         .note(&cited("({transition})"));
     Some(match sample {
         Some(sample) => answer.part("sampled", sample.answer(region, threshold)),

@@ -1,6 +1,6 @@
 //! The ranges of growth rate, largest imaginary part and frequency over error bars, as text, JSON and cells.
 
-use slipmode_core::number::format::round_digits;
+use slipmode_core::number::format::{ends_around, ends_within};
 use slipmode_core::number::{Rational, Wide, nearest_f64};
 use slipmode_core::stability::{OverBox, ParameterBox, Ranges, ValueRange, ranges_over_box};
 
@@ -46,7 +46,8 @@ impl RootRanges {
             answer = match range {
                 Some(range) => {
                     let note = attained_words(&range).unwrap_or_else(|| note.to_string());
-                    answer.named(name, &format!("{} {unit}", shown(range.enclosure))).note(&note)
+                    let ends = ends_around(range.enclosure, SHOWN_DIGITS).join(" to ");
+                    answer.named(name, &format!("{ends} {unit}")).note(&note)
                 }
                 None => answer.named(name, "-").note("(beyond the range of 64-bit numbers)"),
             };
@@ -55,15 +56,11 @@ impl RootRanges {
     }
 }
 
-/// A range with rounded ends.
-pub fn shown([low, high]: [f64; 2]) -> String {
-    format!("{} to {}", round_digits(low, SHOWN_DIGITS), round_digits(high, SHOWN_DIGITS))
-}
-
 /// States the values that occur, where the enclosure is noticeably wider.
 fn attained_words(ValueRange { enclosure, attained }: &ValueRange) -> Option<String> {
     let is_wide = |i: usize| (enclosure[i] - attained[i]).abs() > NOTICED * attained[i].abs();
-    (is_wide(0) || is_wide(1)).then(|| format!("(enclosed; values of {} occur)", shown(*attained)))
+    (is_wide(0) || is_wide(1))
+        .then(|| format!("(enclosed; values of {} occur)", ends_within(*attained, SHOWN_DIGITS).join(" to ")))
 }
 
 /// The frequencies, enclosed.

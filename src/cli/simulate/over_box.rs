@@ -8,11 +8,11 @@ use slipmode::sweep::LowDiscrepancy;
 use slipmode_core::dynamics::{Options, Simulation};
 use slipmode_core::friction::{EvolutionLaw, Parameters};
 use slipmode_core::number::Rational;
+use slipmode_core::number::format::ends_around;
 use slipmode_core::stability::{InertialThreshold, ParameterBox, over_box};
 
-use crate::cli::answer::Answer;
+use crate::cli::answer::{Answer, SHOWN_DIGITS};
 use crate::cli::classify::box_view;
-use crate::cli::classify::ranges::shown;
 use crate::cli::options::Arguments;
 use crate::cli::simulate::range;
 use crate::cli::simulate::run::{self, Shown, simulate_point};
@@ -185,7 +185,9 @@ impl BoxRuns {
         let is_mixed = self.words(|run| run.behaviour.as_str()).len() > 1;
         Observable::STATED.into_iter().fold(Answer::default(), |answer, of| {
             let have = self.ended().filter(|run| simulated(run, of).is_some()).count();
-            let text = self.range(of).map_or("none".into(), |ends| format!("{} {}", shown(ends), of.unit()));
+            let text = self.range(of).map_or("none".into(), |ends| {
+                format!("{} {}", ends_around(ends, SHOWN_DIGITS).join(" to "), of.unit())
+            });
             let runs = if have < ended { format!("{have} of {ended} runs oscillate") } else { String::new() };
             let mixed = if is_mixed { "cycles and decays together" } else { "" };
             let notes: Vec<&str> =

@@ -3,7 +3,9 @@
 
 use serde_json::{Value, json};
 use slipmode::scene::{Quantity, cited, stem_of_key, unit_of};
-use slipmode_core::number::format::{exact_text, nearest_digits, rational_to_decimal, round_digits};
+use slipmode_core::number::format::{
+    Side, ends_around, ends_within, exact_text, nearest_digits, rational_to_decimal, rounded,
+};
 use slipmode_core::number::{Rational, parse_decimal};
 use slipmode_core::stability::inverse::{
     Solution, SolutionKind, SolutionRange, Target, Undecided, solve, solve_over_box,
@@ -56,17 +58,17 @@ impl Question {
 
     /// Encloses all solutions over a box; an end without bound is null.
     fn over_box(&self, target: &Target, region: &ParameterBox) -> Answer {
-        let shown = |value: f64| round_digits(value, SHOWN_DIGITS);
+        let shown = |value: f64, side| rounded(value, SHOWN_DIGITS, side);
         let unit = unit_of(self.quantity());
         let part = |SolutionRange { enclosure: [low, high], certain }: &SolutionRange| {
             let ends = match (*low > 0.0, high.is_finite()) {
-                (true, true) => format!("{} to {} {unit}", shown(*low), shown(*high)),
-                (true, false) => format!("from {} {unit} on, without a bound", shown(*low)),
-                (false, true) => format!("up to {} {unit}, from 0 on", shown(*high)),
+                (true, true) => format!("{} {unit}", ends_around([*low, *high], SHOWN_DIGITS).join(" to ")),
+                (true, false) => format!("from {} {unit} on, without a bound", shown(*low, Side::Below)),
+                (false, true) => format!("up to {} {unit}, from 0 on", shown(*high, Side::Above)),
                 (false, false) => "any value, without a bound".to_string(),
             };
             let attained = match certain {
-                Some([low, high]) => format!("{} and {} occur", shown(*low), shown(*high)),
+                Some(ends) => format!("{} occur", ends_within(*ends, SHOWN_DIGITS).join(" and ")),
                 None => "whether one occurs is not decided".to_string(),
             };
             Answer::line(&format!("{ends}  (enclosed; {attained})"))

@@ -77,12 +77,47 @@ pub enum Side {
 /// The f64 rounded to this many significant digits to one side; a number with fewer digits stays as it is.
 #[must_use]
 pub fn rounded(value: f64, significant: usize, side: Side) -> String {
-    let nearest = round_digits(value, significant);
-    if value == 0.0 || !value.is_finite() || nearest.parse() == Ok(value) {
-        return nearest;
-    }
-    let round = if side == Side::Above { Round::Up } else { Round::Down };
-    decimal_of_float(&Float::with_val(53, value), significant, round).trimmed().layout(false)
+    parse_decimal(&shortest(value))
+        .map_or_else(|_| value.to_string(), |value| decimal_to(&value, significant, Some(side)))
+}
+
+/// The ends of a range rounded outward, at most half as wide again: they have more than `significant` digits where these would hide
+/// the width.
+#[must_use]
+pub fn ends_around([low, high]: [f64; 2], significant: usize) -> [String; 2] {
+    digits_of_ends(significant, |digits| {
+        [rounded(low, digits, Side::Below), rounded(high, digits, Side::Above)]
+    })
+}
+
+/// As [`ends_around`], of rational numbers.
+#[must_use]
+pub fn rational_ends_around([low, high]: &[Rational; 2], significant: usize) -> [String; 2] {
+    digits_of_ends(significant, |digits| {
+        [decimal_to(low, digits, Some(Side::Below)), decimal_to(high, digits, Some(Side::Above))]
+    })
+}
+
+/// The ends of a range rounded inward, at least half as wide.
+#[must_use]
+pub fn ends_within([low, high]: [f64; 2], significant: usize) -> [String; 2] {
+    digits_of_ends(significant, |digits| {
+        [rounded(low, digits, Side::Above), rounded(high, digits, Side::Below)]
+    })
+}
+
+/// The texts of the fewest digits with which a range keeps its width but for a half.
+fn digits_of_ends(significant: usize, texts: impl Fn(usize) -> [String; 2]) -> [String; 2] {
+    /// A number of 64 bits reads back from so many digits.
+    const ALL_DIGITS: usize = 17;
+    let width = |texts: &[String; 2]| {
+        let [low, high] = texts.each_ref().map(|text| text.parse().unwrap_or(f64::NAN));
+        high - low
+    };
+    let all = texts(ALL_DIGITS);
+    let of_all = width(&all);
+    let keeps_width = |texts: &[String; 2]| (width(texts) - of_all).abs() <= of_all / 2.0;
+    (significant..ALL_DIGITS).map(texts).find(keeps_width).unwrap_or(all)
 }
 
 /// The shortest decimal that reads back as the same f64.
@@ -165,6 +200,10 @@ pub fn nearest_digits(ball: &Ball, digits: usize) -> String {
 /// The rational as a decimal: exact when it has at most `significant` digits, rounded to nearest (ties to even) otherwise.
 #[must_use]
 pub fn rational_to_decimal(value: &Rational, significant: usize) -> String {
+    decimal_to(value, significant, None)
+}
+
+fn decimal_to(value: &Rational, significant: usize, side: Option<Side>) -> String {
     if value.is_zero() {
         return "0".to_owned();
     }
@@ -173,10 +212,10 @@ pub fn rational_to_decimal(value: &Rational, significant: usize) -> String {
     let estimate =
         Float::with_val(64, value).to_sign_string_exp_round(10, Some(5), Round::Nearest).2.unwrap_or(0);
     let mut exponent = i64::from(estimate);
-    let mut digits = scaled_digits(value, significant as i64 - exponent);
+    let mut digits = scaled_digits(value, significant as i64 - exponent, side);
     if digits.len() < significant {
         exponent -= 1;
-        digits = scaled_digits(value, significant as i64 - exponent);
+        digits = scaled_digits(value, significant as i64 - exponent, side);
     }
     exponent += digits.len() as i64 - significant as i64;
     Decimal { negative: *value < 0, digits, exponent }.trimmed().layout(false)
@@ -189,16 +228,18 @@ pub fn exact_text(value: &Rational) -> String {
     if parse_decimal(&decimal).as_ref() == Ok(value) { decimal } else { value.to_string() }
 }
 
-/// The digits of |value|·10^shift rounded to an integer, ties to even.
-fn scaled_digits(value: &Rational, shift: i64) -> String {
+/// The digits of |value|·10^shift rounded to an integer: to a side of the value, else to nearest, ties to even.
+fn scaled_digits(value: &Rational, shift: i64, side: Option<Side>) -> String {
     let power = Integer::from(10).pow(u32::try_from(shift.unsigned_abs()).unwrap_or(u32::MAX));
     let magnitude = Rational::from(value.abs_ref());
     let scaled = if shift < 0 { magnitude / power } else { magnitude * power };
     let mut rounded = Integer::from(scaled.floor_ref());
-    let twice_fraction = (scaled - &rounded) * 2u32;
-    if twice_fraction > 1 || (twice_fraction == 1 && rounded.is_odd()) {
-        rounded += 1;
-    }
+    let fraction = scaled - &rounded;
+    let is_up = match side {
+        Some(side) => fraction > 0 && (side == Side::Above) == (*value > 0),
+        None => fraction > 0.5 || (fraction == 0.5 && rounded.is_odd()),
+    };
+    rounded += u32::from(is_up);
     rounded.to_string()
 }
 
@@ -241,6 +282,17 @@ mod tests {
     }
 
     #[test]
+    fn the_ends_of_a_range_are_rounded_outward_or_inward() {
+        let narrow = [-0.737_712_735_34, -0.737_712_558_03];
+        assert_eq!(ends_around(narrow, 6), ["-0.73771274", "-0.73771255"]);
+        assert_eq!(ends_within(narrow, 6), ["-0.7377127", "-0.7377126"]);
+        assert_eq!(ends_around([3_701.999_55, 3_709.564_34], 6), ["3701.99", "3709.57"]);
+        assert_eq!(ends_around([0.1; 2], 6), ["0.1"; 2]);
+        assert_eq!(ends_within([2.0 / 3.0; 2], 6), ["0.6666666666666666"; 2]);
+        assert_eq!(ends_around([f64::NEG_INFINITY, f64::INFINITY], 6), ["-inf", "inf"]);
+    }
+
+    #[test]
     fn certain_digits_are_those_the_radius_guarantees() {
         let ball =
             |centre: f64, radius: f64| Ball::new(Float::with_val(80, centre), Float::with_val(32, radius));
@@ -273,6 +325,15 @@ mod tests {
         fn a_decimal_of_few_digits_reads_back_as_itself(integer in -10i64.pow(15)..10i64.pow(15), exponent in -30i64..30) {
             let value = parse_decimal(&format!("{integer}e{exponent}")).unwrap();
             prop_assert_eq!(parse_decimal(&rational_to_decimal(&value, 16)).unwrap(), value);
+        }
+
+        #[test]
+        fn the_ends_of_any_range_are_rounded_outward_or_inward(low in -1e3..1e3_f64, decades in -14..3_i32, mantissa in 0.0..1.0_f64) {
+            let high = low + mantissa * libm::exp10(f64::from(decades));
+            let texts = [ends_around([low, high], 4), ends_within([low, high], 4), [low, high].map(shortest)];
+            let [around, within, exact] = texts.map(|ends| ends.map(|end| parse_decimal(&end).unwrap()));
+            prop_assert!(around[0] <= within[0] && within[0] <= within[1] && within[1] <= around[1]);
+            prop_assert!(around[0] <= exact[0] && exact[0] <= within[0] && within[1] <= exact[1] && exact[1] <= around[1]);
         }
 
         #[test]
