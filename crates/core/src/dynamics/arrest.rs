@@ -30,7 +30,7 @@ pub(super) struct Arrest<R> {
 
 /// The arrest from a state, when its error is within the permitted one; none when there is none or it is not.
 pub(super) fn arrest<R: Scalar>(model: &Model<R>, from: &State<R>, permitted: f64) -> Option<Arrest<R>> {
-    if from[0].to_f64() > 0.0 || *model.balance() != Balance::Inertial {
+    if from[0].to_f64() > 0.0 || model.balance != Balance::Inertial {
         return None;
     }
     let imbalance = model.imbalance(from);

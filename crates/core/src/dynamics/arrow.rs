@@ -85,9 +85,8 @@ pub struct Factors<C> {
 
 impl<R: Scalar> Factors<Complex<R>> {
     /// The place of factors that are not needed.
-    #[must_use]
     #[inline(always)]
-    pub fn blank() -> Self {
+    pub(crate) fn blank() -> Self {
         let zero = Complex::from_real(&R::from(0));
         Self { inverse_y: zero.clone(), inverse_zeta: zero.clone(), inverse_pivot: zero }
     }

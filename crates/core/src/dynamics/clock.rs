@@ -23,8 +23,7 @@ impl<R: Scalar> Clock<R> {
     }
 
     /// The time since the clock was set to zero.
-    #[must_use]
-    pub fn elapsed(&self) -> R {
+    pub(crate) fn elapsed(&self) -> R {
         self.sum.clone() + &self.carry
     }
 }

@@ -41,8 +41,7 @@ pub struct Collocation<R, const S: usize> {
 
 impl<R: Scalar, const S: usize> Collocation<R, S> {
     /// The constants, rounded from the ones kept at 640 bits. An even S, or one above 16, does not compile: there is no such method.
-    #[must_use]
-    pub fn new() -> Self {
+    pub(crate) fn new() -> Self {
         const { assert!(S % 2 == 1 && S <= MOST_STAGES) };
         static TABLES: [OnceLock<Table>; MOST_STAGES + 1] = [const { OnceLock::new() }; MOST_STAGES + 1];
         let table = TABLES[S].get_or_init(|| Table::derive(S));

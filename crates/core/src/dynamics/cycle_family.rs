@@ -127,8 +127,7 @@ impl CycleFamily {
     }
 
     /// ζ − φ at a member's crossing.
-    #[must_use]
-    pub fn imbalance(&self, member: &Member) -> f64 {
+    pub(crate) fn imbalance(&self, member: &Member) -> f64 {
         member.orbit.end[2] - self.effect_ratio * member.orbit.end[1]
     }
 

@@ -73,7 +73,7 @@ fn last_oscillation<R: Scalar>(history: &History<R>) -> Option<Oscillation<R>> {
 /// d ln|state|/dt at the end of a decay without oscillation, from the component that moves.
 pub(super) fn final_rate<R: Scalar, M: Stepper<R>>(run: &Integrator<'_, R, M>) -> Option<R> {
     let state: &State<R> = run.state();
-    let rate = run.model().rate(state);
+    let rate = run.model.rate(state);
     let largest = (0..3).fold(0, |best, i| if state[i].abs() > state[best].abs() { i } else { best });
     let value = rate[largest].clone() / &state[largest];
     value.is_finite().then_some(value)

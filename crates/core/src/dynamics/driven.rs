@@ -197,10 +197,9 @@ impl<'r, T: Iterator<Item = f64>> DrivenRun<'r, T> {
 
     /// Carries the derivatives over the last step; gives the polynomials in θ of those of ζ.
     fn carry_derivatives(&mut self, step: f64) -> [[f64; STAGES + 1]; DRIVEN_PARAMETERS] {
-        let (model, method) = (self.integrator.model(), self.integrator.method());
+        let (model, method) = (self.integrator.model, self.integrator.method());
         let before = self.derivatives;
-        let stages =
-            over_step(model, method, (self.integrator.step_start(), step), &before, &self.directions);
+        let stages = over_step(model, method, (&self.integrator.step_start, step), &before, &self.directions);
         let dense = &method.last_stages().1.dense;
         for (p, derivative) in self.derivatives.iter_mut().enumerate() {
             for (c, value) in derivative.iter_mut().enumerate() {

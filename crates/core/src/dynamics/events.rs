@@ -45,7 +45,7 @@ pub fn candidates<R: Scalar, M: Stepper<R>>(
     run: &Integrator<'_, R, M>,
 ) -> [Option<Candidate>; MOST_CANDIDATES] {
     let polynomial = run.method().polynomial();
-    let start = &run.step_start()[0];
+    let start = &run.step_start[0];
     let mut found = [None; MOST_CANDIDATES];
     let mut count = 0;
     let value = |theta: f64| (increment(polynomial, &R::from_f64(theta))[0].clone() + start).to_f64();

@@ -47,7 +47,7 @@ fn work_of_step<M: Stepper<f64>>(run: &Integrator<'_, f64, M>) -> f64 {
     let points = [(0.0, 128.0 / 225.0), (near, of_near), (-near, of_near), (far, of_far), (-far, of_far)];
     let power = |place: f64| {
         let state = run.state_within(&(0.5 + 0.5 * place));
-        libm::expm1(state[0]) * run.model().friction(&state)
+        libm::expm1(state[0]) * run.model.friction(&state)
     };
     0.5 * run.step() * points.iter().map(|&(place, weight)| weight * power(place)).sum::<f64>()
 }

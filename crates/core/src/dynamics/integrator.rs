@@ -47,12 +47,12 @@ impl std::ops::AddAssign for Work {
 /// A run in progress.
 #[derive(Debug, Clone)]
 pub struct Integrator<'m, R, M> {
-    model: &'m Model<R>,
+    pub(super) model: &'m Model<R>,
     method: M,
-    control: Control,
+    pub(super) control: Control,
     state: State<R>,
     /// Where the last accepted step began, and its length.
-    from: State<R>,
+    pub(super) step_start: State<R>,
     step: R,
     proposal: R,
     last_error: f64,
@@ -72,7 +72,7 @@ impl<'m, R: Scalar, M: Stepper<R>> Integrator<'m, R, M> {
         let positive = |value: &R| value.is_finite() && *value > R::from(0);
         let groups = model.groups();
         let admissible = positive(&groups.inertial_parameter)
-            && positive(model.inverse_inertia())
+            && positive(&model.inverse_inertia)
             && positive(&groups.stiffness_group)
             && positive(&groups.effect_ratio);
         if !admissible || !start.iter().all(Scalar::is_finite) {
@@ -83,7 +83,7 @@ impl<'m, R: Scalar, M: Stepper<R>> Integrator<'m, R, M> {
             model,
             method,
             control,
-            from: start.clone(),
+            step_start: start.clone(),
             state: start,
             step: R::from(0),
             proposal,
@@ -101,17 +101,11 @@ impl<'m, R: Scalar, M: Stepper<R>> Integrator<'m, R, M> {
         &self.state
     }
 
-    /// The state at which the last step began.
-    #[must_use]
-    pub const fn step_start(&self) -> &State<R> {
-        &self.from
-    }
-
     /// The state at this part of the last step, from its polynomial.
     #[must_use]
     pub fn state_within(&self, part: &R) -> State<R> {
         let moved = increment(self.method.polynomial(), part);
-        std::array::from_fn(|i| self.from[i].clone() + &moved[i])
+        std::array::from_fn(|i| self.step_start[i].clone() + &moved[i])
     }
 
     /// The length of the last step.
@@ -132,12 +126,6 @@ impl<'m, R: Scalar, M: Stepper<R>> Integrator<'m, R, M> {
         &self.method
     }
 
-    /// The model.
-    #[must_use]
-    pub const fn model(&self) -> &'m Model<R> {
-        self.model
-    }
-
     /// Steps accepted and steps refused so far.
     #[must_use]
     pub const fn step_counts(&self) -> (u64, u64) {
@@ -149,21 +137,10 @@ impl<'m, R: Scalar, M: Stepper<R>> Integrator<'m, R, M> {
         Work { steps: self.steps + self.refused, evaluations: self.method.evaluations() }
     }
 
-    /// The permitted local error.
-    #[must_use]
-    pub const fn local_tolerance(&self) -> f64 {
-        self.control.local_tolerance
-    }
-
-    /// Changes the local tolerance from the next step on.
-    pub const fn set_local_tolerance(&mut self, local_tolerance: f64) {
-        self.control.local_tolerance = local_tolerance;
-    }
-
     /// Continues from another state, as a new cycle: clock at zero, a cautious first step.
     pub fn resume_from(&mut self, state: State<R>) {
         self.proposal = first_step(self.model, &state, self.control);
-        self.from = state.clone();
+        self.step_start = state.clone();
         self.state = state;
         self.step = R::from(0);
         self.clock = Clock::zero();
@@ -188,7 +165,7 @@ impl<'m, R: Scalar, M: Stepper<R>> Integrator<'m, R, M> {
         self.clock.advance(&-self.step.clone());
         self.proposal = self.step.clone() / R::from(2);
         self.reach = 1.0;
-        self.state = self.from.clone();
+        self.state = self.step_start.clone();
         self.method.restart();
     }
 
@@ -202,14 +179,13 @@ impl<'m, R: Scalar, M: Stepper<R>> Integrator<'m, R, M> {
         self.clock.advance(&time);
         self.proposal = R::from_f64(libm::pow(permitted, 0.2) / slow_rate);
         self.step = time;
-        self.from = std::mem::replace(&mut self.state, to);
+        self.step_start = std::mem::replace(&mut self.state, to);
         self.method.restart();
         true
     }
 
     /// How exact a step from this state must be.
-    #[must_use]
-    pub fn weight(&self, state: &State<R>) -> Weight {
+    pub(crate) fn weight(&self, state: &State<R>) -> Weight {
         let [x, y, stress] = state.each_ref().map(Scalar::to_f64);
         let size = x.abs().max(y.abs()).max(stress.abs() / self.method.stress_unit());
         // Where the state is small the equations keep relative accuracy, and so must the steps.
@@ -265,7 +241,7 @@ impl<'m, R: Scalar, M: Stepper<R>> Integrator<'m, R, M> {
         self.method.accept();
         self.clock.advance(&h);
         self.step = h;
-        self.from = std::mem::replace(&mut self.state, trial.to);
+        self.step_start = std::mem::replace(&mut self.state, trial.to);
     }
 
     /// Proposes the next step from the error of the one of length `h`.
@@ -307,9 +283,9 @@ impl<'m, R: Scalar, M: Stepper<R>> Integrator<'m, R, M> {
     ///
     /// Nothing when the method does not converge; the run is then unchanged.
     pub fn redo(&mut self, h: &R) -> Option<()> {
-        let weight = self.weight(&self.from);
+        let weight = self.weight(&self.step_start);
         self.method.rewind();
-        let trial = self.method.attempt(self.model, &self.from, h, weight)?;
+        let trial = self.method.attempt(self.model, &self.step_start, h, weight)?;
         self.clock.advance(&(h.clone() - &self.step));
         self.step = h.clone();
         self.state = trial.to;

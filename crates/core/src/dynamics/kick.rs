@@ -79,8 +79,7 @@ impl Kick {
     }
 
     /// 1 or -1.
-    #[must_use]
-    pub const fn sign(self) -> f64 {
+    pub(crate) const fn sign(self) -> f64 {
         if matches!(self, Self::VelocityUp | Self::StressUp) { 1.0 } else { -1.0 }
     }
 

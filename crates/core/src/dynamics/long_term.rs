@@ -130,8 +130,8 @@ pub(super) fn long_term_within<R: Scalar, M: Stepper<R> + Clone>(
             return measure_decay(run, approach.history, transient).map(LongTerm::Decay);
         }
         let Some(change) = approach.history.change(1) else { continue };
-        let noise = approach.noise(run.local_tolerance());
-        if approach.stands_still(change, run.local_tolerance()) {
+        let noise = approach.noise(run.control.local_tolerance);
+        if approach.stands_still(change, run.control.local_tolerance) {
             return Err(Failure::Undecided { cycles: done, change });
         }
         if let Some(cycle) = approach.cycle(change, noise, permitted) {

@@ -116,7 +116,7 @@ pub use scalar::Scalar;
 pub use section_return::{Return, ReturnEnd, next_return};
 pub use simulation::{simulate, simulate_model};
 pub use start::Start;
-pub use stepper::{Stepper, Trial, Weight, increment, velocity_slopes};
+pub use stepper::{Stepper, Trial, Weight, increment};
 pub use taylor::Taylor;
 pub use threshold::start_threshold;
 pub use trajectory::{Sample, Trajectory, trajectory, trajectory_at};

@@ -27,8 +27,7 @@ pub enum Balance<R> {
 
 impl<R> Balance<R> {
     /// The same balance in another number type.
-    #[must_use]
-    pub fn map<S>(&self, convert: impl FnOnce(&R) -> S) -> Balance<S> {
+    pub(crate) fn map<S>(&self, convert: impl FnOnce(&R) -> S) -> Balance<S> {
         match self {
             Self::Inertial => Balance::Inertial,
             Self::Regularised(reference) => Balance::Regularised(convert(reference)),
@@ -50,8 +49,8 @@ impl<R> Balance<R> {
 pub struct Model<R> {
     groups: Groups<R>,
     law: EvolutionLaw,
-    balance: Balance<R>,
-    inverse_inertia: R,
+    pub(super) balance: Balance<R>,
+    pub(super) inverse_inertia: R,
     /// What the regularised friction of steady sliding at V_l exceeds μ0 by, in units of a; ζ and φ are counted from there.
     steady_excess: R,
     /// What the velocity of the load point exceeds V_l by, in units of V_l.
@@ -95,8 +94,7 @@ impl<R: Scalar> Model<R> {
     }
 
     /// The slider with a chosen balance of forces.
-    #[must_use]
-    pub fn with_balance(groups: Groups<R>, law: EvolutionLaw, balance: Balance<R>) -> Self {
+    pub(crate) fn with_balance(groups: Groups<R>, law: EvolutionLaw, balance: Balance<R>) -> Self {
         let inverse_inertia = R::from(1) / &groups.inertial_parameter;
         let steady_excess = match &balance {
             Balance::Regularised(reference) => regularised_friction(&R::from(0), reference).0,
@@ -106,8 +104,7 @@ impl<R: Scalar> Model<R> {
     }
 
     /// The same slider while its load point moves at another velocity than the V_l that it is counted in, in units of V_l.
-    #[must_use]
-    pub fn loaded_at(mut self, velocity_ratio: R) -> Self {
+    pub(crate) fn loaded_at(mut self, velocity_ratio: R) -> Self {
         self.loading_excess = velocity_ratio - R::from(1);
         self
     }
@@ -122,18 +119,6 @@ impl<R: Scalar> Model<R> {
     #[must_use]
     pub const fn law(&self) -> EvolutionLaw {
         self.law
-    }
-
-    /// The balance of forces.
-    #[must_use]
-    pub const fn balance(&self) -> &Balance<R> {
-        &self.balance
-    }
-
-    /// 1/η.
-    #[must_use]
-    pub const fn inverse_inertia(&self) -> &R {
-        &self.inverse_inertia
     }
 
     #[inline(always)]
@@ -153,9 +138,8 @@ impl<R: Scalar> Model<R> {
     }
 
     /// The friction φ = (μ − μ0)/a; for the regularised law relative to that of steady sliding at V_l.
-    #[must_use]
     #[inline(always)]
-    pub fn friction(&self, state: &State<R>) -> R {
+    pub(crate) fn friction(&self, state: &State<R>) -> R {
         let logarithmic = state[0].clone() + self.groups.effect_ratio.clone() * &state[1];
         match &self.balance {
             Balance::Regularised(reference) => {
@@ -166,9 +150,8 @@ impl<R: Scalar> Model<R> {
     }
 
     /// ζ − φ: spring stress not balanced by friction, in units of aσ.
-    #[must_use]
     #[inline(always)]
-    pub fn imbalance(&self, state: &State<R>) -> R {
+    pub(crate) fn imbalance(&self, state: &State<R>) -> R {
         state[2].clone() - self.friction(state)
     }
 
@@ -180,9 +163,8 @@ impl<R: Scalar> Model<R> {
     }
 
     /// The same with the stiffness ∂x'/∂ζ = e^{−x}/η of the balance of forces.
-    #[must_use]
     #[inline(always)]
-    pub fn rate_and_stiffness(&self, state: &State<R>) -> (State<R>, R) {
+    pub(crate) fn rate_and_stiffness(&self, state: &State<R>) -> (State<R>, R) {
         let e = self.exponentials(state);
         let state_rate = match self.law {
             EvolutionLaw::Slip => -(e.velocity.clone() * (state[0].clone() + &state[1])),

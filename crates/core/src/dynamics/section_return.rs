@@ -90,8 +90,8 @@ pub(super) fn return_above<R: Scalar, M: Stepper<R> + Clone>(
         let [first, last] = [0, 1].map(slope).map(Some);
         // The polynomials of two long steps may differ so much in slope that neither has the extreme between them.
         match (last_slope, first) {
-            (Some(..0.0), Some(0.0..)) => orbit.note(Mark::Trough, run.step_start()),
-            (Some(0.0..), Some(..0.0)) => orbit.note(Mark::Peak, run.step_start()),
+            (Some(..0.0), Some(0.0..)) => orbit.note(Mark::Trough, &run.step_start),
+            (Some(0.0..), Some(..0.0)) => orbit.note(Mark::Peak, &run.step_start),
             _ => {}
         }
         for candidate in candidates(run).into_iter().flatten() {
@@ -119,10 +119,10 @@ fn size_of<R: Scalar>(state: &State<R>) -> f64 {
 /// Follows the end of a decay until it is quiet; a few zeros more or less change nothing then, but the last stretch is as
 /// good as the rest of the run, because the rate of the decay is read off at its end.
 fn fade<R: Scalar, M: Stepper<R>>(run: &mut Integrator<'_, R, M>) -> Result<(), Failure> {
-    let local_tolerance = run.local_tolerance();
-    run.set_local_tolerance(local_tolerance.max(FAINT_TOLERANCE));
+    let local_tolerance = run.control.local_tolerance;
+    run.control.local_tolerance = local_tolerance.max(FAINT_TOLERANCE);
     let loosely = follow_down_to(run, LAST_STRETCH);
-    run.set_local_tolerance(local_tolerance);
+    run.control.local_tolerance = local_tolerance;
     loosely.and_then(|()| follow_down_to(run, QUIET))
 }
 
@@ -161,7 +161,6 @@ impl<R: Scalar> Return<R> {
     }
 
     /// The same, and what every decay ends with: the stress of steady sliding, ζ = 0.
-    #[must_use]
     pub(super) fn and_steady_sliding(mut self) -> Self {
         let steady = [R::from(0), R::from(0), R::from(0)];
         self.note(Mark::Rise, &steady);
@@ -170,8 +169,7 @@ impl<R: Scalar> Return<R> {
     }
 
     /// The same in f64.
-    #[must_use]
-    pub fn rounded(&self) -> Return<f64> {
+    pub(crate) fn rounded(&self) -> Return<f64> {
         Return {
             duration: self.duration.to_f64(),
             peak: self.peak.to_f64(),

@@ -43,7 +43,7 @@ impl Pace {
     /// The pace of a pair next to the imaginary axis.
     pub fn of(model: &Model<f64>) -> Self {
         let part = growth_rate(model.groups()).abs() * std::f64::consts::TAU / frequency(model.groups());
-        if *model.balance() != Balance::Inertial || part.is_nan() || part > LARGEST_PART {
+        if model.balance != Balance::Inertial || part.is_nan() || part > LARGEST_PART {
             Self::Fast
         } else if part > LOST_PART * (model.stress_swing() / LARGE_SWING).max(1.0) {
             Self::Slow

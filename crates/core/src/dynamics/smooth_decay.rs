@@ -111,7 +111,7 @@ struct Route<M> {
 pub(super) fn smooth_decay(model: &Model<f64>, options: &Options) -> Option<Outcome> {
     let start = options.start.state(model, &libm::log(options.velocity_ratio));
     let balance = balance_rate(model, &start);
-    let is_slow = balance > 0.0 && balance <= FASTEST_BALANCE && *model.balance() == Balance::Inertial;
+    let is_slow = balance > 0.0 && balance <= FASTEST_BALANCE && model.balance == Balance::Inertial;
     is_slow.then(|| by_cheapest_route(model, options, None)).flatten()
 }
 

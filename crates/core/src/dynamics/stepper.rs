@@ -73,8 +73,7 @@ pub fn increment<R: Scalar>(coefficients: &[State<R>], theta: &R) -> State<R> {
 }
 
 /// First and second derivative by θ of the increment of x.
-#[must_use]
-pub fn velocity_slopes<R: Scalar>(coefficients: &[State<R>], theta: &R) -> (R, R) {
+pub(crate) fn velocity_slopes<R: Scalar>(coefficients: &[State<R>], theta: &R) -> (R, R) {
     let (mut slope, mut curvature) = (R::from(0), R::from(0));
     for (k, c) in coefficients.iter().enumerate().rev() {
         curvature = curvature * theta + &slope;

@@ -37,8 +37,7 @@ impl<R: Scalar, const N: usize> Taylor<R, N> {
 
     /// The same with another unit of ζ for errors. An oscillation at √(K/M) moves ζ √(κη) times as far as ln V: in units of 1 the rounding errors
     /// of a large ζ would be all that is permitted for ln V.
-    #[must_use]
-    pub fn with_stress_unit(self, stress_unit: f64) -> Self {
+    pub(crate) fn with_stress_unit(self, stress_unit: f64) -> Self {
         Self { stress_unit, ..self }
     }
 

@@ -109,7 +109,7 @@ pub(super) fn series<R: Scalar, const N: usize>(
     from: &State<R>,
     out: &mut [State<R>; N],
 ) -> Option<f64> {
-    if *model.balance() != Balance::Inertial {
+    if model.balance != Balance::Inertial {
         return None;
     }
     let mut recurrence = Recurrence::<R, N>::new(model, from);

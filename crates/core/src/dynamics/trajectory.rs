@@ -111,7 +111,7 @@ impl FreeResidual {
         let excess = |theta: f64| run.state_within(&theta)[0].exponentials().1;
         self.excess_slip +=
             run.step() * GAUSS.iter().map(|&[theta, weight]| weight * excess(theta)).sum::<f64>();
-        let expected = self.start - run.model().groups().stiffness_group * self.excess_slip;
+        let expected = self.start - run.model.groups().stiffness_group * self.excess_slip;
         self.largest = self.largest.max((run.state()[2] - expected).abs());
     }
 }

@@ -56,8 +56,7 @@ impl<R: Field> Groups<R> {
     }
 
     /// κ_c = (β−1)(1+η), the κ of K = K_c (eq 9).
-    #[must_use]
-    pub fn critical_stiffness_group(&self) -> R {
+    pub(crate) fn critical_stiffness_group(&self) -> R {
         critical_stiffness_group(&self.effect_ratio, &self.inertial_parameter)
     }
 

@@ -67,8 +67,7 @@ impl<R: Field> Slider<R> {
     }
 
     /// ω_n² = K/M, 1/s²: the square of the natural angular frequency.
-    #[must_use]
-    pub fn natural_angular_frequency_squared_per_s2(&self) -> R {
+    pub(crate) fn natural_angular_frequency_squared_per_s2(&self) -> R {
         self.stiffness_pa_per_m.clone() / &self.mass_per_area_kg_per_m2
     }
 
@@ -86,8 +85,7 @@ impl<R: Field> Slider<R> {
     }
 
     /// D_c² K/M, m²/s²: V0² = (D_c² K/M)·η/κ.
-    #[must_use]
-    pub fn velocity_scale_squared(&self) -> R {
+    pub(crate) fn velocity_scale_squared(&self) -> R {
         self.critical_slip_distance_m.square() * self.natural_angular_frequency_squared_per_s2()
     }
 
@@ -120,8 +118,7 @@ impl<R: Field> Slider<R> {
     /// V0² where K = K_c at this σ, m²/s²: (σ_c − σ)·a D_c/M.
     ///
     /// Not positive, that is outside the map, when σ ≥ σ_c. Needs b ≠ a in rationals.
-    #[must_use]
-    pub fn transition_velocity_squared(&self, normal_stress_pa: &R) -> R {
+    pub(crate) fn transition_velocity_squared(&self, normal_stress_pa: &R) -> R {
         (self.critical_normal_stress_pa() - normal_stress_pa)
             * &self.direct_effect
             * &self.critical_slip_distance_m

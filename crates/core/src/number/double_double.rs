@@ -52,9 +52,8 @@ impl Dd {
     pub const UNIT: f64 = 1.0 / (1u128 << 102) as f64;
 
     /// The exact sum of two f64.
-    #[must_use]
     #[inline(always)]
-    pub fn exact_sum(a: f64, b: f64) -> Self {
+    pub(crate) fn exact_sum(a: f64, b: f64) -> Self {
         let (hi, lo) = two_sum(a, b);
         Self { hi, lo }
     }
@@ -66,9 +65,8 @@ impl Dd {
     }
 
     /// The exact product of two f64, unless it over- or underflows.
-    #[must_use]
     #[inline(always)]
-    pub fn exact_product(a: f64, b: f64) -> Self {
+    pub(crate) fn exact_product(a: f64, b: f64) -> Self {
         let (hi, lo) = two_product(a, b);
         Self { hi, lo }
     }

@@ -40,16 +40,14 @@ pub struct ArcFrame<R> {
 
 impl<R: Field> ArcFrame<R> {
     /// The frame of β, given β − 1 (which the caller knows without cancellation) and √β.
-    #[must_use]
-    pub fn new(excess: R, root_ratio: R) -> Self {
+    pub(crate) fn new(excess: R, root_ratio: R) -> Self {
         let sum = root_ratio.clone() + R::from(1);
         let difference = excess / &sum;
         Self { root_ratio, sum, difference }
     }
 
     /// The point of the arc at the parameter λ > 0. The upper arc degenerates (κ = 0) for a = b.
-    #[must_use]
-    pub fn point(&self, arc: Arc, parameter: &R) -> ArcPoint<R> {
+    pub(crate) fn point(&self, arc: Arc, parameter: &R) -> ArcPoint<R> {
         let terms = self.terms(arc, parameter);
         let double_root = self.double_root(arc, &terms);
         let (scaled, cubic) = (terms.scaled_slope(), double_root.square() * &terms.cubic);
@@ -65,8 +63,7 @@ impl<R: Field> ArcFrame<R> {
     }
 
     /// (1/κ, η/κ) of the same point: all that its coordinates need.
-    #[must_use]
-    pub fn place(&self, arc: Arc, parameter: &R) -> (R, R) {
+    pub(crate) fn place(&self, arc: Arc, parameter: &R) -> (R, R) {
         let terms = self.terms(arc, parameter);
         let cubic = self.double_root(arc, &terms).square() * &terms.cubic;
         (terms.scaled_slope() / &cubic, terms.linear / cubic)
@@ -82,8 +79,7 @@ impl<R: Field> ArcFrame<R> {
     /// κ_asymptote/κ − 1 = σ_exact/σ_asymptote − 1 at the same V0, for eq 15 (upper arc) or eq 16 (lower arc).
     ///
     /// Positive all along the upper arc; changes sign once on the lower one.
-    #[must_use]
-    pub fn quasi_static_error(&self, arc: Arc, parameter: &R) -> R {
+    pub(crate) fn quasi_static_error(&self, arc: Arc, parameter: &R) -> R {
         let terms = self.terms(arc, parameter);
         let x = self.scaled(parameter);
         let one = R::from(1);
@@ -103,8 +99,7 @@ impl<R: Field> ArcFrame<R> {
     /// (V_exact/V_asymptote)² − 1 at the same σ, for eq 18 (upper arc) or eq 20 (lower arc).
     ///
     /// Negative all along the upper arc; changes sign once on the lower one.
-    #[must_use]
-    pub fn inertial_error_of_square(&self, arc: Arc, parameter: &R) -> R {
+    pub(crate) fn inertial_error_of_square(&self, arc: Arc, parameter: &R) -> R {
         let terms = self.terms(arc, parameter);
         let x = self.scaled(parameter);
         let (q, sum) = (&self.root_ratio, &self.sum);
@@ -130,8 +125,7 @@ impl<R: Field> ArcFrame<R> {
     ///
     /// Those for a and b have the sum −1. On the upper arc they grow like 1/(√β − 1) as a → b.
     /// From r²dη + dκ = (r/(r+1))dβ along the boundary; the seven inputs enter η, κ and β as powers.
-    #[must_use]
-    pub fn sensitivity(&self, arc: Arc, parameter: &R) -> [R; 6] {
+    pub(crate) fn sensitivity(&self, arc: Arc, parameter: &R) -> [R; 6] {
         let x = self.scaled(parameter);
         let (one, q) = (R::from(1), &self.root_ratio);
         let twice_x = x.clone() + &x;

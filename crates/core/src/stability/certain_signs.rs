@@ -21,7 +21,7 @@ const fn power_of_two(exponent: i64) -> f64 {
 /// The groups of a point in the arithmetic R, each within `relative_error` of the true one.
 #[derive(Debug, Clone)]
 pub(super) struct BoundedGroups<R> {
-    groups: Groups<R>,
+    pub(super) groups: Groups<R>,
     relative_error: f64,
 }
 
@@ -77,12 +77,6 @@ impl BoundedGroups<Dd> {
     /// Both signs when 64-bit, or else double-double, is certain of both.
     pub(super) fn signs_below_exact(&self) -> Option<Signs> {
         self.leading().signs(PrecisionLevel::F64).or_else(|| self.signs(PrecisionLevel::DoubleDouble))
-    }
-
-    /// The groups themselves.
-    #[inline(always)]
-    pub(super) fn groups(&self) -> &Groups<Dd> {
-        &self.groups
     }
 
     /// The leading parts.

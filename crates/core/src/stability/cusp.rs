@@ -8,8 +8,7 @@ use crate::number::Ball;
 use slipmode_algebra::{horner, polish};
 
 /// x = −1 − r of the cusp of a given β: the only positive root of x³ = β(3x + 2). The relative radius is at most 2^−bits.
-#[must_use]
-pub fn cusp_abscissa(effect_ratio: &Rational, bits: u32) -> Ball {
+pub(crate) fn cusp_abscissa(effect_ratio: &Rational, bits: u32) -> Ball {
     let coefficients = |precision: u32| {
         let ratio = Ball::from_rational(effect_ratio, precision);
         vec![-(Ball::from(2) * &ratio), -(Ball::from(3) * ratio), Ball::from(0), Ball::from(1)]

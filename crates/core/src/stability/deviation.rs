@@ -20,8 +20,7 @@ const GUARD_BITS: u32 = 24;
 /// The leading term of exact/asymptote − 1 at a point of the boundary: η, η, −2βκ/(β−1)², β/(2κ).
 ///
 /// The first two are of σ at the same V0, the last two of V0 at the same σ. Eq 18 needs β ≠ 1 in rationals.
-#[must_use]
-pub fn leading_relative_error<R: Field>(asymptote: Asymptote, groups: &Groups<R>) -> R {
+pub(crate) fn leading_relative_error<R: Field>(asymptote: Asymptote, groups: &Groups<R>) -> R {
     let (beta, kappa) = (&groups.effect_ratio, &groups.stiffness_group);
     match asymptote {
         Asymptote::QuasiStaticUpper | Asymptote::QuasiStaticLower => groups.inertial_parameter.clone(),

@@ -6,8 +6,7 @@ use rug::float::Round;
 use crate::number::Ball;
 
 /// log10(1 + x), without loss for small x; unbounded when 1 + x may be zero or negative.
-#[must_use]
-pub fn log10_one_plus(x: &Ball) -> Ball {
+pub(crate) fn log10_one_plus(x: &Ball) -> Ball {
     let precision = x.precision_bits();
     // d ln(1+x) = dx/(1+x), largest at the lower end of the ball.
     let smallest = Ball::from(1) + Ball::exact(x.lower());

@@ -105,7 +105,7 @@ impl PointValues<f64> {
             Route::Deflation => cubic.roots_by_deflation(),
             Route::Shift => cubic.roots_by_shift(),
         };
-        let groups = bounded.groups().map(Dd::hi);
+        let groups = bounded.groups.map(Dd::hi);
         Self {
             filtered: select(usable & certain, 1.0 + select(stable, 1.0, 0.0) + select(real, 2.0, 0.0), 0.0),
             inertial_parameter: groups.inertial_parameter,

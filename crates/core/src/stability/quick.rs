@@ -26,7 +26,7 @@ pub fn classify_quickly(
     let in_si = parts.times_rate(parameters.rate_per_s())?;
     let rounded = in_si.rounded()?;
     let spectral_class = SpectralClass::from_signs(signs.transition, signs.boundary);
-    let groups = bounded.groups().map(Dd::hi);
+    let groups = bounded.groups.map(Dd::hi);
     let slip_mode = slip_mode_by(
         spectral_class,
         || clearly_in_upper_area(&groups),

@@ -78,8 +78,7 @@ impl GridKernel {
     }
 
     /// The number of σ.
-    #[must_use]
-    pub const fn width(&self) -> usize {
+    pub(crate) const fn width(&self) -> usize {
         self.scaled_stresses.len()
     }
 

@@ -67,8 +67,7 @@ impl GridCell {
     }
 
     /// The class that the two signs give.
-    #[must_use]
-    pub const fn spectral_class(self) -> SpectralClass {
+    pub(crate) const fn spectral_class(self) -> SpectralClass {
         self.signs().spectral_class()
     }
 

@@ -113,8 +113,7 @@ impl Tally {
     }
 
     /// The points whose cell is as wanted.
-    #[must_use]
-    pub fn points_where(&self, wanted: impl Fn(GridCell) -> bool) -> u64 {
+    pub(crate) fn points_where(&self, wanted: impl Fn(GridCell) -> bool) -> u64 {
         let counted = GridCell::all().zip(self.by_code);
         counted.filter(|(cell, _)| wanted(*cell)).map(|(_, count)| count).sum()
     }

@@ -83,8 +83,7 @@ impl ErrorPair {
     }
 
     /// The smaller of |log10(σ_exact/σ_asymptote)| and |log10(V_exact/V_asymptote)|.
-    #[must_use]
-    pub fn nearer_log10(&self) -> Ball {
+    pub(crate) fn nearer_log10(&self) -> Ball {
         let nearer = if self.inertial_is_nearer() { &self.inertial } else { &self.quasi_static };
         log10_one_plus(&(stretch(nearer) - Ball::from(1)))
     }
@@ -92,8 +91,7 @@ impl ErrorPair {
     /// Whether eq 18 or 20 is certainly nearer in log10 distance than eq 15 or 16.
     ///
     /// |log10 x| < |log10 y| exactly when max(x, 1/x) < max(y, 1/y).
-    #[must_use]
-    pub fn inertial_is_nearer(&self) -> bool {
+    pub(crate) fn inertial_is_nearer(&self) -> bool {
         stretch(&self.inertial).upper() < stretch(&self.quasi_static).lower()
     }
 }

@@ -242,7 +242,7 @@ fn quickly(point: [Dd; 7]) -> Option<State> {
     let bounded = BoundedGroups::of_parameters(&Parameters::from(point))?;
     let Signs { transition, boundary, .. } = bounded.signs_below_exact()?;
     let class = SpectralClass::from_signs(transition, boundary);
-    let real_mode = real_mode(class, || clearly_in_upper_area(&bounded.groups().map(Dd::hi)));
+    let real_mode = real_mode(class, || clearly_in_upper_area(&bounded.groups.map(Dd::hi)));
     let is_decided = class != SpectralClass::StableReal || real_mode.is_some();
     is_decided.then_some(State { transition, boundary, class, real_mode })
 }

@@ -72,7 +72,8 @@ impl<'v, T: Field + Copy> Terms<'v, T> {
 
 /// The derivatives of the conditions by each variable.
 pub(super) struct Slopes<'v, T> {
-    terms: Terms<'v, T>,
+    /// The conditions themselves.
+    pub(super) terms: Terms<'v, T>,
     /// Of r², 2rX, N and Q by the two roots and r.
     of_terms: [[T; 3]; 4],
 }
@@ -148,11 +149,6 @@ impl<'v, T: Field + Copy> Slopes<'v, T> {
         let [first, second, rate] = [0, 1, 2].map(|root| self.by_root(&by_terms, root));
         let [delta, a, b, k, m, share] = self.by_others(which);
         [first, second, rate, delta, a, b, k, m, share]
-    }
-
-    /// The conditions themselves.
-    pub(super) const fn terms(&self) -> &Terms<'v, T> {
-        &self.terms
     }
 }
 

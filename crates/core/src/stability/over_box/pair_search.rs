@@ -216,7 +216,7 @@ impl PairSearch<'_> {
             let values = [first, second, v / d];
             RootPlace { kind, values, parameters, value: None }
         };
-        let parted = RootDiscs::of(&parameters).and_then(|discs| discs.others());
+        let parted = RootDiscs::of(&parameters).and_then(|discs| discs.others);
         let [half_sum, square] = parted.unwrap_or([Interval::LINE; 2]);
         let slowest = common(Interval { low: -0.5 * size(c2), high: reach }, half_sum);
         let pair = slowest.zip(common(Interval { low: 0.0, high: (k / m).high }, -square));
@@ -249,7 +249,7 @@ impl PairSearch<'_> {
         }
         let is_changed = place.parameters != of_place;
         if let Some(discs) = is_changed.then(|| RootDiscs::of(&place.parameters)).flatten() {
-            if let (TwoRoots::Pair, Some([half_sum, square])) = (place.kind, discs.others()) {
+            if let (TwoRoots::Pair, Some([half_sum, square])) = (place.kind, discs.others) {
                 place.values[FIRST] = common(place.values[FIRST], half_sum)?;
                 place.values[SECOND] = common(place.values[SECOND], -square)?;
             }
@@ -352,7 +352,7 @@ fn likely_cuts(
         let by_each = slopes.condition(which);
         let others = (0..VARIABLES).filter(|i| *i != leading);
         let effect: f64 = others.map(|i| by_each[i].abs() * 0.5 * variables[i].width()).sum();
-        let margin = slopes.terms().condition(which).abs() - EFFECT * effect;
+        let margin = slopes.terms.condition(which).abs() - EFFECT * effect;
         (which, margin / by_each[leading].abs())
     });
     likely.sort_by(|(_, one), (_, other)| other.total_cmp(one));

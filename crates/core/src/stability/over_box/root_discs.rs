@@ -41,7 +41,7 @@ pub(super) struct RootDiscs {
     /// Whether two discs may have a common point: of the first and second, first and third, second and third.
     touch: [bool; 3],
     /// Where the first disc is apart: half the sum of the other two roots, and a quarter of their squared difference.
-    others: Option<[Interval; 2]>,
+    pub(super) others: Option<[Interval; 2]>,
 }
 
 impl RootDiscs {
@@ -84,11 +84,6 @@ impl RootDiscs {
         } else {
             Rectangle { re, im: Interval::about(centre.im, radius) }
         }
-    }
-
-    /// Half the sum of the roots beside a real one, and a quarter of the square of their difference, where that one's disc is apart.
-    pub(super) const fn others(&self) -> Option<[Interval; 2]> {
-        self.others
     }
 
     /// The largest value of the three roots.
