@@ -38,7 +38,7 @@ pub(super) fn measure_decay<R: Scalar, M: Stepper<R> + Clone>(
         if end == ReturnEnd::AtRest {
             return Ok(Decay { oscillation: None, transient, rate: final_rate(run) });
         }
-        history.push(orbit);
+        history.returns.push(orbit);
         if let Some(oscillation) = last_oscillation(&history)
             && history.returns.len() >= 4
             && steady(&history)

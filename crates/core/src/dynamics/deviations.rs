@@ -7,7 +7,6 @@
 use super::decay::Oscillation;
 use super::integrator::{Control, Integrator, Work};
 use super::{Failure, Model, Radau, Scalar, Stepper};
-use crate::number::Dd;
 
 /// Size of the deviations over the root of the rounding error: the equations are linear to this relative accuracy.
 const SIZE_IN_ROOTS: f64 = 1e-3;
@@ -37,17 +36,22 @@ pub fn oscillation_of_small_deviations(
     model: &Model<f64>,
     local_tolerance: f64,
 ) -> Result<Option<Oscillation<f64>>, Failure> {
-    Ok(modes(model, &Radau::<f64, 5>::new(), Sampling::of(model, local_tolerance))?
-        .map(|seen| seen.oscillation))
+    oscillation(model, &Radau::<f64, 5>::new(), local_tolerance)
 }
 
-/// The same in double-double, where a pair next to a double root keeps its digits.
-pub(super) fn oscillation_in_double_double(
-    model: &Model<Dd>,
+/// The same by any method. In double-double a pair next to a double root keeps its digits.
+pub(super) fn oscillation<R: Scalar, M: Stepper<R> + Clone>(
+    model: &Model<R>,
+    method: &M,
     local_tolerance: f64,
 ) -> Result<Option<Oscillation<f64>>, Failure> {
-    Ok(modes(model, &Radau::<Dd, 7>::new(), Sampling::of(model, local_tolerance))?
-        .map(|seen| seen.oscillation))
+    // From the fastest rate on, in the model's own units.
+    let zero: [R; 3] = std::array::from_fn(|_| R::from(0));
+    let entries: [R; 6] = model.jacobian(&zero).into();
+    let fastest = entries.iter().fold(0.0f64, |largest, entry| largest.max(entry.to_f64().abs()));
+    let size = R::from_f64(SIZE_IN_ROOTS * R::UNIT_ROUNDOFF.sqrt());
+    let found = modes(model, method, local_tolerance, (size, R::from(1)), 0.1 / fastest)?;
+    Ok(found.map(|seen| seen.oscillation))
 }
 
 /// The modes of small deviations in units of the spring and the mass, for steady sliding whose forces balance slowly; none when all modes
@@ -61,13 +65,8 @@ pub(super) fn inertial_modes<M: Stepper<f64> + Clone>(
     local_tolerance: f64,
 ) -> Result<Option<Modes>, Failure> {
     let groups = model.groups();
-    let sampling = Sampling {
-        local_tolerance,
-        size: LEAST_SIZE,
-        first_time: FIRST_PHASE * (groups.inertial_parameter / groups.stiffness_group).sqrt(),
-        stress_unit: model.stress_swing(),
-    };
-    modes(model, method, sampling)
+    let first_time = FIRST_PHASE * (groups.inertial_parameter / groups.stiffness_group).sqrt();
+    modes(model, method, local_tolerance, (LEAST_SIZE, model.stress_swing()), first_time)
 }
 
 /// What small deviations show.
@@ -81,38 +80,14 @@ pub(super) struct Modes {
     pub work: Work,
 }
 
-/// How a propagator is measured.
-struct Sampling<R> {
-    local_tolerance: f64,
-    /// Of the deviations.
-    size: R,
-    /// When the propagator is examined first.
-    first_time: f64,
-    /// The unit of ζ, which balances the propagator's entries.
-    stress_unit: R,
-}
-
-impl<R: Scalar> Sampling<R> {
-    /// From the fastest rate on, in the model's own units.
-    fn of(model: &Model<R>, local_tolerance: f64) -> Self {
-        let zero: [R; 3] = std::array::from_fn(|_| R::from(0));
-        let entries: [R; 6] = model.jacobian(&zero).into();
-        let fastest = entries.iter().fold(0.0f64, |largest, entry| largest.max(entry.to_f64().abs()));
-        Self {
-            local_tolerance,
-            size: R::from_f64(SIZE_IN_ROOTS * R::UNIT_ROUNDOFF.sqrt()),
-            first_time: 0.1 / fastest,
-            stress_unit: R::from(1),
-        }
-    }
-}
-
+/// The modes, by deviations of this size with a unit of ζ that balances the propagator's entries. The propagator is examined at `time`, and later.
 fn modes<R: Scalar, M: Stepper<R> + Clone>(
     model: &Model<R>,
     method: &M,
-    sampling: Sampling<R>,
+    local_tolerance: f64,
+    (size, stress_unit): (R, R),
+    mut time: f64,
 ) -> Result<Option<Modes>, Failure> {
-    let Sampling { local_tolerance, size, first_time: mut time, stress_unit } = sampling;
     let control = Control { local_tolerance, most_steps: 1_000_000 };
     let units = [R::from(1), R::from(1), stress_unit];
     let start = |axis: usize| {

@@ -11,7 +11,6 @@ pub(super) type SectionPoint = [f64; 2];
 
 /// The returns since the last jump.
 pub(super) struct History<R> {
-    pub crossings: Vec<SectionPoint>,
     pub returns: Vec<Return<R>>,
 }
 
@@ -25,16 +24,14 @@ pub(super) fn difference(a: SectionPoint, b: SectionPoint) -> SectionPoint {
 
 impl<R: Scalar> History<R> {
     pub const fn new() -> Self {
-        Self { crossings: Vec::new(), returns: Vec::new() }
+        Self { returns: Vec::new() }
     }
 
-    pub fn push(&mut self, orbit: Return<R>) {
-        self.crossings.push([orbit.end[1].to_f64(), orbit.end[2].to_f64()]);
-        self.returns.push(orbit);
-    }
-
+    /// Where the last return but `n` ended.
     pub fn back(&self, n: usize) -> Option<SectionPoint> {
-        self.crossings.len().checked_sub(n + 1).map(|index| self.crossings[index])
+        let index = self.returns.len().checked_sub(n + 1)?;
+        let [_, y, zeta] = self.returns[index].end.each_ref().map(Scalar::to_f64);
+        Some([y, zeta])
     }
 
     /// The change over the last `m` returns, relative to the state.
@@ -79,7 +76,7 @@ pub(super) fn returns_per_cycle<R: Scalar>(history: &History<R>, target: f64, no
         return None;
     }
     (2..=MOST_RETURNS_PER_CYCLE).find(|&m| {
-        let twice = history.crossings.len() > 2 * m;
+        let twice = history.returns.len() > 2 * m;
         twice && history.change(m).is_some_and(|change| change <= target && change <= 1e-3 * single)
     })
 }
@@ -110,7 +107,15 @@ mod tests {
     use super::*;
 
     fn history(crossings: &[SectionPoint]) -> History<f64> {
-        History { crossings: crossings.to_vec(), returns: Vec::new() }
+        let to = |&[y, zeta]: &SectionPoint| Return {
+            duration: 1.0,
+            peak: 0.0,
+            trough: 0.0,
+            highest_stress: 0.0,
+            lowest_stress: 0.0,
+            end: [0.0, y, zeta],
+        };
+        History { returns: crossings.iter().map(to).collect() }
     }
 
     #[test]

@@ -194,7 +194,7 @@ fn leaves(model: &Model<f64>, start: State<f64>, decayed: &Cell<f64>) -> Result<
             return Ok(false);
         }
         let peak = orbit.peak;
-        history.push(orbit);
+        history.returns.push(orbit);
         // On a cycle; small deviations fall by more.
         if history.within(NOISE) {
             return Ok(true);

@@ -123,7 +123,7 @@ pub(super) fn long_term_within<R: Scalar, M: Stepper<R> + Clone>(
             let transient = approach.transient.unwrap_or(orbit);
             return Ok(LongTerm::Decay(Decay { oscillation: None, transient, rate: final_rate(run) }));
         }
-        approach.history.push(orbit);
+        approach.history.returns.push(orbit);
         if approach.is_linear()
             && let Some(transient) = approach.transient.take()
         {
@@ -246,7 +246,7 @@ impl<R: Scalar> Approach<R> {
 
     /// Jumps along the slow direction, where one shows.
     fn jump<M: Stepper<R>>(&mut self, run: &mut Integrator<'_, R, M>) {
-        if self.history.crossings.len() < RETURNS_BEFORE_JUMP {
+        if self.history.returns.len() < RETURNS_BEFORE_JUMP {
             return;
         }
         if let Some([y, zeta]) = jump(&self.history, self.reach) {

@@ -142,8 +142,7 @@ pub(super) fn refine<R: Scalar, M: Stepper<R> + Clone>(
     accuracy: Accuracy,
 ) -> Result<Option<Refined<R>>, Failure> {
     let Accuracy { coarse, fine, requested, .. } = accuracy;
-    let closing = Closing { local_tolerance: coarse, requested, rate: 0.5 };
-    let Some((coarse, rate)) = approach(map, derivative, rough, closing)? else {
+    let Some((coarse, rate)) = approach(map, derivative, rough, coarse, (requested, 0.5))? else {
         return Ok(None);
     };
     let first = map.apply(&coarse.from, fine)?;
@@ -152,8 +151,7 @@ pub(super) fn refine<R: Scalar, M: Stepper<R> + Clone>(
     let image_difference: [f64; 2] =
         std::array::from_fn(|i| (first.image[i].clone() - &coarse.image[i]).to_f64());
     // The derivative is the same, and so is what a correction leaves.
-    let closing = Closing { local_tolerance: fine, requested, rate };
-    let Some((mapped, rate)) = approach(map, derivative, first.from.clone(), closing)? else {
+    let Some((mapped, rate)) = approach(map, derivative, first.from.clone(), fine, (requested, rate))? else {
         return Ok(None);
     };
     let correction = derivative.correction(mapped.residual());
@@ -167,25 +165,16 @@ pub(super) fn refine<R: Scalar, M: Stepper<R> + Clone>(
     Ok(Some(Refined { mapped, errors, distance, measured_over: derivative.width }))
 }
 
-/// When Newton's corrections may end.
-#[derive(Debug, Clone, Copy)]
-struct Closing {
-    local_tolerance: f64,
-    /// The requested error, of which the way left may be a tenth.
-    requested: f64,
-    /// The least rate at which the way is taken to shrink.
-    rate: f64,
-}
-
-/// Corrects the crossing until the way left shows in no observable, or shrinks no more; with the rate at which it shrank.
+/// Corrects the crossing until the way left shows in no observable, or shrinks no more; with the rate at which it shrank. The way left may
+/// be a tenth of the requested error. `rate` is the least at which the way is taken to shrink.
 fn approach<R: Scalar, M: Stepper<R> + Clone>(
     map: &mut ReturnMap<'_, R, M>,
     derivative: &Derivative,
-    from: [R; 2],
-    closing: Closing,
+    mut from: [R; 2],
+    local_tolerance: f64,
+    (requested, mut rate): (f64, f64),
 ) -> Result<Option<(MappedReturn<R>, f64)>, Failure> {
-    let Closing { local_tolerance, requested, mut rate } = closing;
-    let (mut from, mut last, mut before) = (from, f64::INFINITY, f64::INFINITY);
+    let (mut last, mut before) = (f64::INFINITY, f64::INFINITY);
     for _ in 0..MOST_CORRECTIONS {
         let mapped = map.apply(&from, local_tolerance)?;
         let correction = derivative.correction(mapped.residual());

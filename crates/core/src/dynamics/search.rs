@@ -6,7 +6,7 @@
 //! answer is a failure that says what was reached.
 
 use super::barely_stops::{Confirmed, confirm, may_stop_or_not};
-use super::deviations::{oscillation_in_double_double, oscillation_of_small_deviations};
+use super::deviations::{oscillation, oscillation_of_small_deviations};
 use super::history::size;
 use super::integrator::{Control, Integrator, Work};
 use super::long_term::{Cycle, LongTerm, PermittedDistance, SLOW, long_term_within};
@@ -204,8 +204,9 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
             };
             // Next to a double root the propagator's rounding errors are magnified.
             if unequal {
-                coarse.oscillation = oscillation_in_double_double(&self.unrounded, FINER * FINER * wide)?;
-                fine.oscillation = oscillation_in_double_double(&self.unrounded, FINER * FINER * narrow)?;
+                let (unrounded, method) = (&self.unrounded, Radau::<Dd, 7>::new());
+                coarse.oscillation = oscillation(unrounded, &method, FINER * FINER * wide)?;
+                fine.oscillation = oscillation(unrounded, &method, FINER * FINER * narrow)?;
             }
         }
         let [coarse, fine] = [coarse, fine]

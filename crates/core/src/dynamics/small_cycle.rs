@@ -35,58 +35,45 @@ const ROUNDING: f64 = 16.0 * f64::EPSILON;
 /// The local tolerance of the coarser of the two sets of members over that of the finer.
 const COARSER: f64 = 100.0;
 
-/// A small cycle.
-pub(super) struct SmallCycle {
-    orbit: Return<f64>,
-    errors: Errors,
-    /// Estimated relative error of D.
-    distance: f64,
-    /// What the members cost.
-    pub work: Work,
-}
+/// Local tolerance of the members' returns.
+pub(super) const LOCAL_TOLERANCE: f64 = 1e-12;
 
 /// One observable by two polynomials: its value and the error of the interpolation.
 type Estimated = [f64; 2];
 
-impl SmallCycle {
-    /// Local tolerance of the members' returns.
-    pub const LOCAL_TOLERANCE: f64 = 1e-12;
-
-    /// The cycle at this K/K_c − 1; none when it is not among the members, or they do not confirm the normal form.
-    pub fn find(model: &Model<f64>, near: &NearTransition) -> Option<Self> {
-        let [coarse, fine] = [COARSER, 1.0].map(|factor| {
-            let members = Members::find(model, near, factor * Self::LOCAL_TOLERANCE)?;
-            Some((members.cycle(near.excess)?, members.work()))
-        });
-        let ((coarse, of_coarse), (fine, mut work)) = (coarse?, fine?);
-        work += of_coarse;
-        // An observable that agrees by chance errs as much as the others.
-        let differences = [
-            coarse.size / fine.size,
-            coarse.orbit.peak / fine.orbit.peak,
-            coarse.orbit.trough / fine.orbit.trough,
-        ];
-        let largest = differences.iter().fold(0.0f64, |largest, ratio| largest.max((ratio - 1.0).abs()));
-        let distance = fine.distance + OF_DIFFERENCE * largest + ROUNDING;
-        let of_log = fine.interpolation + distance * fine.orbit.peak.max(-fine.orbit.trough) + ROUNDING;
-        let of_period = OF_DIFFERENCE * (coarse.orbit.duration / fine.orbit.duration - 1.0).abs();
-        let errors = Errors {
-            peak: of_log,
-            period: Some(fine.of_period + of_period + 2.0 * distance * fine.stretching + ROUNDING),
-            trough: of_log,
-            drop: 2.0 * distance * fine.size,
-        };
-        Some(Self { orbit: fine.orbit, errors, distance, work })
-    }
-
-    /// The cycle and its errors. Next to it ln A changes at the rate −2 (growth rate) times the deviation of ln A.
-    pub fn with_multiplier_of(self, small: &Oscillation<f64>) -> (Cycle<f64>, Errors) {
-        let contraction = libm::exp(-2.0 * small.growth_rate * self.orbit.duration);
-        let (from, distance) = (self.orbit.end, self.distance);
-        let orbit = self.orbit;
-        let cycle = Cycle { orbit, returns_per_cycle: 1, contraction: Some(contraction), distance, from };
-        (cycle, self.errors)
-    }
+/// The cycle at this K/K_c − 1, its errors and what its members cost; none when it is not among the members, or they do not confirm the
+/// normal form. `small` is the oscillation of small deviations from steady sliding.
+pub(super) fn small_cycle(
+    model: &Model<f64>,
+    near: &NearTransition,
+    small: &Oscillation<f64>,
+) -> Option<(Cycle<f64>, Errors, Work)> {
+    let [coarse, fine] = [COARSER, 1.0].map(|factor| {
+        let members = Members::find(model, near, factor * LOCAL_TOLERANCE)?;
+        Some((members.cycle(near.excess)?, members.work()))
+    });
+    let ((coarse, of_coarse), (fine, mut work)) = (coarse?, fine?);
+    work += of_coarse;
+    // An observable that agrees by chance errs as much as the others.
+    let differences = [
+        coarse.size / fine.size,
+        coarse.orbit.peak / fine.orbit.peak,
+        coarse.orbit.trough / fine.orbit.trough,
+    ];
+    let largest = differences.iter().fold(0.0f64, |largest, ratio| largest.max((ratio - 1.0).abs()));
+    let distance = fine.distance + OF_DIFFERENCE * largest + ROUNDING;
+    let of_log = fine.interpolation + distance * fine.orbit.peak.max(-fine.orbit.trough) + ROUNDING;
+    let of_period = OF_DIFFERENCE * (coarse.orbit.duration / fine.orbit.duration - 1.0).abs();
+    let errors = Errors {
+        peak: of_log,
+        period: Some(fine.of_period + of_period + 2.0 * distance * fine.stretching + ROUNDING),
+        trough: of_log,
+        drop: 2.0 * distance * fine.size,
+    };
+    // Next to the cycle ln A changes at the rate −2 (growth rate) times the deviation of ln A.
+    let contraction = Some(libm::exp(-2.0 * small.growth_rate * fine.orbit.duration));
+    let (from, orbit) = (fine.orbit.end, fine.orbit);
+    Some((Cycle { orbit, returns_per_cycle: 1, contraction, distance, from }, errors, work))
 }
 
 /// The members that the observables are interpolated between.

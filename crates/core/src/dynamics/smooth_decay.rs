@@ -26,7 +26,7 @@ use super::outcome::Outcome;
 use super::search::decay_errors;
 use super::section_return::{FAINT, Return, ReturnEnd, return_above};
 use super::slow_pair::{NearTransition, SlowPair};
-use super::small_cycle::SmallCycle;
+use super::small_cycle::{LOCAL_TOLERANCE, small_cycle};
 use super::{Balance, Decay, Model, Options, Radau, State, Stepper, Taylor, friction_work};
 
 /// The largest rate e^{−x}/η of the balance of forces at the start, in units of √(K/M).
@@ -225,11 +225,12 @@ impl<'m, M: Stepper<f64> + Clone> SmoothDecay<'m, '_, M> {
     fn small_cycle(mut self, pair: &SlowPair, near: NearTransition) -> Option<Outcome> {
         let transient = self.transient(self.route.coarse, &pair.modes)?;
         let ends_there = transient.last.is_some() && self.ends_in(&pair.modes, &transient, self.route.coarse);
-        let cycle = if ends_there { SmallCycle::find(self.model, &near)? } else { return None };
-        self.work += cycle.work;
-        let (cycle, errors) = cycle.with_multiplier_of(&pair.modes.oscillation);
-        let tolerance = SmallCycle::LOCAL_TOLERANCE;
-        Some(Outcome::new(self.model, LongTerm::Cycle(cycle), errors, self.work, tolerance))
+        if !ends_there {
+            return None;
+        }
+        let (cycle, errors, work) = small_cycle(self.model, &near, &pair.modes.oscillation)?;
+        self.work += work;
+        Some(Outcome::new(self.model, LongTerm::Cycle(cycle), errors, self.work, LOCAL_TOLERANCE))
     }
 
     /// The modes of small deviations at two tolerances, when none of them grows.
@@ -271,7 +272,7 @@ impl<'m, M: Stepper<f64> + Clone> SmoothDecay<'m, '_, M> {
             let is_near = end == ReturnEnd::AtRest;
             let from = std::mem::replace(&mut amplitude, self.amplitude(run.state(), modes));
             let last = Shrinking { from, to: amplitude, duration: next.duration, start, end: *run.state() };
-            history.push(next);
+            history.returns.push(next);
             if is_near || is_led_by_pair && (repeats(&history) || self.by_work && self.falls_evenly(&history))
             {
                 self.work += run.work();

@@ -5,7 +5,7 @@ use crate::dynamics::integrator::{Control, Integrator};
 use crate::dynamics::long_term::{Cycle, LongTerm};
 use crate::dynamics::section_return::{Return, next_return};
 use crate::dynamics::slow_pair::{Pace, SlowPair};
-use crate::dynamics::small_cycle::SmallCycle;
+use crate::dynamics::small_cycle::small_cycle;
 use crate::dynamics::{Failure, Model, Options, Radau, Start, simulate, simulate_model};
 use crate::friction::{EvolutionLaw, Groups, Parameters, critical_stiffness_group};
 use crate::number::{Dd, Rational, parse_decimal};
@@ -224,8 +224,9 @@ fn the_family_of_cycles_and_the_search_agree_where_both_find_the_cycle() {
             let slider = slider(eta, beta, &next_to_one(false, exponent));
             let model = model_of(&slider, law);
             let pair = SlowPair::of(&model, &slider.groups()).unwrap();
-            let small = SmallCycle::find(&model, &pair.near_transition.unwrap()).unwrap();
-            let (Cycle { orbit, .. }, errors) = small.with_multiplier_of(&pair.modes.oscillation);
+            let near = pair.near_transition.unwrap();
+            let (Cycle { orbit, .. }, errors, _) =
+                small_cycle(&model, &near, &pair.modes.oscillation).unwrap();
             let searched = simulate_model(&model, &Options::at(1e-8)).unwrap();
             let LongTerm::Cycle(cycle) = searched.long_term() else { panic!("{eta} {beta} {law:?}") };
             let difference = (orbit.peak - cycle.orbit.peak).abs();
