@@ -7,6 +7,7 @@
 
 use std::sync::OnceLock;
 
+use rug::ops::Pow;
 use rug::{Assign, Complex, Float};
 
 use super::dense_matrix::{Matrix, inverse};
@@ -20,24 +21,30 @@ const PRECISION_BITS: u32 = 640;
 /// Most stages that a table is kept for.
 const MOST_STAGES: usize = 16;
 
-/// The constants of an S-stage method in one number type.
+/// The constants of a method.
 #[derive(Debug, Clone)]
-pub struct Collocation<R, const S: usize> {
+pub struct Constants<Row, Rows> {
     /// The nodes, ascending; the last is 1.
-    pub nodes: [R; S],
+    pub nodes: Row,
     /// T: columns are the real eigenvector, then real and imaginary part of one of each conjugate pair.
-    pub from_modes: [[R; S]; S],
+    pub from_modes: Rows,
     /// T^{-1}.
-    pub to_modes: [[R; S]; S],
+    pub to_modes: Rows,
     /// A^{-1}.
-    pub inverse: [[R; S]; S],
+    pub inverse: Rows,
     /// Eigenvalues λ of A^{-1}: the real one, then (Re, Im > 0) of each pair.
-    pub eigenvalues: [R; S],
+    pub eigenvalues: Row,
     /// Weights e of the stages in the error estimate γ0 h f(y_n) + Σ e_i Z_i of order S, γ0 the inverse real eigenvalue.
-    pub error_weights: [R; S],
+    pub error_weights: Row,
     /// Row k: weights of the stages in the coefficient of θ^{k+1} of the step polynomial.
-    pub dense: [[R; S]; S],
+    pub dense: Rows,
 }
+
+/// The constants of an S-stage method in one number type.
+pub type Collocation<R, const S: usize> = Constants<[R; S], [[R; S]; S]>;
+
+/// The constants at 640 bits.
+type Table = Constants<Vec<Float>, Matrix>;
 
 impl<R: Scalar, const S: usize> Collocation<R, S> {
     /// The constants, rounded from the ones kept at 640 bits. An even S, or one above 16, does not compile: there is no such method.
@@ -59,18 +66,11 @@ impl<R: Scalar, const S: usize> Collocation<R, S> {
     }
 }
 
-struct Table {
-    nodes: Vec<Float>,
-    from_modes: Matrix,
-    to_modes: Matrix,
-    inverse: Matrix,
-    eigenvalues: Vec<Float>,
-    error_weights: Vec<Float>,
-    dense: Matrix,
-}
-
-fn real(value: impl Into<f64>) -> Float {
-    Float::with_val(PRECISION_BITS, value.into())
+fn real<T>(value: T) -> Float
+where
+    Float: Assign<T>,
+{
+    Float::with_val(PRECISION_BITS, value)
 }
 
 impl Table {
@@ -86,9 +86,8 @@ impl Table {
         let (eigenvalues, from_modes) = modes(&polynomial, &nodes);
         let inverse_matrix = inverse(&runge_kutta);
         let error_weights = error_weights(&nodes, &inverse_matrix, &eigenvalues[0]);
-        let dense = (0..stages)
-            .map(|k| (0..stages).map(|j| Float::with_val(PRECISION_BITS, &basis[j][k] / &nodes[j])).collect())
-            .collect();
+        let dense =
+            (0..stages).map(|k| (0..stages).map(|j| real(&basis[j][k] / &nodes[j])).collect()).collect();
         Self {
             to_modes: inverse(&from_modes),
             inverse: inverse_matrix,
@@ -116,30 +115,24 @@ fn evaluate(polynomial: &[Float], at: &Float) -> Float {
 }
 
 fn derivative(polynomial: &[Float]) -> Vec<Float> {
-    polynomial
-        .iter()
-        .enumerate()
-        .skip(1)
-        .map(|(k, c)| Float::with_val(PRECISION_BITS, c * k as u32))
-        .collect()
+    polynomial.iter().enumerate().skip(1).map(|(k, c)| real(c * k as u32)).collect()
 }
 
 fn antiderivative(polynomial: &[Float]) -> Vec<Float> {
-    let terms =
-        polynomial.iter().enumerate().map(|(k, c)| Float::with_val(PRECISION_BITS, c / (k + 1) as u32));
+    let terms = polynomial.iter().enumerate().map(|(k, c)| real(c / (k + 1) as u32));
     std::iter::once(real(0)).chain(terms).collect()
 }
 
 /// The coefficients by ascending power.
 fn rounded(polynomial: &UnivariatePolynomial) -> Vec<Float> {
-    polynomial.coefficients().iter().map(|value| Float::with_val(PRECISION_BITS, value)).collect()
+    polynomial.coefficients().iter().map(real).collect()
 }
 
 /// The zeros of M, ascending; the last one is 1.
 fn nodes(polynomial: &UnivariatePolynomial) -> Vec<Float> {
     let (others, _) = polynomial.divided_by(&UnivariatePolynomial::from_integers(&[-1, 1]));
     let enclosed = AlgebraicRoot::positive(&others).into_iter().map(|root| root.enclosed(PRECISION_BITS));
-    let centre = |ball: Ball| Float::with_val(PRECISION_BITS, ball.centre());
+    let centre = |ball: Ball| real(ball.centre());
     enclosed.map(centre).chain([real(1)]).collect()
 }
 
@@ -158,26 +151,16 @@ fn lagrange(polynomial: &[Float], node: &Float) -> Vec<Float> {
 /// Weights of the stages in the difference between the embedded quadrature of order s and the method.
 fn error_weights(nodes: &[Float], inverse_runge_kutta: &Matrix, real_eigenvalue: &Float) -> Vec<Float> {
     let stages = nodes.len();
-    let vandermonde: Matrix = (0..stages)
-        .map(|k| {
-            nodes
-                .iter()
-                .map(|node| Float::with_val(PRECISION_BITS, rug::ops::Pow::pow(node, k as u32)))
-                .collect()
-        })
-        .collect();
+    let powers = |k: usize| nodes.iter().map(|node| real(node.pow(k as u32))).collect();
+    let vandermonde: Matrix = (0..stages).map(powers).collect();
     // The quadrature takes γ0 f(y_n) as well, so the stages must give −γ0 at order one and nothing at the others.
-    let solution: Vec<Float> = inverse(&vandermonde)
-        .iter()
-        .map(|row| -Float::with_val(PRECISION_BITS, &row[0] / real_eigenvalue))
-        .collect();
-    (0..stages)
-        .map(|j| {
-            let terms = (0..stages)
-                .map(|i| Float::with_val(PRECISION_BITS, &solution[i] * &inverse_runge_kutta[i][j]));
-            terms.fold(real(0), |sum, term| sum + term)
-        })
-        .collect()
+    let solution: Vec<Float> =
+        inverse(&vandermonde).iter().map(|row| -real(&row[0] / real_eigenvalue)).collect();
+    let weight = |j: usize| {
+        let terms = (0..stages).map(|i| real(&solution[i] * &inverse_runge_kutta[i][j]));
+        terms.fold(real(0), |sum, term| sum + term)
+    };
+    (0..stages).map(weight).collect()
 }
 
 /// The eigenvalues of A^{-1} and the matrix T of its modes.

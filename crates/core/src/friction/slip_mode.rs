@@ -10,8 +10,7 @@ slipmode_algebra::named! {
     /// assert_eq!(SlipMode::ALL.len(), 6);
     /// ```
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-    #[cfg_attr(feature = "serde", derive(serde::Serialize))]
-    #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
     pub enum SlipMode {
         /// Stable, all roots real.
         OverdampedStableSliding = "overdamped-stable-sliding",

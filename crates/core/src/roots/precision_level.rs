@@ -10,16 +10,13 @@ slipmode_algebra::named! {
     /// assert_eq!(PrecisionLevel::Exact.as_str(), "exact");
     /// ```
     #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-    #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
     pub enum PrecisionLevel {
         /// 64-bit with a forward error bound.
-        #[cfg_attr(feature = "serde", serde(rename = "f64"))]
         F64 = "f64",
         /// Double-double with a forward error bound.
-        #[cfg_attr(feature = "serde", serde(rename = "double-double"))]
         DoubleDouble = "double-double",
         /// Integers or rationals for signs; for values the depressed cubic from integers, or balls of the needed precision.
-        #[cfg_attr(feature = "serde", serde(rename = "exact"))]
         Exact = "exact",
     }
 }

@@ -27,18 +27,12 @@ pub fn classify_quickly(
     let rounded = in_si.rounded()?;
     let spectral_class = SpectralClass::from_signs(signs.transition, signs.boundary);
     let groups = bounded.groups.map(Dd::hi);
-    let slip_mode = slip_mode_by(
-        spectral_class,
-        || clearly_in_upper_area(&groups),
-        || {
-            let natural_squared = groups.natural_angular_frequency_squared();
-            clearly_inertial(
-                parts.imaginary.value.hi(),
-                natural_squared,
-                nearest_f64(threshold.squared_ratio()),
-            )
-        },
-    )?;
+    let inertial = || {
+        let (natural_squared, limit) =
+            (groups.natural_angular_frequency_squared(), nearest_f64(threshold.squared_ratio()));
+        clearly_inertial(parts.imaginary.value.hi(), natural_squared, limit)
+    };
+    let slip_mode = slip_mode_by(spectral_class, || clearly_in_upper_area(&groups), inertial)?;
     Some(Classification {
         transition_sign: signs.transition,
         boundary_sign: signs.boundary,

@@ -10,8 +10,7 @@ slipmode_algebra::named! {
     /// assert_eq!(SpectralClass::from_signs(-1, -1).as_str(), "unstable-complex");
     /// ```
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-    #[cfg_attr(feature = "serde", derive(serde::Serialize))]
-    #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
     pub enum SpectralClass {
         /// All roots real and negative: perturbations decay without oscillation.
         StableReal = "stable-real",

@@ -153,8 +153,6 @@ impl ThreeRoots {
             roots.sort_by(f64::total_cmp);
             roots.map(real)
         };
-        // A root's modulus lies between its larger part and √2 of it.
-        let in_range = |root: &Complex<f64>| MODULI.contains(&root.re.abs().max(root.im.abs()));
         (values.sign != 0.0 && roots.iter().all(in_range)).then_some(Self {
             roots,
             max_real_per_s: values.max_real,
@@ -195,14 +193,9 @@ impl ThreeRoots {
         let each =
             found.iter().flat_map(|root| std::iter::repeat_n(rounded(root), root.multiplicity as usize));
         let roots: Vec<Complex<f64>> = each.collect();
-        let in_range = |root: &Complex<f64>| MODULI.contains(&root.re.abs().max(root.im.abs()));
         let largest = found.iter().map(|root| &root.re).max_by(|one, other| one.total_cmp(other));
-        let (Ok(roots), Some(largest)) = (<[Complex<f64>; 3]>::try_from(roots), largest) else {
-            return Err(RootsError::OutOfRange);
-        };
-        if !roots.iter().all(in_range) {
-            return Err(RootsError::OutOfRange);
-        }
+        let roots = <[Complex<f64>; 3]>::try_from(roots).ok().filter(|roots| roots.iter().all(in_range));
+        let (roots, largest) = roots.zip(largest).ok_or(RootsError::OutOfRange)?;
         let max_real_per_s = largest.to_f64();
         Ok(Self {
             roots,
@@ -211,6 +204,11 @@ impl ThreeRoots {
             precision_level: PrecisionLevel::Exact,
         })
     }
+}
+
+/// Whether a root is within the range: its modulus lies between its larger part and √2 of it.
+fn in_range(root: &Complex<f64>) -> bool {
+    MODULI.contains(&root.re.abs().max(root.im.abs()))
 }
 
 /// Bound on the error of a part that is known to 22 digits and rounded.

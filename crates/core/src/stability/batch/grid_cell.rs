@@ -21,7 +21,7 @@ impl GridCell {
     /// The cell of these signs and this mode.
     #[must_use]
     pub const fn new(signs: SignPair, slip_mode: SlipMode) -> Self {
-        Self(signs.code() + SIGN_PAIRS * slip_mode as u8)
+        Self(signs.0 + SIGN_PAIRS * slip_mode as u8)
     }
 
     /// The cell of two certain non-zero signs and the answers to the two questions behind the modes, without branches.
@@ -45,7 +45,7 @@ impl GridCell {
             either(inertial, SlipMode::HarmonicVibration, SlipMode::StickSlip)
         };
         let mode = if real { when_real } else { when_complex };
-        Self(SignPair::from_decided(stable, real).code() + SIGN_PAIRS * mode)
+        Self(SignPair::from_decided(stable, real).0 + SIGN_PAIRS * mode)
     }
 
     /// A number below [`COUNT`](Self::COUNT) that stands for the cell.
@@ -63,7 +63,7 @@ impl GridCell {
     /// Both signs.
     #[must_use]
     pub const fn signs(self) -> SignPair {
-        SignPair::from_code(self.0 % SIGN_PAIRS)
+        SignPair(self.0 % SIGN_PAIRS)
     }
 
     /// The class that the two signs give.

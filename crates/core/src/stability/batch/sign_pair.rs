@@ -8,7 +8,7 @@ use crate::stability::SpectralClass;
 /// The signs of K − K_c and of the discriminant of one point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(transparent)]
-pub struct SignPair(u8);
+pub struct SignPair(pub(super) u8);
 
 impl SignPair {
     /// The mark of a point that the 64-bit filter leaves open; never seen outside this module.
@@ -24,17 +24,6 @@ impl SignPair {
     #[inline(always)]
     pub(super) const fn from_decided(stable: bool, real: bool) -> Self {
         Self(2 * stable as u8 + 6 * real as u8)
-    }
-
-    /// The byte, below 9.
-    #[inline(always)]
-    pub(super) const fn code(self) -> u8 {
-        self.0
-    }
-
-    /// The pair of such a byte.
-    pub(super) const fn from_code(code: u8) -> Self {
-        Self(code)
     }
 
     /// The sign of K − K_c: +1 linearly stable.

@@ -6,10 +6,9 @@ use super::corners::{Corner, Filtered};
 use crate::number::{Rational, nearest_f64};
 
 /// A number of a ring in which a sign can be certain.
-pub(super) trait Coefficient: Clone {
+pub(super) trait Coefficient: Clone + Default {
     /// The value of a parameter at a corner, in units that are the same for all corners.
     fn of_parameter(filtered: &Filtered<'_>, parameter: usize, corner: Corner) -> Self;
-    fn zero() -> Self;
     /// A whole number.
     fn whole(value: &Integer) -> Self;
     /// Adds a number.
@@ -27,10 +26,6 @@ pub(super) trait Coefficient: Clone {
 impl Coefficient for Integer {
     fn of_parameter(filtered: &Filtered<'_>, parameter: usize, corner: Corner) -> Self {
         filtered.units().integer(parameter, filtered.region.end(parameter, corner))
-    }
-
-    fn zero() -> Self {
-        Self::new()
     }
 
     fn add(&mut self, other: &Self) {
@@ -63,7 +58,7 @@ impl Coefficient for Integer {
 }
 
 /// A 64-bit number and a bound on its absolute error. A bound that is not finite makes nothing certain.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Rough {
     value: f64,
     error: f64,
@@ -87,10 +82,6 @@ impl Coefficient for Rough {
         Self::rounded(filtered.rounded(corner)[parameter].hi(), 0.0)
     }
 
-    fn zero() -> Self {
-        Self { value: 0.0, error: 0.0 }
-    }
-
     fn add(&mut self, other: &Self) {
         *self = Self::rounded(self.value + other.value, self.error + other.error);
     }
@@ -106,7 +97,7 @@ impl Coefficient for Rough {
     }
 
     fn times(&mut self, factor: &Self) {
-        let own = std::mem::replace(self, Self::zero());
+        let own = std::mem::take(self);
         self.add_product(&own, factor);
     }
 

@@ -44,7 +44,7 @@ impl<T: Coefficient> Tensor<T> {
     /// The product of two polynomials in the power basis.
     pub(super) fn times(&self, other: &Self) -> Self {
         let size = std::array::from_fn(|axis| self.size[axis] + other.size[axis] - 1);
-        let mut product = Self { size, coefficients: vec![T::zero(); size.iter().product()] };
+        let mut product = Self { size, coefficients: vec![T::default(); size.iter().product()] };
         for (left, p) in self.coefficients.iter().zip(Self::places(self.size)).filter(|(c, _)| !c.is_zero()) {
             for (right, q) in other.coefficients.iter().zip(Self::places(other.size)) {
                 let at = product.index(std::array::from_fn(|axis| p[axis] + q[axis]));
@@ -64,7 +64,7 @@ impl<T: Coefficient> Tensor<T> {
     /// The sum of two polynomials in the power basis.
     pub(super) fn plus(&self, other: &Self) -> Self {
         let size = std::array::from_fn(|axis| self.size[axis].max(other.size[axis]));
-        let mut sum = Self { size, coefficients: vec![T::zero(); size.iter().product()] };
+        let mut sum = Self { size, coefficients: vec![T::default(); size.iter().product()] };
         for part in [self, other] {
             for (value, place) in part.coefficients.iter().zip(Self::places(part.size)) {
                 let at = sum.index(place);
