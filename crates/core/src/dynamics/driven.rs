@@ -183,12 +183,10 @@ impl<'r, T: Iterator<Item = f64>> DrivenRun<'r, T> {
             while let Some(time) = self.times.next_if(|time| *time <= began + step) {
                 let theta = (time - began) / step;
                 let excess = self.integrator.state_within(&theta)[2];
-                let derivatives = match &slopes {
-                    Some(slopes) => std::array::from_fn(|p| {
-                        slopes[p].iter().rev().fold(0.0, |sum, coefficient| sum * theta + coefficient)
-                    }),
-                    None => [0.0; DRIVEN_PARAMETERS],
+                let at_theta = |slope: [f64; STAGES + 1]| {
+                    slope.iter().rev().fold(0.0, |sum, coefficient| sum * theta + coefficient)
                 };
+                let derivatives = slopes.map_or([0.0; DRIVEN_PARAMETERS], |slopes| slopes.map(at_theta));
                 self.driven.push(self.friction(excess, derivatives));
             }
         }

@@ -38,13 +38,10 @@ pub(super) fn outermost_real_root(depressed: &Depressed, bits: u32) -> Ball {
 
 /// The accuracies of the steps before the last, ascending: each about half of the next, the last half of `bits`.
 fn accuracies(bits: u32) -> impl Iterator<Item = u32> {
-    let mut accuracies = Vec::new();
-    let mut accuracy = bits / 2 + DOUBLING_LOSS;
-    while accuracy > START_BITS {
-        accuracies.push(accuracy);
-        accuracy = accuracy / 2 + DOUBLING_LOSS;
-    }
-    accuracies.into_iter().rev()
+    let before = |accuracy: u32| accuracy / 2 + DOUBLING_LOSS;
+    let falling = std::iter::successors(Some(before(bits)), |next| Some(before(*next)));
+    let falling: Vec<u32> = falling.take_while(|accuracy| *accuracy > START_BITS).collect();
+    falling.into_iter().rev()
 }
 
 /// One Newton step to this many correct bits; the derivative and the quotient need only half of them.

@@ -23,16 +23,9 @@ pub(crate) fn log10_one_plus(x: &Ball) -> Ball {
 
 /// A bound of the rounding error of a float.
 fn unit_in_the_last_place(value: &Float) -> Float {
-    let mut unit = Float::with_val(32, 1);
-    match value.get_exp() {
-        Some(exponent) => {
-            unit <<= exponent;
-            unit >>= value.prec();
-            unit
-        }
-        // ln 1 = 0 is exact.
-        None => Float::new(32),
-    }
+    // ln 1 = 0 is exact.
+    let exact = || Float::new(32);
+    value.get_exp().map_or_else(exact, |exponent| Float::with_val(32, 1) << exponent >> value.prec())
 }
 
 #[cfg(test)]

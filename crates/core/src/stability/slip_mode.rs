@@ -63,6 +63,11 @@ impl InertialThreshold {
         };
         g > 0 || (g.is_zero() && is_double())
     }
+
+    /// The same by the groups.
+    pub(super) fn exceeded_at(&self, groups: &Groups<Rational>) -> bool {
+        Depressed::of(&groups.characteristic_cubic()).is_some_and(|cubic| self.exceeded_by(&cubic))
+    }
 }
 
 /// p and w = T·κ/η of [`InertialThreshold::exceeded_by`] times the denominator of T.
@@ -92,9 +97,7 @@ pub(super) fn equation_at_ratio(depressed: &Depressed, squared_ratio: &Rational)
 /// A point on the boundary counts as real, an oscillation exactly at the threshold as not inertial.
 #[must_use]
 pub fn slip_mode(groups: &Groups<Rational>, class: SpectralClass, threshold: &InertialThreshold) -> SlipMode {
-    slip_mode_given(groups, class, || {
-        Depressed::of(&groups.characteristic_cubic()).is_some_and(|cubic| threshold.exceeded_by(&cubic))
-    })
+    slip_mode_given(groups, class, || threshold.exceeded_at(groups))
 }
 
 /// [`slip_mode`] with the answer to "does the pair oscillate above the threshold?", computed only where it matters.

@@ -8,7 +8,7 @@ use super::slip_mode::slip_mode_given;
 use super::{InertialThreshold, SlipMode, SpectralClass};
 use crate::friction::{Groups, Parameters};
 use crate::number::{Dd, Rational, Wide, nearest_f64};
-use crate::roots::{Bounded, CertifiedRoots, Depressed, Pair, PrecisionLevel, Spectrum, certified_roots};
+use crate::roots::{Bounded, CertifiedRoots, Pair, PrecisionLevel, Spectrum, certified_roots};
 
 /// Digits of the enclosures behind the values when double-double does not suffice.
 const EXACT_DIGITS: u32 = 19;
@@ -97,14 +97,12 @@ pub fn classify(parameters: &Parameters<Rational>, threshold: &InertialThreshold
         .and_then(|parts| parts.rounded())
         .unwrap_or_else(|| LargestParts::exactly(&groups).times_rate(&rate_per_s));
 
-    let exactly_inertial =
-        || Depressed::of(&groups.characteristic_cubic()).is_some_and(|cubic| threshold.exceeded_by(&cubic));
     let inertial = || {
         let imaginary = parts.as_ref().map(|parts| parts.imaginary.value.hi());
         let natural_squared = groups.map(nearest_f64).natural_angular_frequency_squared();
         imaginary
             .and_then(|p| clearly_inertial(p, natural_squared, nearest_f64(threshold.squared_ratio())))
-            .unwrap_or_else(exactly_inertial)
+            .unwrap_or_else(|| threshold.exceeded_at(&groups))
     };
     Classification {
         transition_sign: signs.transition,

@@ -52,10 +52,7 @@ fn exponent_bound<'c>(coefficients: impl Iterator<Item = &'c Integer>, lowest: i
     (1i64..)
         .zip(coefficients)
         .filter(|(_, coefficient)| !coefficient.is_zero())
-        .map(|(k, coefficient)| {
-            let difference = i64::from(bits(coefficient)) - lowest;
-            difference.div_euclid(k) + i64::from(difference.rem_euclid(k) != 0)
-        })
+        .map(|(k, coefficient)| -(lowest - i64::from(bits(coefficient))).div_euclid(k))
         .max()
         .unwrap_or(0)
 }

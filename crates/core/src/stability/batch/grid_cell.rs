@@ -13,7 +13,7 @@ const SIGN_PAIRS: u8 = 9;
 
 impl GridCell {
     /// How many different cells there can be; [`code`](Self::code) lies below.
-    pub const COUNT: usize = SIGN_PAIRS as usize * SlipMode::ALL.len();
+    pub(super) const COUNT: usize = SIGN_PAIRS as usize * SlipMode::ALL.len();
 
     /// The mark of a point that the 64-bit filter leaves open; never seen outside this module.
     pub(super) const UNDECIDED: Self = Self(u8::MAX);
@@ -49,14 +49,13 @@ impl GridCell {
     }
 
     /// A number below [`COUNT`](Self::COUNT) that stands for the cell.
-    #[must_use]
     #[inline(always)]
-    pub const fn code(self) -> usize {
+    pub(super) const fn code(self) -> usize {
         self.0 as usize
     }
 
     /// Every cell, by code.
-    pub fn all() -> impl Iterator<Item = Self> {
+    pub(super) fn all() -> impl Iterator<Item = Self> {
         (0..Self::COUNT as u8).map(Self)
     }
 

@@ -131,11 +131,7 @@ pub fn three_roots_of_points(columns: &Parameters<&[f64]>) -> Result<Vec<ThreeRo
     let of_part =
         |start: usize| roots_of_part(&columns.map(|column| &column[start..count.min(start + PART)]), start);
     let parts = parallel::map(starts, of_part);
-    let mut all = Vec::with_capacity(count);
-    for part in parts {
-        all.extend(part?);
-    }
-    Ok(all)
+    Ok(parts.into_iter().collect::<Result<Vec<_>, _>>()?.concat())
 }
 
 /// Points of a part, the unit of parallel work.
@@ -153,10 +149,9 @@ fn roots_of_part(columns: &[&[f64]; 7], start: usize) -> Result<Vec<ThreeRoots>,
     for (index, values) in open.iter().zip(point_values(&again, InputError::None, Route::Shift)) {
         roots[*index] = ThreeRoots::of_values(&values);
     }
-    let or_exactly = |(index, found): (usize, Option<ThreeRoots>)| match found {
-        Some(found) => Ok(found),
-        None => ThreeRoots::beyond_double_double(&point(index))
-            .map_err(|error| PointError::Point { index: start + index, error }),
+    let or_exactly = |(index, found): (usize, Option<ThreeRoots>)| {
+        let found = found.map_or_else(|| ThreeRoots::beyond_double_double(&point(index)), Ok);
+        found.map_err(|error| PointError::Point { index: start + index, error })
     };
     roots.into_iter().enumerate().map(or_exactly).collect()
 }

@@ -220,11 +220,8 @@ impl<'a> Search<'a> {
             });
         };
         let end = |corner: Corner, parameters: &[usize], high: bool| {
-            if high {
-                corner.with(Corner::high(parameters))
-            } else {
-                corner.without(Corner::high(parameters))
-            }
+            let moved: fn(Corner, Corner) -> Corner = if high { Corner::with } else { Corner::without };
+            moved(corner, Corner::high(parameters))
         };
         if is_above == is_stable {
             // M V0² has to be large for one sign and small for the other.
