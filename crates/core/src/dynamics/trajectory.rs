@@ -51,7 +51,8 @@ pub fn trajectory<M: Stepper<f64>>(
 ) -> Result<Trajectory, Failure> {
     let mut run = Integrator::new(model, method, start, control)?;
     let mut samples = vec![Sample { time: 0.0, state: start }];
-    let mut residual = FreeResidual::new(start[2]);
+    // The slip beyond loading is integrated apart from the stress.
+    let (mut excess_slip, mut free_residual) = (0.0, 0.0f64);
     while until - run.time() > 1e-13 * until {
         let began = run.time();
         run.advance(Some(&(until - began)))?;
@@ -60,9 +61,12 @@ pub fn trajectory<M: Stepper<f64>>(
             samples.push(Sample { time: began + theta * run.step(), state: run.state_within(&theta) });
         }
         samples.push(Sample { time: run.time(), state: *run.state() });
-        residual.add_step(&run);
+        let excess = |theta: f64| run.state_within(&theta)[0].exponentials().1;
+        excess_slip += run.step() * GAUSS.iter().map(|&[theta, weight]| weight * excess(theta)).sum::<f64>();
+        let expected = start[2] - model.groups().stiffness_group * excess_slip;
+        free_residual = free_residual.max((run.state()[2] - expected).abs());
     }
-    Ok(Trajectory { samples, free_residual: residual.largest })
+    Ok(Trajectory { samples, free_residual })
 }
 
 /// The states at these times (D_c/V_l, ascending, from 0), each from the polynomial of the step in which it lies.
@@ -93,27 +97,6 @@ pub fn trajectory_at<M: Stepper<f64>>(
     // The end of the last step and the last time differ by a rounding.
     samples.extend(later.map(|time| Sample { time, state: *run.state() }));
     Ok(samples)
-}
-
-/// The slip beyond loading, integrated apart from the stress.
-struct FreeResidual {
-    start: f64,
-    excess_slip: f64,
-    largest: f64,
-}
-
-impl FreeResidual {
-    const fn new(start: f64) -> Self {
-        Self { start, excess_slip: 0.0, largest: 0.0 }
-    }
-
-    fn add_step<M: Stepper<f64>>(&mut self, run: &Integrator<'_, f64, M>) {
-        let excess = |theta: f64| run.state_within(&theta)[0].exponentials().1;
-        self.excess_slip +=
-            run.step() * GAUSS.iter().map(|&[theta, weight]| weight * excess(theta)).sum::<f64>();
-        let expected = self.start - run.model.groups().stiffness_group * self.excess_slip;
-        self.largest = self.largest.max((run.state()[2] - expected).abs());
-    }
 }
 
 #[cfg(test)]
