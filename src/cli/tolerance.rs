@@ -11,6 +11,7 @@ use slipmode_core::friction::Slider;
 use slipmode_core::number::format::{certain_digits, rational_to_decimal};
 use slipmode_core::number::{Ball, Rational, nearest_f64};
 use slipmode_core::stability::Asymptote;
+use slipmode_core::stability::tolerance::enclosed;
 
 use crate::cli::answer::Answer;
 use crate::cli::failure::Failure;
@@ -36,8 +37,8 @@ const DIGITS: usize = 6;
 /// Characters of a formula.
 const WIDTH: usize = 28;
 
-/// Working precision of the values, in bits: far more than the digits that are printed.
-const WORKING_BITS: u32 = 96;
+/// Digits of each enclosure: more than are printed.
+const CERTAIN_DIGITS: u32 = 20;
 
 /// Prints a line for each formula and each error.
 ///
@@ -45,7 +46,7 @@ const WORKING_BITS: u32 = 96;
 /// When the arguments are at fault.
 pub fn run(options: &Options) -> Result<(), Failure> {
     let mut arguments = Arguments::default();
-    let read = |text: &str| AllowedRange::OPEN_UNIT.parse_quotient(text);
+    let read = |text: &str| AllowedRange::OPEN_UNIT.parse(text);
     let error = |text: &String| arguments.number("--relative-error", text, read);
     let relative: Vec<Rational> = options.relative_error.iter().filter_map(error).collect();
     let answer = if options.material.is_uncertain() {
@@ -60,7 +61,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
 
 /// Computes the limit of every formula for each error.
 fn answer(slider: &Slider<Rational>, relative: Vec<Rational>) -> Answer {
-    let enclosed = slider.map(|value| Ball::from_rational(value, WORKING_BITS));
+    let enclosed = enclosed(slider, CERTAIN_DIGITS);
     let row = |row: &ToleranceRow| {
         let asymptote = row.limit.asymptote;
         // σ of eqs 15 and 16, and V0 of eqs 18 and 20 at 1 Pa.
@@ -86,9 +87,10 @@ fn part(
     width: usize,
     [formula, place, limit]: [&str; 3],
 ) -> Answer {
-    let error = rational_to_decimal(relative_error, DIGITS);
+    // It is below 1, which its first digits may not show.
+    let error = (DIGITS..).map(|digits| rational_to_decimal(relative_error, digits)).find(|text| text != "1");
     Answer::default()
-        .text(&columns(width, [asymptote.as_str(), formula, &error, place, limit]))
+        .text(&columns(width, [asymptote.as_str(), formula, &error.unwrap_or_default(), place, limit]))
         .with("formula", asymptote.as_str())
         .with("relative_error", nearest_f64(relative_error))
         .with("where", place)

@@ -10,10 +10,7 @@ use slipmode_core::stability::{Asymptote, ParameterBox};
 
 use crate::cli::answer::Answer;
 use crate::cli::inputs::ranges_json;
-use crate::cli::tolerance::{DIGITS, columns, formula, keys, part};
-
-/// Digits of each enclosure: more than are printed.
-const CERTAIN_DIGITS: u32 = 20;
+use crate::cli::tolerance::{CERTAIN_DIGITS, DIGITS, columns, formula, keys, part};
 
 /// Characters of a formula with a range.
 const WIDTH: usize = 48;

@@ -1,10 +1,10 @@
 //! Where each asymptote of a slider is good to a given relative error, and whether its error shrinks as derived.
 use crate::experiments::tolerance::ToleranceSection;
 use slipmode_core::friction::Slider;
-use slipmode_core::number::{Ball, Rational, bits_for_digits};
+use slipmode_core::number::{Ball, Rational};
 use slipmode_core::stability::Asymptote;
 use slipmode_core::stability::deviation::{ConvergenceStep, CornerErrors, convergence, corner_errors};
-use slipmode_core::stability::tolerance::{Limit, limit};
+use slipmode_core::stability::tolerance::{Limit, enclosed, limit};
 
 /// How far one asymptote can be used at one tolerance.
 #[derive(Debug, Clone)]
@@ -40,7 +40,7 @@ pub(crate) fn tolerance_limits(
     section: &ToleranceSection,
 ) -> ToleranceOutcome {
     let beta = parameters.effect_ratio();
-    let slider = parameters.map(|value| Ball::from_rational(value, bits_for_digits(DIGITS) + 24));
+    let slider = enclosed(parameters, DIGITS);
     let rows = Asymptote::ALL
         .into_iter()
         .flat_map(|asymptote| section.relative.iter().map(move |tolerance| (asymptote, tolerance)))

@@ -48,8 +48,21 @@ impl Limit {
     }
 }
 
-/// Where the asymptote's relative error reaches `tolerance`; none for eqs 15 and 18 at β = 1 and for an error of eq 18 of
-/// 100 % or more.
+/// Bits for so many digits of what these numbers give: |β − 1|, √β and 1 − ε are at least the inverse of their numerators or denominators.
+fn working_bits(digits: u32, exact: &[&Rational]) -> u32 {
+    let size = |value: &&Rational| value.numer().significant_bits() + value.denom().significant_bits();
+    bits_for_digits(digits) + GUARD_BITS + 2 * exact.iter().map(size).sum::<u32>()
+}
+
+/// A slider's values with bits for so many digits of its asymptotes and limits.
+#[must_use]
+pub fn enclosed(slider: &Slider<Rational>, digits: u32) -> Slider<Ball> {
+    let bits = working_bits(digits, &[&slider.effect_ratio()]);
+    slider.map(|value| Ball::from_rational(value, bits))
+}
+
+/// Where the asymptote's relative error reaches `tolerance`; none for eqs 15 and 18 at β = 1 and for an error of eq 18
+/// of 100 % or more.
 #[must_use]
 pub fn limit(
     asymptote: Asymptote,
@@ -57,23 +70,17 @@ pub fn limit(
     tolerance: &Rational,
     digits: u32,
 ) -> Option<Limit> {
-    let bits = bits_for_digits(digits) + GUARD_BITS;
+    let bits = working_bits(digits, &[effect_ratio, tolerance]);
     let arc = asymptote.arc();
     let roots = ParameterEquation::at_error(effect_ratio, asymptote, tolerance.clone()).roots(bits);
     // Descending: the first lies towards the quasi-static end, the last towards the inertial one.
     let reached = if asymptote.is_quasi_static() { roots.first() } else { roots.last() };
-    let parameter = match (reached, arc) {
-        (Some(parameter), _) => parameter.clone(),
-        (None, Arc::Lower) => cusp_parameter(effect_ratio, bits),
-        (None, Arc::Upper) => return None,
-    };
+    let cusp = || (arc == Arc::Lower).then(|| cusp_parameter(effect_ratio, bits));
+    let parameter = reached.cloned().or_else(cusp)?;
     let place = ArcFrame::of_rational(effect_ratio, bits).point(arc, &parameter);
     let leading = leading_limit(asymptote, effect_ratio, tolerance);
-    let exact = if asymptote.is_quasi_static() {
-        &place.groups.inertial_parameter
-    } else {
-        &place.groups.stiffness_group
-    };
+    let [eta, kappa] = [&place.groups.inertial_parameter, &place.groups.stiffness_group];
+    let exact = if asymptote.is_quasi_static() { eta } else { kappa };
     Some(Limit {
         asymptote,
         whole_branch: reached.is_none(),
@@ -111,15 +118,25 @@ mod tests {
 
     #[test]
     fn at_the_limit_the_error_is_the_tolerance() {
-        for beta in ["1e-3", "0.5", "1", "1.5", "1000"] {
-            for tolerance in ["0.1", "0.01", "0.001"] {
+        let below_one = "0.999999999999999999999999999999999999999999999999999999999999";
+        for beta in ["1e-300", "1e-3", "0.5", below_one, "1", "1.5", "1000", "1e300"] {
+            for tolerance in [below_one, "0.1", "0.01", "0.001", "1e-300"] {
                 for asymptote in Asymptote::ALL {
-                    let Some(limit) = limit(asymptote, &number(beta), &number(tolerance), 30) else {
-                        assert!(beta == "1" && asymptote.arc() == Arc::Upper);
+                    let Some(limit) = limit(asymptote, &number(beta), &number(tolerance), 1000) else {
+                        assert!(beta == "1" && asymptote.arc() == Arc::Upper, "{beta} {tolerance}");
                         continue;
                     };
                     let groups = &limit.groups;
-                    let frame = ArcFrame::of_rational(&number(beta), 200);
+                    let coarse =
+                        super::limit(asymptote, &number(beta), &number(tolerance), 20).unwrap().groups;
+                    for (fine, coarse) in [
+                        (&groups.inertial_parameter, coarse.inertial_parameter),
+                        (&groups.stiffness_group, coarse.stiffness_group),
+                    ] {
+                        let off = coarse / fine - Ball::from(1);
+                        assert!(off.upper() < number("1e-18"), "{beta} {tolerance} {asymptote:?}");
+                    }
+                    let frame = ArcFrame::of_rational(&number(beta), 4000);
                     let end = match asymptote.arc() {
                         Arc::Upper => frame.difference.square(),
                         Arc::Lower => frame.sum.square(),

@@ -24,13 +24,10 @@
 //! **Cusp.** Where the whole branch is good, the limit is the cusp: β = t³/(3t + 2), κ = (1 + t)³/(3t + 2), η/κ = 1/(1 + t)³ with t > 0.
 //! So V0 falls with β, and σ = K D_c/(a κ) falls with a and b: the directions of eqs 16 and 20. The limit is continuous where one case ends.
 
-use super::limit;
+use super::{enclosed, limit};
 use crate::friction::Slider;
-use crate::number::{Ball, Rational, bits_for_digits};
+use crate::number::{Ball, Rational};
 use crate::stability::{Arc, Asymptote, ParameterBox};
-
-/// Bits beyond the digits requested.
-const GUARD_BITS: u32 = 24;
 
 /// An asymptote and its limit over a box.
 #[derive(Debug, Clone)]
@@ -77,16 +74,14 @@ pub fn limit_over_box(
     tolerance: &Rational,
     digits: u32,
 ) -> Option<LimitOverBox> {
-    let bits = bits_for_digits(digits) + GUARD_BITS;
     let ends: [Slider<Rational>; 2] = [region.lower().slider, region.upper().slider];
     let effects = Effects::of(&ends);
     if effects == Effects::Equal && asymptote.arc() == Arc::Upper {
         return None;
     }
-    let balls = |slider: &Slider<Rational>| slider.map(|value| Ball::from_rational(value, bits));
-    let value = |slider: &Slider<Rational>| asymptote.value(&balls(slider), &Ball::from(1));
+    let value = |slider: &Slider<Rational>| asymptote.value(&enclosed(slider, digits), &Ball::from(1));
     let at_limit = |slider: &Slider<Rational>| {
-        Some(limit(asymptote, &slider.effect_ratio(), tolerance, digits)?.in_si(&balls(slider)))
+        Some(limit(asymptote, &slider.effect_ratio(), tolerance, digits)?.in_si(&enclosed(slider, digits)))
     };
     let [least, greatest] = corners(&ends, rises_of_limit(asymptote, effects));
     let limits = [at_limit(&least)?, at_limit(&greatest)?];
@@ -117,10 +112,9 @@ impl Effects {
 
 /// Whether the limit rises with a, b, D_c, K, M.
 fn rises_of_limit(asymptote: Asymptote, effects: Effects) -> [bool; 5] {
-    let with_a = match asymptote {
-        Asymptote::QuasiStaticUpper | Asymptote::InertialUpper => effects == Effects::Weakening,
-        Asymptote::QuasiStaticLower => true,
-        Asymptote::InertialLower => false,
+    let with_a = match asymptote.arc() {
+        Arc::Upper => effects == Effects::Weakening,
+        Arc::Lower => asymptote.is_quasi_static(),
     };
     let with_b = asymptote.arc() == Arc::Upper && !with_a;
     // M has no part in eqs 18 and 20.
