@@ -63,7 +63,7 @@ def exact(value: Number, name: str = "") -> str:
         return f"{exact(value.magnitude, name)} {unit(value)}".rstrip()  # type: ignore[union-attr]
     if is_of("uncertainties", value, "nominal_value"):
         return with_error((value.nominal_value, value.std_dev), name)  # type: ignore[union-attr]
-    raise fault(name, repr(value), "no number that is known exactly (write a text, Decimal, Fraction, int or float)")
+    raise fault(name, repr(value), "no number (write a text, Decimal, Fraction, int or float; a range is a text, '[1.2, 5]')")
 
 
 def flag(value: object, name: str) -> bool:

@@ -7,7 +7,7 @@ use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::{PyBytes, PyFloat, PyString};
 use rayon::prelude::*;
-use slipmode::scene::{AllowedRange, Fault, Faults, Problem, Quantity, Uncertain, parse_value, with_unit};
+use slipmode::scene::{AllowedRange, Fault, Faults, Problem, Quantity, Uncertain, with_unit};
 use slipmode_core::friction::Parameters;
 use slipmode_core::number::{Dd, Rational, parse_decimal_to_dd};
 
@@ -148,7 +148,8 @@ impl Column {
         if !self.is_constant() && given.map_or_else(f64::is_nan, str::is_empty) {
             return Ok(None);
         }
-        let exact = given.map_or_else(|value| self.binary(value), |text| parse_value(self.quantity, text));
+        let read = |text: &str| Uncertain::of(self.quantity, text)?.exact("a value without an error bar");
+        let exact = given.map_or_else(|value| self.binary(value), read);
         exact.map(Some).map_err(|problem| {
             let key = if self.is_constant() { self.name.clone() } else { format!("{}[{row}]", self.name) };
             fault(key, given.map_or_else(|value| format!("{value:e}"), str::to_string), problem)
@@ -178,13 +179,6 @@ impl<'a, 'py> FromPyObject<'a, 'py> for Values {
             Ok(bytes) => Ok(Self::Floats(bytes.to_owned().into())),
             Err(_) => values.extract().map(Self::Texts),
         }
-    }
-}
-
-impl Values {
-    /// Whether the one value has an error bar.
-    pub fn is_uncertain(&self) -> bool {
-        matches!(self, Self::Text(text) if Uncertain::is_meant(text))
     }
 }
 

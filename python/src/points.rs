@@ -15,7 +15,7 @@ use slipmode_core::stability::{
     Classification, Frequencies, InertialThreshold, SlipMode, classify, three_roots,
 };
 
-use crate::columns::{Given, PART, Rows, fill};
+use crate::columns::{Given, PART, Rows, Values, fill};
 use crate::{input_error, threshold};
 
 /// The numbers of a row.
@@ -72,7 +72,8 @@ pub fn classify_point(
     columns: [Given; 7],
     inertial_threshold: Option<&str>,
 ) -> PyResult<Option<(Fields, String)>> {
-    if columns.iter().any(|(_, values, _)| values.is_uncertain()) {
+    let is_wide = |(of, (_, values, _)): (Quantity, &Given)| matches!(values, Values::Text(text) if Uncertain::is_wide(of, text));
+    if Quantity::ALL.into_iter().zip(&columns).any(is_wide) {
         return Ok(None);
     }
     let rows = Rows::new(columns, 1)?;

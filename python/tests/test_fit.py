@@ -131,3 +131,4 @@ def test_peaks_are_those_of_the_command_line():
     assert found.error_parts_m_per_s["noise"] == tuple(printed["error_parts_m_per_s"]["noise"])
     with pytest.raises(slipmode.InputError, match="argument effect_ratio"):
         slipmode.fit_peaks(frame, effect_ratio=1.1)
+    assert slipmode.fit_peaks(frame, effect_ratio=1.2).to_dict() == slipmode.fit_peaks(frame, effect_ratio="1.2").to_dict()

@@ -6,8 +6,7 @@ use std::path::Path;
 use clap::{Arg, ArgGroup, ArgMatches, Args, Command};
 
 use slipmode::scene::{
-    AllowedRange, Fault, Faults, Problem, Quantity, Uncertain, all_of, cited, parse_value, parse_whole,
-    unit_of,
+    AllowedRange, Fault, Faults, Problem, Quantity, Uncertain, all_of, cited, parse_whole, unit_of,
 };
 use slipmode_core::friction::{OperatingPoint, Parameters, Slider};
 use slipmode_core::number::format::exact_text;
@@ -98,7 +97,8 @@ impl<const N: usize> QuantityOptions<N> {
 
     /// Whether a value has an error bar.
     pub fn is_uncertain(&self) -> bool {
-        self.0.iter().flatten().any(|text| Uncertain::is_meant(text))
+        let mut given = Quantity::ALL.into_iter().zip(&self.0);
+        given.any(|(quantity, text)| text.as_ref().is_some_and(|text| Uncertain::is_wide(quantity, text)))
     }
 
     /// The five values of the material and the machine; what is missing or faulty is collected in `arguments`.
@@ -135,12 +135,11 @@ impl<const N: usize> QuantityOptions<N> {
     pub fn centre(&self, arguments: &mut Arguments) -> Option<Self> {
         let mut centre = self.clone();
         let mut is_sound = true;
-        for (quantity, text) in Quantity::ALL.into_iter().zip(&mut centre.0) {
-            if text.as_deref().is_some_and(Uncertain::is_meant) {
-                let ends = uncertain(quantity, text.as_deref(), arguments);
-                is_sound &= ends.is_some();
-                *text = ends.map(|ends| exact_text(&ends.middle()));
-            }
+        let given = Quantity::ALL.into_iter().zip(&mut centre.0);
+        for (quantity, text) in given.filter(|(_, text)| text.as_deref().is_some_and(Uncertain::is_meant)) {
+            let ends = uncertain(quantity, text.as_deref(), arguments);
+            is_sound &= ends.is_some();
+            *text = ends.map(|ends| exact_text(&ends.middle()));
         }
         is_sound.then_some(centre)
     }
@@ -183,12 +182,8 @@ pub fn operating_point(
     if stress.is_none() && velocity.is_none() {
         return Some(None);
     }
-    let normal_stress_pa = required(Quantity::NormalStress, stress, arguments);
-    let loading_velocity_m_per_s = required(Quantity::LoadingVelocity, velocity, arguments);
-    Some(Some(OperatingPoint {
-        normal_stress_pa: normal_stress_pa?,
-        loading_velocity_m_per_s: loading_velocity_m_per_s?,
-    }))
+    let point = [(Quantity::NormalStress, stress), (Quantity::LoadingVelocity, velocity)];
+    all_of(point.map(|(quantity, text)| required(quantity, text, arguments))).map(|point| Some(point.into()))
 }
 
 /// Refuses standard output for a file where it has the object of `--json`.
@@ -206,10 +201,8 @@ const WITHOUT_ERROR_BAR: &str = "a value without an error bar; ranges over error
     `simulate`, `boundary`, `solve` and `tolerance`";
 
 fn required(quantity: Quantity, text: Option<&str>, arguments: &mut Arguments) -> Option<Rational> {
-    let value = required_as(quantity, text, arguments, |text| match Uncertain::is_meant(text) {
-        true => Err(Problem::Needs(WITHOUT_ERROR_BAR.into())),
-        false => parse_value(quantity, text),
-    })?;
+    let read = |text: &str| Uncertain::of(quantity, text)?.exact(WITHOUT_ERROR_BAR);
+    let value = required_as(quantity, text, arguments, read)?;
     arguments.note_unit(quantity, text, &[&value]);
     Some(value)
 }
@@ -273,7 +266,7 @@ pub fn inertial_threshold(text: &str) -> Result<InertialThreshold, Problem> {
     let square = text.trim().strip_prefix("sqrt(").and_then(|rest| rest.strip_suffix(')'));
     let threshold = match square.map(parse_quotient) {
         Some(square) => square.ok().and_then(InertialThreshold::from_squared_ratio),
-        None => InertialThreshold::from_ratio(&range.parse_quotient(text)?),
+        None => InertialThreshold::from_ratio(&range.parse(text)?),
     };
     threshold.ok_or(Problem::OutOfRange { allowed: range.text() })
 }
@@ -341,7 +334,7 @@ impl Arguments {
     /// A value in this unit of SI, or with a unit of its own; its value in SI is then printed.
     pub fn measured(&mut self, option: &str, text: &str, in_si: &str) -> Option<Rational> {
         let read = |text: &str| {
-            AllowedRange::PHYSICAL.parse_given(text, in_si).map_err(|problem| match problem {
+            AllowedRange::PHYSICAL.parse_measured(text, in_si).map_err(|problem| match problem {
                 _ if Uncertain::is_meant(text) => Problem::ErrorBar("takes no error bar; give one value"),
                 problem => problem,
             })

@@ -162,7 +162,7 @@ impl TargetOptions {
 /// A rate of either sign, or zero.
 fn growth_rate(text: &str) -> Result<Rational, Problem> {
     let magnitude = text.strip_prefix('-').unwrap_or(text);
-    match AllowedRange::PHYSICAL.parse_given(magnitude, PER_SECOND) {
+    match AllowedRange::PHYSICAL.parse_measured(magnitude, PER_SECOND) {
         Err(Problem::NotPositive { .. }) if !magnitude.starts_with('-') => Ok(Rational::new()),
         read => read.map(|rate| if magnitude == text { rate } else { -rate }),
     }

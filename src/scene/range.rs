@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use crate::scene::Problem;
 use crate::scene::units::{unit_for, unit_of, with_unit};
 use slipmode_core::friction::{LEAST, MOST, Quantity};
-use slipmode_core::number::{DecimalError, Rational, parse_decimal, parse_quotient};
+use slipmode_core::number::{DecimalError, Rational, nearest_f64, parse_decimal, parse_quotient};
 
 /// A range of numbers; its ends are decimals, so that messages and checks cannot differ.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -58,7 +58,7 @@ impl AllowedRange {
         if *self == Self::PHYSICAL { "a positive number".into() } else { self.text() }
     }
 
-    /// Reads a decimal exactly and checks that it lies in the range.
+    /// Reads a decimal, or a fraction such as `1/3`, exactly and checks that it lies in the range.
     ///
     /// # Errors
     /// When the text is not a number of the grammar, or lies outside.
@@ -66,26 +66,10 @@ impl AllowedRange {
         self.check(self.number(text)?)
     }
 
-    /// The same of a decimal or of a quotient of two, such as `1/3`.
-    ///
-    /// # Errors
-    /// As [`Self::parse`].
-    pub fn parse_quotient(&self, text: &str) -> Result<Rational, Problem> {
-        self.check(parse_quotient(text).map_err(|reason| not_a_number(text, reason, Some(self.text())))?)
-    }
-
-    /// The value of a decimal.
+    /// The value of a decimal or a fraction.
     fn number(&self, text: &str) -> Result<Rational, Problem> {
         let allowed = (*self != Self::PHYSICAL).then(|| self.text());
-        parse_decimal(text).map_err(|reason| not_a_number(text, reason, allowed))
-    }
-
-    /// As [`Self::parse_measured`], and a fraction of whole numbers such as `1/3`, in this unit of SI.
-    ///
-    /// # Errors
-    /// As [`Self::parse_measured`].
-    pub fn parse_given(&self, text: &str, in_si: &str) -> Result<Rational, Problem> {
-        fraction(text).map_or_else(|| self.parse_measured(text, in_si), |value| self.check(value))
+        parse_quotient(text).map_err(|reason| not_a_number(text, reason, allowed))
     }
 
     /// Reads a number in this unit of SI, or one that is followed by a unit of its own, which is converted exactly.
@@ -108,8 +92,9 @@ impl AllowedRange {
             return Err(Problem::NotPositive { allowed });
         }
         let [lower, upper] = [self.lower, self.upper].map(|end| parse_decimal(end).unwrap_or_default());
-        let is_end = value == lower || value == upper;
-        let inside = lower <= value && value <= upper && (self.ends_included || !is_end);
+        // A program's 64-bit number for an end may lie just outside.
+        let is_end = [&lower, &upper].into_iter().any(|end| value == *end || value == nearest_f64(end));
+        let inside = if is_end { self.ends_included } else { lower < value && value < upper };
         if inside { Ok(value) } else { Err(Problem::OutOfRange { allowed }) }
     }
 }
@@ -119,7 +104,7 @@ impl AllowedRange {
 /// # Errors
 /// When it is no number, not in the allowed range, or in a unit of another dimension.
 pub fn parse_value(quantity: Quantity, text: &str) -> Result<Rational, Problem> {
-    AllowedRange::PHYSICAL.parse_given(text, unit_of(quantity))
+    AllowedRange::PHYSICAL.parse_measured(text, unit_of(quantity))
 }
 
 /// The fault of a text that is no number.
@@ -136,17 +121,6 @@ pub(crate) fn has_between_digits(text: &str, mark: u8) -> bool {
     text.as_bytes()
         .windows(3)
         .any(|part| part[1] == mark && part[0].is_ascii_digit() && part[2].is_ascii_digit())
-}
-
-/// The value of a text of the form `digits/digits`, unless it divides by zero or has more digits than a decimal may.
-fn fraction(text: &str) -> Option<Rational> {
-    let (numerator, denominator) = text.split_once('/')?;
-    let whole = |digits: &str| {
-        let is_whole = digits.bytes().all(|byte| byte.is_ascii_digit());
-        parse_decimal(digits).ok().filter(|_| is_whole)
-    };
-    let denominator = whole(denominator).filter(|value| *value != 0)?;
-    Some(whole(numerator)? / denominator)
 }
 
 /// A whole number of decimal digits in a range whose end may be `u64::MAX`, which messages leave out.
@@ -173,6 +147,10 @@ pub(crate) fn whole_range_text(range: &RangeInclusive<u64>) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn number(text: &str) -> Rational {
+        parse_decimal(text).unwrap()
+    }
 
     #[test]
     fn an_end_that_nobody_can_reach_is_not_told() {
@@ -214,13 +192,32 @@ mod tests {
     }
 
     #[test]
-    fn a_fraction_is_exact_and_divides_by_digits_only() {
-        let read = |text: &str| AllowedRange::PHYSICAL.parse_given(text, "m");
-        assert_eq!(read("1/3"), Ok(Rational::from((1, 3))));
-        assert!(matches!(read("0/3"), Err(Problem::NotPositive { .. })));
-        for text in ["1/0", "1/-3", "1/3.0", "1/3/3", "/3", "1/", "1e5/3", "1 / 3", "1/3um"] {
+    fn a_fraction_is_exact_and_has_no_unit() {
+        let read = |text: &str| AllowedRange::PHYSICAL.parse_measured(text, "m");
+        for text in ["1/3", " 1 / 3 ", "1e5/3e5", "+0.5/1.5", "-1/-3"] {
+            assert_eq!(read(text), Ok(Rational::from((1, 3))), "{text}");
+        }
+        for text in ["0/3", "1/-3"] {
+            assert!(matches!(read(text), Err(Problem::NotPositive { .. })), "{text}");
+        }
+        for text in ["1/0", "1/3/3", "/3", "1/", "1/3um", "1um/3"] {
             assert!(matches!(read(text), Err(Problem::NotANumber { .. } | Problem::Unit(_))), "{text}");
         }
+    }
+
+    #[test]
+    fn the_64_bit_number_of_an_end_is_in_the_range() {
+        use AllowedRange as Range;
+        let closed = [Range::PHYSICAL, Range::SIMULATION_TOLERANCE, Range::EFFECT_RATIO, Range::BUDGET];
+        let beyond =
+            |end: &str, other: &str| Rational::from_f64(end.parse().unwrap()).unwrap() * number(other);
+        for range in closed.into_iter().chain([Range::RUN_TOLERANCE, Range::AMPLITUDE]) {
+            for (end, farther) in [(range.lower, "0.9999999999999999"), (range.upper, "1.0000000000000002")] {
+                assert!(range.check(beyond(end, "1")).is_ok(), "{end}");
+                assert!(range.check(beyond(end, farther)).is_err(), "{end}");
+            }
+        }
+        assert!(Range::OPEN_UNIT.check(beyond("1", "1")).is_err());
     }
 
     #[test]

@@ -5,7 +5,7 @@
 use crate::scene::units::split_unit;
 use crate::scene::{AllowedRange, Problem, Quantity, parse_value};
 use slipmode_core::friction::ParameterBox;
-use slipmode_core::number::Rational;
+use slipmode_core::number::{DecimalError, Rational, parse_quotient};
 
 /// All values between two exact ends, ends included; a value without an error bar has equal ends.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -27,7 +27,7 @@ impl Uncertain {
     #[must_use]
     pub fn is_meant(text: &str) -> bool {
         text.trim_start().starts_with('[')
-            || text.contains('(')
+            || in_brackets(text).is_some()
             || SEPARATORS.iter().any(|separator| text.contains(separator))
     }
 
@@ -37,6 +37,20 @@ impl Uncertain {
     /// As [`Self::parse`].
     pub fn of(quantity: Quantity, text: &str) -> Result<Self, Problem> {
         Self::parse(text, |number| parse_value(quantity, number))
+    }
+
+    /// Whether a text has an error bar that is not 0, or one that is at fault.
+    #[must_use]
+    pub fn is_wide(quantity: Quantity, text: &str) -> bool {
+        Self::is_meant(text) && !Self::of(quantity, text).is_ok_and(|ends| ends.is_certain())
+    }
+
+    /// The one value.
+    ///
+    /// # Errors
+    /// What is needed instead, where there is an error bar that is not 0.
+    pub fn exact(self, needs: &str) -> Result<Rational, Problem> {
+        if self.is_certain() { Ok(self.lower) } else { Err(Problem::Needs(needs.into())) }
     }
 
     /// A value without an error bar.
@@ -72,7 +86,7 @@ impl Uncertain {
         if let Some(range) = text.trim_start().strip_prefix('[') {
             return Self::between(range, read);
         }
-        if let Some((value, digits)) = text.split_once('(') {
+        if let Some((value, digits)) = in_brackets(text) {
             return Self::with_last_digits(value, digits, read);
         }
         let Some((value, error)) = SEPARATORS.iter().find_map(|separator| text.split_once(separator)) else {
@@ -137,11 +151,13 @@ impl Uncertain {
             None => read(error),
         };
         let size = match size {
-            Err(Problem::NotPositive { .. }) if error.starts_with('-') => {
-                return Err(Problem::ErrorBar("the error is negative"));
-            }
-            Err(Problem::NotPositive { .. }) => Rational::new(),
-            size => size?,
+            Err(Problem::NotPositive { .. }) if !error.starts_with('-') => Rational::new(),
+            size => size.map_err(|problem| match problem {
+                Problem::NotPositive { .. } => Problem::ErrorBar("the error is negative"),
+                Problem::OutOfRange { .. } => Problem::ErrorBar(OUT_OF_RANGE),
+                Problem::NotANumber { reason: DecimalError::Malformed, .. } => Problem::ErrorBar(NO_NUMBER),
+                problem => problem,
+            })?,
         };
         if size >= *value {
             let reason = "the error is not smaller than the value: the lower end must be > 0";
@@ -157,12 +173,20 @@ pub(crate) const UNITS_DIFFER: &str = "the value has a unit and its error has no
 /// Why brackets have no meaning.
 const LAST_DIGITS: &str = "brackets have the error of the last digits, as in 0.0098(5) um";
 
-/// What follows the number of a text; the denominator of a fraction is no unit.
+/// Why an error has no meaning.
+const NO_NUMBER: &str = "the error is no number";
+/// Why an error has no meaning.
+const OUT_OF_RANGE: &str = "the error is out of range (allowed: 0, 1e-300 to 1e300)";
+
+/// A value and what follows a bracket behind it.
+fn in_brackets(text: &str) -> Option<(&str, &str)> {
+    text.split_once('(').filter(|(value, _)| value.contains(|c: char| c.is_ascii_digit()))
+}
+
+/// What follows the number of a text; a fraction and a text without a number have no unit.
 fn unit_of(text: &str) -> &str {
     let rest = text.trim_start_matches(|c: char| c.is_ascii_digit() || "+-.eE ".contains(c)).trim_end();
-    let is_denominator =
-        |digits: &str| !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit());
-    if rest.strip_prefix('/').is_some_and(is_denominator) { "" } else { rest }
+    if parse_quotient(text).is_ok() || rest.len() == text.trim().len() { "" } else { rest }
 }
 
 /// A number with a unit, unless it has one of its own.
@@ -216,6 +240,9 @@ mod tests {
             ("8um +/- 2.5 %", "8±0.2um"),
             ("8±2.5% um", "8±0.2um"),
             ("[7; 9] um", "8±1um"),
+            ("1/4±1/8", "0.25±0.125"),
+            ("0.5/2 ± 50%", "0.25±0.125"),
+            ("[1/8, 3/8]", "0.25±0.125"),
         ] {
             assert!(Uncertain::is_meant(text), "{text}");
             assert_eq!(parse(text), parse(bar), "{text}");
@@ -263,8 +290,13 @@ mod tests {
             ("[-1, 2]", "must be > 0"),
             ("[0, 2]", "must be > 0"),
             ("[1, 2, 3]", "not a decimal number"),
-            ("1±x", "not a decimal number"),
-            ("1±", "not a decimal number"),
+            ("1±x", "the error is no number"),
+            ("1±", "the error is no number"),
+            ("1±inf", "the error is no number"),
+            ("1±nan", "the error is no number"),
+            ("1±1e-320", "the error is out of range"),
+            ("1±1e-310um", "the error is out of range"),
+            ("sqrt(2)", "not a decimal number"),
             ("1±0.1±0.1", "not a decimal number"),
             ("[1±0.1, 2]", "not a decimal number"),
             ("[1, 2]±0.1", "not a decimal number"),

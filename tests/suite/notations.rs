@@ -71,6 +71,11 @@ fn fractions_are_read_wherever_a_ratio_or_a_rate_is() {
             [("1/2", "0.5"), ("3/4", "0.75")],
         ),
         (&["tolerance", "-e", "X"], [("1/10", "0.1"), ("1/4", "0.25")]),
+        (&["boundary", "--at-velocity", "X"], [("1/1000", "1e-3"), ("3e-5/2", "1.5e-5")]),
+        (
+            &["simulate", "-s", "1e5", "-v", "1e-3", "--law", "slip", "--tolerance", "X"],
+            [("1/100", "0.01"), ("0.5/100", "0.005")],
+        ),
     ] {
         for (fraction, decimal) in pairs {
             assert_eq!(said(words, fraction), said(words, decimal), "{words:?} {fraction}");
@@ -89,7 +94,7 @@ fn cells_and_scenes_take_the_same_notations() {
         out.lines().last().unwrap().split_once(",8e-6,").unwrap().1.to_string()
     };
     let bar = last("0.0126±0.00063");
-    for cell in ["0.0126+/-0.00063", "0.0126±5%", "0.01260(63)"] {
+    for cell in ["0.0126+/-0.00063", "0.0126±5%", "0.01260(63)", "63/5000 ± 5%", "[0.01197; 1323/1e5]"] {
         assert_eq!(last(cell), bar, "{cell}");
     }
     place.run_with_input(["classify", "--points", "-"], &rows("0.0126(6.3)")).expect_refusal(&[
@@ -104,11 +109,27 @@ fn cells_and_scenes_take_the_same_notations() {
     };
     place.write("bar.toml", scene("\"0.0126±0.00063\"", "\"8um±0.2um\""));
     place.write("other.toml", scene("\"0.0126±5%\"", "\"8.0(2) um\""));
-    for name in ["bar", "other"] {
+    place.write("fraction.toml", scene("\"63/5000±5%\"", "\"1/125000±2e-7\""));
+    for name in ["bar", "other", "fraction"] {
         let ended = place.run(["run", &format!("{name}.toml"), "-o", name]);
         assert_eq!(ended.code, 0, "{}", ended.stderr);
     }
     assert_eq!(place.read("bar/tables/boundary.csv"), place.read("other/tables/boundary.csv"));
+    assert_eq!(place.read("bar/tables/boundary.csv"), place.read("fraction/tables/boundary.csv"));
+}
+
+#[test]
+fn an_error_of_0_is_none() {
+    let slider = |a: &str| format!("-a {a} -b 0.006 -d 1e-5 -k 1e7 -m 1000 --json");
+    for command in
+        ["classify -s 1e5 -v 1e-3", "boundary --at-velocity 1e-3", "tolerance", "roots -s 1e5 -v 1e-3"]
+    {
+        let said = |a: &str| {
+            let line = format!("{command} {}", slider(a));
+            Workplace::new().run(line.split(' ')).expect_success()
+        };
+        assert_eq!(said("0.004±0"), said("0.004"), "{command}");
+    }
 }
 
 #[test]

@@ -6,7 +6,7 @@ use thiserror::Error;
 
 use super::exact::{Exact, NumberError};
 use crate::friction::{LEAST, MOST, Quantity};
-use crate::number::{Rational, parse_decimal};
+use crate::number::{Rational, nearest_f64, parse_decimal};
 
 /// What is wrong with the value of one input.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
@@ -76,7 +76,8 @@ impl Quantity {
             return Err(refused(QuantityError::NotPositive(exact)));
         }
         let [least, most] = [LEAST, MOST].map(|end| parse_decimal(end).unwrap_or_default());
-        let is_inside = (least..=most).contains(&exact.0);
+        // The 64-bit number 1e300 is above the decimal.
+        let is_inside = least <= exact.0 && (exact.0 <= most || exact.0 == nearest_f64(&most));
         if is_inside { Ok(exact.0) } else { Err(refused(QuantityError::OutOfRange)) }
     }
 }

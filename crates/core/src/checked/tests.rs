@@ -8,7 +8,8 @@ use super::{Exact, NumberError, OperatingPoint, Slider};
 fn any_number() -> impl Strategy<Value = f64> {
     let bits = any::<u64>().prop_map(f64::from_bits);
     let sized = (-40.0..40.0_f64).prop_map(libm::exp10);
-    prop_oneof![bits, sized.clone(), sized]
+    let ends = prop::sample::select(vec![1e-300, 1e300, 1e300_f64.next_up(), 1e-300_f64.next_down()]);
+    prop_oneof![1 => bits, 1 => ends, 4 => sized]
 }
 
 fn is_input(value: f64) -> bool {
