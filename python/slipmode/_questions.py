@@ -224,7 +224,7 @@ def classify_uncertain(rows: Rows, threshold: str | None) -> Any:
 def ranges(found: Mapping[str, Any]) -> dict[str, Any]:
     """Return what is found over a box, or at a point, as a row of ranges."""
     is_box = "slip_modes" in found
-    modes = [each["mode"] for each in found["slip_modes"]] if is_box else [found["slip_mode"]]
+    modes = [each["mode"] for each in (*found["slip_modes"], *found["undecided"])] if is_box else [found["slip_mode"]]
     row: dict[str, Any] = {"certain": found.get("certain", True), "slip_modes": ";".join(modes)}
     row["undecided_share"] = found.get("undecided_share", 0.0)
     for name in ("transition_sign", "boundary_sign", *RANGES):

@@ -52,7 +52,8 @@ def test_arrays_are_bit_for_bit_the_rows_of_the_command_line(tmp_path):
     assert np.asarray(ours.spectral_class).tolist() == rows["spectral_class"]
     assert np.asarray(ours.slip_mode).tolist() == rows["slip_mode"]
     results = ours.results()
-    assert list(results) == list(rows)[len(COLUMNS.split(",")) :] and np.asarray(results["rung"]).tolist() == rows["rung"]
+    assert [*results, "undecided_share"] == list(rows)[len(COLUMNS.split(",")) :] and set(rows["undecided_share"]) == {"0"}
+    assert np.asarray(results["rung"]).tolist() == rows["rung"]
     assert np.array_equal(results["frequency_hz"], ours.frequency, equal_nan=True)
     for column in ("critical_stiffness_pa_per_m", "stiffness_over_critical", "frequency_hz", "frequency_over_natural"):
         theirs = [float(text) if text else None for text in rows[column]]

@@ -94,7 +94,7 @@ fn keep_going_gives_every_row_and_says_which_are_faulty() {
     let mut reader = csv::ReaderBuilder::new().flexible(false).from_reader(ended.stdout.as_bytes());
     assert_eq!(reader.headers().unwrap().iter().next_back(), Some("error"));
     let errors: Vec<(String, String)> =
-        reader.records().map(Result::unwrap).map(|row| (row[0].to_string(), row[19].to_string())).collect();
+        reader.records().map(Result::unwrap).map(|row| (row[0].to_string(), row[20].to_string())).collect();
     let shown: Vec<_> = errors.iter().map(|(id, error)| (id.as_str(), error.is_empty())).collect();
     assert_eq!(shown, [("a", true), ("'=b", false), ("c", false), ("d", false), ("e", true)]);
     assert!(errors[1].1.contains("column direct_effect = x: not a decimal"), "{}", errors[1].1);

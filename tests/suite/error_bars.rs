@@ -74,7 +74,7 @@ fn faulty_error_bars_are_all_reported_at_once() {
         "--direct-effect = \"0.009±0.01\": the error is not smaller than the value",
         "(allowed: 1e-300 to 1e300)",
         "--evolution-effect = \"[0.02, 0.01]\": reversed range",
-        "--critical-slip-distance-m = \"8e-6±x\": \"x\" is no unit",
+        "--critical-slip-distance-m = \"8e-6±x\": the error is no number",
         "--stiffness-pa-per-m = \"[1e9 2e9]\": a range has the form [lower, upper]",
         "--mass-per-area-kg-per-m2 = 2400+--1: the error is negative",
         "--normal-stress-pa = \"[0, 5e6±1e5]\": not a decimal number",
@@ -84,6 +84,25 @@ fn faulty_error_bars_are_all_reported_at_once() {
     Workplace::new()
         .run(["classify"].into_iter().chain(threshold))
         .expect_refusal(&["--inertial-threshold = 0.4: out of range", "sqrt(1/5)"]);
+}
+
+#[test]
+fn a_row_names_undecided_modes_without_a_mark_and_has_their_share() {
+    let values = "0.00426557±0.00012%,0.0700703,7.45722e-07±99.99999999%,9.73816e+11,211471±99.99999999%,6362,8.21826e-08";
+    let certain = "0.004,0.006,1e-5,1e7,1000,1e5,1e-3";
+    let rows = format!("{HEADER}\n{values}\n{certain}\n");
+    let out = Workplace::new().run_with_input(["classify", "--points", "-"], &rows).expect_success();
+    let lines: Vec<&str> = out.lines().collect();
+    assert!(lines[0].ends_with(",undecided_share") && lines[2].ends_with(",0"), "{out}");
+    assert!(lines[1].contains(";stick-slip;harmonic-vibration,\"["), "{out}");
+    let share = lines[1].rsplit(',').next().unwrap();
+    assert!((0.0..0.005).contains(&share.parse::<f64>().unwrap()) && share != "0", "{share}");
+    let options = ["-a", "-b", "-d", "-k", "-m", "-s", "-v"].into_iter().zip(values.split(','));
+    let words = options.flat_map(|(option, value)| [option, value]);
+    let object = Workplace::new().run(["classify", "--json"].into_iter().chain(words)).expect_success();
+    let object: Value = serde_json::from_str(&object).unwrap();
+    assert_eq!(object["undecided_share"], share.parse::<f64>().unwrap());
+    assert_eq!(object["undecided"][0]["mode"], "harmonic-vibration");
 }
 
 #[test]
@@ -110,7 +129,7 @@ fn rows_take_error_bars_in_cells_and_in_columns_of_errors() {
     };
     let keys = ["max_real_per_s", "max_imaginary_per_s", "frequency_hz", "critical_stiffness_pa_per_m"];
     let cells: Vec<&str> = results.split('"').collect();
-    assert_eq!([cells[0], cells[2], cells[4], cells[6], cells[8]], [words, ",", ",exact,", ",", ",,"]);
+    assert_eq!([cells[0], cells[2], cells[4], cells[6], cells[8]], [words, ",", ",exact,", ",", ",,,0"]);
     for (cell, key) in cells.iter().skip(1).step_by(2).zip(keys) {
         let numbers = cell.strip_prefix('[').and_then(|cell| cell.strip_suffix(']')).unwrap().split(", ");
         // The reader of JSON may err by one unit in the last place.
@@ -356,4 +375,11 @@ fn a_formula_is_good_for_all_values_up_to_the_limit_of_the_worst_corner() {
     let text = ["tolerance", "-a", "0.009±0.002", "-b", "0.01", "-d", "8e-6", "-k", "2e9", "-m", "2400"];
     let text = Workplace::new().run(text).expect_success();
     assert!(text.contains("a = b lies within the error bars") && text.contains("σ = "), "{text}");
+    for a in ["0.004", "0.004±1%"] {
+        let close = ["tolerance", "-a", a, "-b", "0.006", "-d", "1e-5", "-k", "1e7", "-m", "1000"];
+        let error = ["-e", "0.99999999999999"];
+        let text = Workplace::new().run(close.into_iter().chain(error)).expect_success();
+        let line = text.lines().find(|line| line.starts_with("eq18")).unwrap();
+        assert!(line.contains(" 0.99999999999999 σ above"), "{line}");
+    }
 }

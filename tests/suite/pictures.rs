@@ -142,10 +142,17 @@ fn the_frequency_stands_in_text_object_and_rows() {
     };
     assert_eq!(
         cells(0),
-        ["frequency_hz", "critical_stiffness_pa_per_m", "stiffness_over_critical", "frequency_over_natural"]
+        [
+            "frequency_hz",
+            "critical_stiffness_pa_per_m",
+            "stiffness_over_critical",
+            "frequency_over_natural",
+            "undecided_share"
+        ]
     );
     let ratio = number("frequency_over_natural");
-    let wanted = [frequency.to_string(), "2.5e7".to_string(), "0.4".to_string(), ratio.to_string()];
+    let wanted =
+        [frequency.to_string(), "2.5e7".to_string(), "0.4".to_string(), ratio.to_string(), "0".to_string()];
     assert_eq!(cells(1), wanted);
     // For a > b there is no transition, and K_c is negative; this slider does not oscillate.
     let cells = cells(2);

@@ -3,7 +3,7 @@
 use crate::harness::{HEADER, ROW, Workplace};
 
 const APPENDED: &str = ",transition_sign,boundary_sign,spectral_class,slip_mode,max_real_per_s,max_imaginary_per_s,rung,\
-     frequency_hz,critical_stiffness_pa_per_m,stiffness_over_critical,frequency_over_natural";
+     frequency_hz,critical_stiffness_pa_per_m,stiffness_over_critical,frequency_over_natural,undecided_share";
 
 /// Many different rows, easy and hard ones mixed, without a random generator.
 fn many_rows(count: u32) -> String {
@@ -56,7 +56,7 @@ fn a_row_says_what_classify_says_of_the_point() {
         out.lines().nth(1).unwrap(),
         format!(
             "{ROW},-1,-1,unstable-complex,stick-slip,11.393570596829527,42.22571431798806,f64,\
-             6.720431159294019,2.5e7,0.4,0.4222571431798806"
+             6.720431159294019,2.5e7,0.4,0.4222571431798806,0"
         )
     );
 }

@@ -3,6 +3,7 @@
 use slipmode::csv::{Cells, Remark, RowWork, joined, names, push_cell, push_cells};
 use slipmode::scene::{Faults, Problem, Uncertain};
 use slipmode_core::friction::Parameters;
+use slipmode_core::number::format::shortest;
 use slipmode_core::number::{Dd, nearest_f64};
 use slipmode_core::roots::PrecisionLevel;
 use slipmode_core::stability::batch::classify_points;
@@ -86,6 +87,9 @@ pub const NEUTRAL: &str = SpectralClass::Neutral.as_str();
 pub const RESULT_COLUMNS: [&str; COLUMNS.len() + derived::COLUMNS.len()] =
     joined(&COLUMNS, &names(&derived::COLUMNS));
 
+/// All columns of `classify --points`: the last one is the largest share of the error bars in which the slip mode is not decided.
+const APPENDED: [&str; RESULT_COLUMNS.len() + 1] = joined(&RESULT_COLUMNS, &["undecided_share"]);
+
 /// The columns of a classification.
 const COLUMNS: [&str; 7] = [
     "transition_sign",
@@ -102,7 +106,7 @@ impl<const DERIVED: bool> RowWork for ClassifyRows<DERIVED> {
     type Input = Classified;
     type Kept = ();
 
-    const APPENDED: &'static [&'static str] = if DERIVED { &RESULT_COLUMNS } else { &COLUMNS };
+    const APPENDED: &'static [&'static str] = if DERIVED { &APPENDED } else { &COLUMNS };
     const BLOCK_ROWS: usize = 2048;
     const BLOCKS_PER_THREAD: usize = 1;
 
@@ -146,13 +150,17 @@ impl<const DERIVED: bool> RowWork for ClassifyRows<DERIVED> {
             RowFound::Box(found) => append_box(found, out),
         }
         match (found, derived) {
-            (_, Some(derived)) => push_cells(&derived::COLUMNS, derived, out),
+            (_, Some(derived)) => {
+                push_cells(&derived::COLUMNS, derived, out);
+                push_word("0", out);
+            }
             (RowFound::Box(found), None) if DERIVED => {
                 let [_, _, frequency] = found.ranges.enclosures();
                 push_ranges(
                     [frequency, Some(outward(&found.over.critical_stiffness_pa_per_m)), None, None],
                     out,
                 );
+                push_word(&shortest(nearest_f64(&found.over.undecided_share())), out);
             }
             _ => {}
         }
@@ -176,11 +184,10 @@ fn append_point(found: &Classification, out: &mut Vec<u8>) {
     push_word(found.precision_level.as_str(), out);
 }
 
-/// All that is possible, separated by semicolons; a mode that is not decided has a question mark. A value is a range.
+/// All that is possible, separated by semicolons, modes that are not decided last. A value is a range.
 fn append_box(BoxFound { over: found, ranges }: &BoxFound, out: &mut Vec<u8>) {
-    let mut modes: Vec<String> =
-        found.slip_modes.iter().map(|possible| possible.what.as_str().to_string()).collect();
-    modes.extend(found.undecided.iter().map(|(mode, _)| format!("{}?", mode.as_str())));
+    let mut modes: Vec<&str> = found.slip_modes.iter().map(|possible| possible.what.as_str()).collect();
+    modes.extend(found.undecided.iter().map(|(mode, _)| mode.as_str()));
     for [least, greatest] in [found.transition_signs, found.boundary_signs] {
         push_word(&(least..=greatest).map(sign_word).collect::<Vec<_>>().join(";"), out);
     }
