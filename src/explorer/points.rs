@@ -17,7 +17,7 @@ pub fn points(
     own: Option<&OperatingPoint<Rational>>,
     window: Window,
 ) -> (Vec<NamedPoint>, String) {
-    let own_point = own.map(|own| named("operating point", own.clone(), false));
+    let own_point = own.map(|own| named("command", own.clone(), false));
     let of_the_scene = parameters.point().map(|point| named("scene", point, true));
     let trajectories = scene.trajectories.iter().flat_map(|section| &section.points).map(|point| {
         let place = [&point.normal_stress_pa, &point.loading_velocity_m_per_s].map(Rational::clone);

@@ -8,6 +8,7 @@ use std::path::PathBuf;
 
 use serde_json::{Map, Value, json};
 use slipmode_algebra::Certificate;
+use slipmode_core::number::split_mix::SplitMix64;
 
 use crate::harness::{SLIDER, Workplace};
 
@@ -15,7 +16,13 @@ use crate::harness::{SLIDER, Workplace};
 const INVOCATIONS: &str = "tests/data/schemas/invocations.txt";
 
 /// Objects whose keys are data.
-const MAPS: [&str; 2] = ["correlations", "verdicts"];
+const MAPS: [&str; 3] = ["correlations", "points", "verdicts"];
+
+/// Errors of which an error bar of a random slider has one.
+const BARS: [&str; 3] = ["±1e-15%", "±5%", "±99.99%"];
+
+/// Random sliders that stand for a `~` of the table.
+const SLIDERS: u64 = 40;
 
 /// Objects whose other keys depend on the value of `kind`.
 const KINDS: [&str; 2] = ["certificate", "evidence"];
@@ -98,6 +105,7 @@ impl Shape {
         match value {
             Value::Array(items) => {
                 self.lengths.insert(items.len());
+                let key = if MAPS.contains(&key) { "" } else { key };
                 items.iter().for_each(|item| self.items.get_or_insert_default().see(key, item));
             }
             Value::Object(object) if KINDS.contains(&key) => {
@@ -168,6 +176,34 @@ fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR"))
 }
 
+/// Random options of the seven inputs, the same in every run. Some have values far out of range, or a = b; one has an error bar, which is 0 without `bars`.
+fn random_slider(seed: u64, bars: bool) -> Vec<String> {
+    let mut state = SplitMix64(seed);
+    let mut below = |count: u16| (state.unit() * f64::from(count)) as u16;
+    // Questions about error bars take long at the ends of what is allowed.
+    let decades = [2, 20, 290][usize::from(below(if bars { 2 } else { 3 }))];
+    let mut values = ["4e-3", "6e-3", "1e-5", "1e7", "1e3", "1e5", "1e-3"].map(|usual| {
+        let shift = i32::from(below(2 * decades + 1)) - i32::from(decades);
+        let (digit, exponent) = usual.split_once('e').unwrap();
+        format!("{digit}.{:03}e{}", below(1000), exponent.parse::<i32>().unwrap() + shift)
+    });
+    if below(4) == 0 {
+        values[1] = values[0].clone();
+    }
+    // An error of 0 is none.
+    let bar = if bars { BARS[usize::from(below(3))] } else { "±0" };
+    values[usize::from(below(5))] += bar;
+    "abdkmsv".chars().zip(values).map(|(option, value)| format!("-{option}={value}")).collect()
+}
+
+/// The lines of an invocation, in which a `~` stands for random sliders, and a number behind it says how many options each has.
+fn invocations(line: &str, bars: bool) -> Vec<String> {
+    let Some((command, rest)) = line.split_once('~') else { return vec![line.to_string()] };
+    let (count, rest) = (rest[..1].parse().unwrap(), &rest[1..]);
+    let sliders = (0..SLIDERS).map(|seed| random_slider(seed, bars)[..count].join(" "));
+    sliders.map(|slider| format!("{command}{slider}{rest}")).collect()
+}
+
 /// What an invocation of the table prints.
 fn output(place: &Workplace, line: &str) -> Value {
     let line = line.replace('@', &SLIDER.join(" ")).replace('#', env!("CARGO_MANIFEST_DIR"));
@@ -194,8 +230,13 @@ fn the_schemas_follow_from_the_outputs() {
         let (heading, lines) = part.split_once('\n').unwrap();
         let (name, title) = heading.split_once("] ").unwrap();
         let mut draft = Draft::default();
-        for line in lines.lines().filter(|line| !line.is_empty()) {
-            draft.see(&output(&place, line));
+        let bars = name.ends_with("error-bars");
+        for line in lines.lines().flat_map(|line| invocations(line, bars)).filter(|line| !line.is_empty()) {
+            let found = output(&place, &line);
+            // A random slider may have no answer.
+            if !line.contains("-a=") || found.get("errors").is_none() {
+                draft.see(&found);
+            }
         }
         draft.compare(name, title);
     }
