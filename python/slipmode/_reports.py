@@ -75,7 +75,7 @@ class Report:
         return pandas.DataFrame(self.ledger["claims"])
 
     def _repr_html_(self) -> str:
-        rows = [[claim["id"], claim["verdict"], claim["strength"]] for claim in self.ledger["claims"]]
+        rows = [[claim["id"], claim["verdict"], claim["strength"] or ""] for claim in self.ledger["claims"]]
         return html_table(["claim", "verdict", "strength"], rows)
 
 

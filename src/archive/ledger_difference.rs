@@ -41,6 +41,9 @@ impl Ledger {
             Ok(rest) => rest,
             Err(error) => return refuse(&error.to_string()),
         };
+        if let Some(key) = doubled_key(&String::from_utf8_lossy(json)) {
+            return refuse(&format!("an object has the key {} twice", shown(&key)));
+        }
         let Some(Value::Array(list)) = rest.remove("claims") else {
             return refuse("it has no list `claims`");
         };
@@ -48,7 +51,8 @@ impl Ledger {
         for claim in list {
             let Value::Object(claim) = claim else { return refuse("a claim is not an object") };
             let Some(Value::String(id)) = claim.get("id") else { return refuse("a claim has no id") };
-            if !["verdict", "strength"].iter().all(|field| claim.get(*field).is_some_and(Value::is_string)) {
+            let has_strength = claim.get("strength").is_some_and(|it| it.is_string() || it.is_null());
+            if !has_strength || !claim.get("verdict").is_some_and(Value::is_string) {
                 return refuse(&format!("claim {} has no verdict or no strength", shown(id)));
             }
             if claims.insert(id.clone(), claim).is_some() {
@@ -57,6 +61,32 @@ impl Ledger {
         }
         Ok(Self { claims, rest })
     }
+}
+
+/// The first key that an object has twice, in a text that is JSON. Each reader keeps one of the values, not all of them the same one.
+fn doubled_key(json: &str) -> Option<String> {
+    let (mut keys, mut rest) = (vec![BTreeSet::new()], json);
+    while let Some(at) = rest.find(['"', '{', '}']) {
+        let (found, mut length, mut is_escaped) = (&rest[at..], 1, false);
+        match found.as_bytes()[0] {
+            b'{' => keys.push(BTreeSet::new()),
+            b'}' => drop(keys.pop()),
+            _ => {
+                length += 1 + found.bytes().skip(1).position(|byte| {
+                    let is_end = byte == b'"' && !is_escaped;
+                    is_escaped = byte == b'\\' && !is_escaped;
+                    is_end
+                })?;
+                let is_key = found[length..].trim_start().starts_with(':');
+                let word: String = serde_json::from_str(&found[..length]).ok()?;
+                if is_key && !keys.last_mut()?.insert(word.clone()) {
+                    return Some(word);
+                }
+            }
+        }
+        rest = &found[length..];
+    }
+    None
 }
 
 struct Comparison {
@@ -127,6 +157,9 @@ mod tests {
     #[test]
     fn each_difference_is_named_with_old_and_new() {
         assert!(differences(OLD).is_empty());
+        let open =
+            OLD.replacen("\"fails\", \"strength\": \"exact\"", "\"not-checked\", \"strength\": null", 1);
+        assert_eq!(differences(&open), ["A1: strength: exact -> none", "A1: verdict: fails -> not-checked"]);
         let new = OLD.replace("\"fails\"", "\"holds\"").replace("\"x = 1\"", "null").replace("A8", "A9");
         assert_eq!(
             differences(&new),
@@ -168,5 +201,14 @@ mod tests {
             assert!(refusal(bad).starts_with("the first is not a ledger"), "{}", refusal(bad));
         }
         assert_eq!(refusal(OLD.replace("A8", "A1").as_bytes()), "the first lists a claim twice");
+        for (from, to) in [
+            ("\"runs\": 7", "\"runs\": 7, \"runs\": 7"),
+            ("\"runs\": 7", "\"runs\": 8, \"run\\u0073\" : 7"),
+            ("{\"report\": \"r\"", "{\"runs\": [], \"report\": \"{\\\"}\", \"runs\": []"),
+        ] {
+            let doubled = OLD.replacen(from, to, 1);
+            let why = "the first is not a ledger: an object has the key runs twice";
+            assert_eq!(refusal(doubled.as_bytes()), why, "{doubled}");
+        }
     }
 }

@@ -92,7 +92,7 @@ fn other_build_differences(path: &str, archived: &[u8], computed: &[u8]) -> Vec<
     match made {
         None => byte_difference(path, archived, computed).into_iter().collect(),
         Some("ledger.json") => match ledger_differences(archived, computed, same_text) {
-            // What a reader of JSON passes over: spaces, doubled keys.
+            // What a reader of JSON passes over: spaces.
             Ok(found) if found.is_empty() => text_differences(path, archived, computed),
             found => found.unwrap_or_else(|fault| vec![format!("{path}: {fault}")]),
         },

@@ -1,5 +1,7 @@
 //! What a finding rests on, and how sure that makes it.
 
+use std::ops::RangeInclusive;
+
 use serde::{Deserialize, Serialize};
 
 use slipmode_algebra::Proof;
@@ -24,6 +26,9 @@ slipmode_algebra::named! {
         Sampled = "sampled",
     }
 }
+
+/// The strengths of what is decided by proofs, and by steps argued in words.
+pub const PROVED: RangeInclusive<Option<Strength>> = Some(Strength::KernelChecked)..=Some(Strength::Argued);
 
 /// One piece of evidence.
 #[derive(Debug, Clone, Serialize)]

@@ -16,8 +16,8 @@ pub type NamedPoint = BTreeMap<String, Rational>;
 pub struct Finding {
     /// The verdict.
     pub verdict: Verdict,
-    /// The strength of the weakest evidence.
-    pub strength: Strength,
+    /// The strength of the weakest evidence; none of what is not checked.
+    pub strength: Option<Strength>,
     /// Everything the verdict rests on, and what illustrates it.
     pub evidence: Vec<Evidence>,
     /// The evidence that only illustrates what other evidence decided, as positions in the list, from 1.
@@ -81,14 +81,14 @@ impl Finding {
 
     /// A claim that fails for a reason that needs no evidence besides.
     pub(crate) fn failing(counter_example: impl Into<String>) -> Self {
-        let (verdict, strength) = (Verdict::Fails, Strength::Exact);
+        let (verdict, strength) = (Verdict::Fails, Some(Strength::Exact));
         Finding { verdict, strength, counter_example: Some(counter_example.into()), ..Finding::default() }
     }
 
     /// It rests on enclosures with outward rounding, unless what decides it is rational.
     pub(crate) fn enclosed_unless(mut self, is_rational: bool) -> Self {
         if !is_rational {
-            self.strength = self.strength.max(Strength::Certified);
+            self.strength = self.strength.map(|known| known.max(Strength::Certified));
         }
         self
     }
@@ -111,7 +111,7 @@ impl Finding {
     }
 
     fn holding(evidence: Evidence) -> Self {
-        let (verdict, strength) = (Verdict::Holds, evidence.strength());
+        let (verdict, strength) = (Verdict::Holds, Some(evidence.strength()));
         Finding { verdict, strength, evidence: vec![evidence], ..Finding::default() }
     }
 
@@ -130,7 +130,7 @@ impl Finding {
         let is_decided = self.verdict != Verdict::NotChecked;
         if let (true, [Evidence::Proof { proof }]) = (is_decided, &mut self.evidence[..]) {
             proof.theorem = theorem(self.verdict);
-            self.strength = self.evidence[0].strength();
+            self.strength = Some(self.evidence[0].strength());
         }
         self
     }
@@ -149,16 +149,16 @@ impl Finding {
         }
         // The first reading is the written one.
         for (at, reading) in self.readings.iter_mut().enumerate() {
-            for part in &mut reading.parts {
-                let known = if at == 0 { Strength::KernelChecked } else { part.strength };
-                part.strength = weakest(&self.evidence, part.deciding()).unwrap_or(known);
+            for part in reading.parts.iter_mut().filter(|part| part.verdict != Verdict::NotChecked) {
+                let known = if at == 0 { Some(Strength::KernelChecked) } else { part.strength };
+                part.strength = weakest(&self.evidence, part.deciding()).or(known);
             }
             reading.strength =
-                reading.parts.iter().map(|part| part.strength).max().unwrap_or(reading.strength);
+                reading.strength.and(reading.parts.iter().map(|part| part.strength).max().flatten());
         }
         self.strength = match self.readings.first() {
             Some(written) => written.strength,
-            None => weakest(&self.evidence, deciding).unwrap_or(Strength::KernelChecked),
+            None => weakest(&self.evidence, deciding).or(Some(Strength::KernelChecked)),
         };
         self
     }
@@ -183,7 +183,7 @@ impl Finding {
 
     /// Adds evidence, lowering the strength where it is weaker.
     pub(crate) fn with_evidence(mut self, evidence: Evidence) -> Self {
-        self.strength = self.strength.max(evidence.strength());
+        self.strength = self.strength.map(|known| known.max(evidence.strength()));
         self.evidence.push(evidence);
         self
     }
@@ -202,18 +202,21 @@ impl Finding {
 
     /// Is it stated to be surer than its weakest reading, part or evidence?
     pub(crate) fn is_overstated(&self) -> bool {
-        let part = |part: &Part| weakest(&self.evidence, part.deciding()) > Some(part.strength);
-        let reading =
-            |reading: &Reading| reading.parts.iter().any(|one| one.strength > reading.strength || part(one));
+        let is_below = |stated: Option<Strength>, weakest| stated.is_some() && weakest > stated;
+        let part = |part: &Part| is_below(part.strength, weakest(&self.evidence, part.deciding()));
+        let reading = |reading: &Reading| {
+            reading.parts.iter().any(|one| is_below(reading.strength, one.strength) || part(one))
+        };
         match self.readings.first() {
-            None => weakest(&self.evidence, self.deciding()) > Some(self.strength),
-            Some(written) => written.strength > self.strength || self.readings.iter().any(reading),
+            None => is_below(self.strength, weakest(&self.evidence, self.deciding())),
+            Some(written) => is_below(self.strength, written.strength) || self.readings.iter().any(reading),
         }
     }
 
     /// A claim that the evidence refutes; the first counter-example is kept.
     pub(crate) fn refuted(mut self, counter_example: impl Into<String>) -> Self {
         self.verdict = Verdict::Fails;
+        self.strength.get_or_insert(Strength::Sampled);
         self.outside(counter_example)
     }
 
@@ -258,7 +261,7 @@ impl Finding {
     /// The step from what was decided to what the claim says is argued in words: the claim is no surer than that.
     pub(crate) fn argued(mut self, step: &str) -> Self {
         let readings = self.readings.iter_mut().map(|reading| &mut reading.strength);
-        for strength in readings.chain([&mut self.strength]) {
+        for strength in readings.chain([&mut self.strength]).flatten() {
             *strength = Strength::Argued.max(*strength);
         }
         self.remark(format!("Argued in words: {step}"))
@@ -302,13 +305,13 @@ mod tests {
         let proof = Proof::new("no-step", "A statement without a certificate.").reason("Because.");
         assert_eq!(Finding::from_proof(Ok(proof)).verdict, Verdict::NotChecked);
         let undecided = Finding::from_proofs([]).with_evidence(sample(1)).limited("a limit".into());
-        assert_eq!(undecided.verdict, Verdict::NotChecked);
+        assert_eq!((undecided.verdict, undecided.strength), (Verdict::NotChecked, None));
     }
 
     #[test]
     fn what_is_argued_from_a_point_or_a_proof_is_no_surer_than_argued() {
-        assert_eq!(Finding::failing("at a point").argued("a step").strength, Strength::Argued);
-        assert_eq!(Finding::not_checked("no proof").argued("a step").strength, Strength::Sampled);
+        assert_eq!(Finding::failing("at a point").argued("a step").strength, Some(Strength::Argued));
+        assert_eq!(Finding::not_checked("no proof").argued("a step").strength, None);
     }
 
     #[test]
@@ -318,12 +321,12 @@ mod tests {
         let proof = Proof::new("p", "A statement.")
             .identity("a step", &[], &expression("x + x"), &expression("2*x"), &domain)
             .unwrap();
-        assert_eq!(Finding::from_proof(Ok(proof.clone())).strength, Strength::Exact);
+        assert_eq!(Finding::from_proof(Ok(proof.clone())).strength, Some(Strength::Exact));
         let argued = proof.reason("Because.");
         assert!(argued.to_string().ends_with("  2. Because. [argued]\n"), "{argued}");
-        assert_eq!(Finding::from_proof(Ok(argued.clone())).strength, Strength::Argued);
+        assert_eq!(Finding::from_proof(Ok(argued.clone())).strength, Some(Strength::Argued));
         let both = Finding::from_evidence(sample(1)).with_proof(Ok(argued));
-        assert_eq!(both.strength, Strength::Sampled);
+        assert_eq!(both.strength, Some(Strength::Sampled));
     }
 
     #[test]
@@ -336,12 +339,12 @@ mod tests {
         for honest in [plain.clone(), illustrated.clone(), parts()] {
             assert!(!honest.is_overstated(), "{honest:?}");
         }
-        let stated = Finding { strength: Strength::Certified, ..plain.clone() };
+        let stated = Finding { strength: Some(Strength::Certified), ..plain.clone() };
         let hidden = Finding { supporting: Vec::new(), ..illustrated.clone() };
-        let whole = Finding { strength: Strength::Certified, ..parts() };
+        let whole = Finding { strength: Some(Strength::Certified), ..parts() };
         let (mut reading, mut part) = (parts(), parts());
-        reading.readings[0].strength = Strength::Exact;
-        part.readings[0].parts[0].strength = Strength::Exact;
+        reading.readings[0].strength = Some(Strength::Exact);
+        part.readings[0].parts[0].strength = Some(Strength::Exact);
         for overstated in [stated, hidden, whole, reading, part] {
             assert!(overstated.is_overstated(), "{overstated:?}");
         }
@@ -353,7 +356,7 @@ mod tests {
         let proof = |id: &str| {
             let argued = Proof::new(id, "A statement.").reason("Because.").reason("And because.");
             Finding {
-                strength: Strength::Argued,
+                strength: Some(Strength::Argued),
                 ..Finding::from_evidence(Evidence::Proof { proof: argued })
             }
         };
@@ -366,22 +369,22 @@ mod tests {
         assert_eq!((theorem(0), theorem(2)), (Some("Slider.S1"), None));
         assert_eq!(
             (found.strength, found.readings[0].strength),
-            (Strength::KernelChecked, Strength::KernelChecked)
+            (Some(Strength::KernelChecked), Some(Strength::KernelChecked))
         );
         assert_eq!(
             (found.readings[1].strength, found.readings[1].parts[1].strength),
-            (Strength::Argued, Strength::Exact)
+            (Some(Strength::Argued), Some(Strength::Exact))
         );
         assert!(!found.is_overstated());
         // What no proof decides stays as it is.
         let sampled = Finding::from_evidence(sample(1)).with_evidence(proof("p").evidence[0].clone());
-        assert_eq!(sampled.with_whole_theorem("Slider.S1").strength, Strength::Sampled);
+        assert_eq!(sampled.with_whole_theorem("Slider.S1").strength, Some(Strength::Sampled));
     }
 
     #[test]
     fn evidence_decides_and_a_refutation_overrules_it() {
         assert_eq!(Finding::from_evidence(sample(1)).verdict, Verdict::Holds);
-        assert_eq!(Finding::from_evidence(sample(1)).strength, Strength::Sampled);
+        assert_eq!(Finding::from_evidence(sample(1)).strength, Some(Strength::Sampled));
         assert_eq!(Finding::from_evidence(sample(1)).require(false, || "x".into()).verdict, Verdict::Fails);
         assert_eq!(Finding::failing("x").with_evidence(sample(1)).verdict, Verdict::Fails);
     }

@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use crate::claims::error_bars::points_within;
 use crate::claims::{Conclusion, DecidedFor, PointWithin, resolved_claim, sha256_hex};
-use crate::claims::{Evidence, Finding, Strength, Tie, Tied, Verdict, by_hand, computed, formula, over_rows};
+use crate::claims::{Evidence, Finding, PROVED, Tie, Tied, Verdict, by_hand, computed, formula, over_rows};
 use crate::experiments::operating_point::error_bars;
 use crate::experiments::{Context, Needs};
 use crate::scene::{ClaimEntry, ClaimFormula, InAnswer, Sentence, Source, StatedClaim, Subject, filled};
@@ -241,7 +241,7 @@ fn decide_one(text: &ClaimEntry, context: &Context) -> Entry {
     let entry = entry.with_what_the_sentence_needs();
     // Where the words are about more than the formulas, no theorem on the formulas states them.
     let is_argued = entry.stated.as_ref().is_some_and(|stated| stated.argued.is_some());
-    let may_be_tied = entry.finding.strength <= Strength::Argued && !is_argued;
+    let may_be_tied = PROVED.contains(&entry.finding.strength) && !is_argued;
     match may_be_tied.then(|| entry.tie(context.equations)).flatten() {
         Some(tie) => Entry { finding: entry.finding.with_whole_theorem(&tie.theorems), ..entry },
         None => entry,
@@ -253,9 +253,9 @@ fn state_values(claims: &mut [Entry]) {
     let is_pure =
         |(_, formula): &(String, ClaimFormula)| formula.rows.is_none() && formula.computed().is_none();
     let is_proved = |entry: &&Entry| {
-        let Finding { strength, evidence, .. } = &entry.finding;
+        let finding = &entry.finding;
         entry.stated.as_ref().is_some_and(|stated| stated.parts().all(is_pure))
-            || *strength <= Strength::Argued && evidence.iter().any(|one| one.proof().is_some())
+            || PROVED.contains(&finding.strength) && finding.evidence.iter().any(|one| one.proof().is_some())
     };
     let id = |entry: &Entry| entry.id.clone();
     let mut proved: BTreeSet<String> = claims.iter().filter(is_proved).map(id).collect();

@@ -11,8 +11,8 @@ pub struct Part {
     pub words: String,
     /// Its verdict.
     pub verdict: Verdict,
-    /// The strength of its weakest evidence.
-    pub strength: Strength,
+    /// The strength of its weakest evidence; none where it is not checked.
+    pub strength: Option<Strength>,
     /// The limit within which it holds, the points that it was looked at on, or why it was not checked.
     pub limit: Option<String>,
     /// Why it fails, or where it does outside its limit.
@@ -37,6 +37,13 @@ impl Part {
     }
 }
 
+/// Verdict and strength; what is not checked has none.
+#[must_use]
+pub fn verdict_words(verdict: Verdict, strength: Option<Strength>) -> String {
+    let strength = strength.map(|strength| format!(", {strength}"));
+    format!("{verdict}{}", strength.unwrap_or_default())
+}
+
 /// One way to read a claim.
 #[derive(Debug, Clone, Serialize)]
 pub struct Reading {
@@ -44,8 +51,8 @@ pub struct Reading {
     pub words: String,
     /// The verdict on the claim in this reading.
     pub verdict: Verdict,
-    /// The strength of its weakest part.
-    pub strength: Strength,
+    /// The strength of its weakest part; none where it is not checked.
+    pub strength: Option<Strength>,
     /// What has to be true, all of it.
     pub parts: Vec<Part>,
 }

@@ -5,7 +5,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::claims::{Evidence, Finding, Part, Reading, Strength, Verdict};
+use crate::claims::{Evidence, Finding, Part, Reading, Verdict};
 
 /// The verdict on a conjunction: one false part makes it fail, else one undecided part leaves it undecided, else one part with a
 /// limit limits it. Without parts there is nothing to hold.
@@ -65,9 +65,8 @@ pub(super) fn of_readings(drafts: impl IntoIterator<Item = Draft>) -> Finding {
         let verdicts: Vec<Verdict> = parts.iter().map(|part| part.verdict).collect();
         let verdict = verdict_of_parts(&verdicts);
         // A part that is not decided is no evidence of what a false one decides.
-        let decided =
-            parts.iter().filter(|part| verdict != Verdict::Fails || part.verdict != Verdict::NotChecked);
-        let strength = decided.map(|part| part.strength).max().unwrap_or(Strength::Sampled);
+        let strength = parts.iter().map(|part| part.strength).max().flatten();
+        let strength = strength.filter(|_| verdict != Verdict::NotChecked);
         Reading { words, verdict, strength, parts }
     };
     let readings: Vec<Reading> = drafts.into_iter().map(&mut reading).collect();
@@ -139,6 +138,7 @@ fn counter_example(reading: &Reading) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::claims::Strength;
 
     const VERDICTS: [Verdict; 4] =
         [Verdict::Holds, Verdict::HoldsWithin, Verdict::Fails, Verdict::NotChecked];
@@ -191,11 +191,11 @@ mod tests {
             .part("it rises with V", sample("V").refuted("it falls at V = 1"));
         let other = Draft::new("along σ").part("it rises with σ", enclosed("σ"));
         let found = of_readings([written, other]);
-        assert_eq!((found.verdict, found.strength), (Verdict::Fails, Strength::Sampled));
+        assert_eq!((found.verdict, found.strength), (Verdict::Fails, Some(Strength::Sampled)));
         assert_eq!(found.limit.as_deref(), Some("true only: it rises with σ"));
         assert_eq!(found.counter_example.as_deref(), Some("it rises with V: it falls at V = 1"));
         let [_, other] = &found.readings[..] else { panic!("two readings") };
-        assert_eq!((other.verdict, other.strength), (Verdict::Holds, Strength::Certified));
+        assert_eq!((other.verdict, other.strength), (Verdict::Holds, Some(Strength::Certified)));
         // Both readings rest on the same evidence, which stands once.
         assert_eq!((found.evidence.len(), &other.parts[0].evidence[..]), (2, &[1][..]));
     }
@@ -210,7 +210,7 @@ mod tests {
         let found = of_readings([Draft::new("r")
             .part("p", limited.limited("x < 1".into()))
             .part("q", enclosed("a"))]);
-        assert_eq!((found.verdict, found.strength), (Verdict::HoldsWithin, Strength::Sampled));
+        assert_eq!((found.verdict, found.strength), (Verdict::HoldsWithin, Some(Strength::Sampled)));
         assert_eq!(found.limit.as_deref(), Some("p: x < 1"));
         assert_eq!(of_readings([]).verdict, Verdict::NotChecked);
     }

@@ -2,7 +2,7 @@
 
 use std::slice;
 
-use slipmode::claims::{Entry, Evidence, Ledger, Part, Strength, Verdict};
+use slipmode::claims::{Entry, Evidence, Ledger, Part, Verdict, verdict_words};
 use slipmode::report::{Folder, decide};
 use slipmode::scene::{ClaimEntry, first_lines, library_ids, nearest};
 
@@ -98,12 +98,12 @@ pub fn account(entry: &Entry) -> String {
     let mut lines = vec![
         ("claim", format!("{} ({}): {}", entry.id, entry.place, entry.words)),
         ("holds if", entry.criterion.to_string()),
-        ("verdict", verdict_line(finding.verdict, finding.strength)),
+        ("verdict", verdict_words(finding.verdict, finding.strength)),
     ];
     lines.extend(finding.limit.iter().map(|limit| ("limit", limit.clone())));
     lines.extend(finding.counter_example.iter().map(|example| ("counter-example", example.clone())));
     for (number, reading) in (1..).zip(&finding.readings) {
-        let verdict = verdict_line(reading.verdict, reading.strength);
+        let verdict = verdict_words(reading.verdict, reading.strength);
         lines.push(("reading", format!("{number}. {}: {verdict}", reading.words)));
         lines.extend(reading.parts.iter().map(|part| ("  part", part_line(part))));
     }
@@ -113,16 +113,8 @@ pub fn account(entry: &Entry) -> String {
     lines.iter().map(|(name, value)| format!("{name:<16} {value}\n")).collect()
 }
 
-/// Verdict and strength; what was not checked has none.
-fn verdict_line(verdict: Verdict, strength: Strength) -> String {
-    match verdict {
-        Verdict::NotChecked => verdict.as_str().into(),
-        _ => format!("{}, {}", verdict.as_str(), strength.as_str()),
-    }
-}
-
 fn part_line(part: &Part) -> String {
-    let verdict = verdict_line(part.verdict, part.strength);
+    let verdict = verdict_words(part.verdict, part.strength);
     let separator = if part.result().is_empty() { "" } else { ": " };
     format!("{}: {verdict}{separator}{}", part.words, part.result())
 }

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use serde_json::json;
-use slipmode::archive::{REPORT_FOLDER, ledger_differences};
+use slipmode::archive::{REPORT_FOLDER, digest_faults, ledger_differences};
 
 use crate::cli::answer::Answer;
 use crate::cli::failure::Failure;
@@ -51,7 +51,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
 /// The ledger's bytes: of the file itself, or out of the archive that it is.
 ///
 /// # Errors
-/// When it cannot be read, or an archive holds none.
+/// When it cannot be read, or an archive holds none or is not as its digests state.
 pub fn ledger(path: &Path) -> Result<Vec<u8>, Failure> {
     let bytes = read_file_up_to(path, MOST_LEDGER_BYTES)?;
     // Every zip file with an entry begins with these letters, and no JSON text does.
@@ -60,5 +60,9 @@ pub fn ledger(path: &Path) -> Result<Vec<u8>, Failure> {
     }
     let inside = format!("{REPORT_FOLDER}/ledger.json");
     let mut files = open(path)?.files;
+    let faults = digest_faults(&files);
+    if !faults.is_empty() {
+        return Err(Failure::place_lines(path, faults));
+    }
     files.remove(&inside).ok_or_else(|| Failure::place(path, &format!("holds no {inside}")))
 }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use serde_json::json;
-use slipmode::claims::{Entry, Ledger, Verdict};
+use slipmode::claims::{Entry, Ledger, Strength, Verdict};
 use slipmode::report::{
     PAGE_BUDGET_BYTES, Product, ReportError, produce, produce_scene, without_environment,
 };
@@ -162,7 +162,7 @@ pub fn verify(options: &VerifyOptions, progress: &Progress) -> Result<(), Failur
     moved.extend(product.files.get(PAGE).and_then(|page| over_budget(page.len())));
     let mut drift = problems(&product.ledger);
     drift.extend(product.ledger.overstated().map(|entry| {
-        format!("{}: the strength {} is above its weakest part's", entry.id, entry.finding.strength.as_str())
+        format!("{}: the strength {} is above its weakest part's", entry.id, strength_of(entry))
     }));
     let (steps, argued) = product.ledger.proof_steps();
     let steps = count_of(steps, "distinct proof step");
@@ -270,25 +270,29 @@ fn claim_part(entry: &Entry) -> Answer {
         .with("id", &entry.id)
         .with("verdict", entry.finding.verdict.as_str())
         .with("recorded", entry.expected.as_str())
-        .with("strength", entry.finding.strength.as_str())
+        .with("strength", entry.finding.strength)
         .with("error_bars", entry.error_bars)
+}
+
+/// The word for the strength of a verdict; empty for what was not checked.
+fn strength_of(entry: &Entry) -> &'static str {
+    entry.finding.strength.map_or("", Strength::as_str)
 }
 
 /// A line with the verdict on a claim, its strength, and its limit, its counter-example or why it was not checked.
 pub fn claim_line(entry: &Entry) -> String {
     let finding = &entry.finding;
-    let is_open = finding.verdict == Verdict::NotChecked;
-    let strength = if is_open { "" } else { finding.strength.as_str() };
-    let reason = finding.remarks.first().filter(|_| is_open);
+    let reason = finding.remarks.first().filter(|_| finding.verdict == Verdict::NotChecked);
     let [first, second] = match finding.verdict {
         Verdict::Fails => [&finding.counter_example, &finding.limit],
         _ => [&finding.limit, &finding.counter_example],
     };
     let because = first.as_ref().or(second.as_ref()).or(reason);
     let line = format!(
-        "{:<4} {:<13} {strength:<14}  {}",
+        "{:<4} {:<13} {:<14}  {}",
         entry.id,
-        finding.verdict.as_str(),
+        finding.verdict,
+        strength_of(entry),
         because.map_or("", String::as_str)
     );
     format!("{}\n", line.trim_end())
@@ -313,13 +317,16 @@ fn summary(ledger: &Ledger) -> String {
             Source::Result => "own result",
         };
         let claims = count_of(ledger.of(source).count(), name);
-        let count = |verdict| ledger.count(source, verdict);
+        let count = |verdict, one, several| match ledger.count(source, verdict) {
+            1 => format!("1 {one}"),
+            count => format!("{count} {several}"),
+        };
         format!(
-            "{claims}: {} hold, {} hold within a limit, {} fail, {} not checked\n",
-            count(Verdict::Holds),
-            count(Verdict::HoldsWithin),
-            count(Verdict::Fails),
-            count(Verdict::NotChecked),
+            "{claims}: {}, {}, {}, {}\n",
+            count(Verdict::Holds, "holds", "hold"),
+            count(Verdict::HoldsWithin, "holds within a limit", "hold within a limit"),
+            count(Verdict::Fails, "fails", "fail"),
+            count(Verdict::NotChecked, "not checked", "not checked"),
         )
     };
     let has_others = ledger.of(Source::Paper).count() < ledger.claims.len();

@@ -10,9 +10,9 @@ use crate::experiments::simulations::range_of_velocities;
 use crate::experiments::tolerance::accuracy_of_asymptotes;
 use crate::experiments::trajectories::own_run_words;
 use crate::report::AnswerView;
+use crate::report::claim_text::plain;
 use crate::report::parts::{Words, words_of_source};
 use crate::scene::{InAnswer, Question, Source, Subject};
-use slipmode_plot::table::escape_markdown;
 
 /// What the report finds, the question of the report first.
 pub(super) fn answer(question: Question, ledger: &Ledger, outcome: &Outcome) -> Vec<AnswerView> {
@@ -180,10 +180,10 @@ fn of_source(source: Source, claims: &[&Entry]) -> Option<AnswerView> {
 
 /// The words of a claim with what was found, up to the first semicolon of its limit; `None` for what was not checked.
 fn said(entry: &Entry) -> Option<String> {
-    let words = escape_markdown(entry.words.trim_end_matches('.'));
+    let words = plain(entry.words.trim_end_matches('.'));
     let first = |found: &Option<String>| {
         let found = found.as_deref().unwrap_or_default();
-        escape_markdown(found.split(';').next().unwrap_or_default().trim_end_matches('.'))
+        plain(found.split(';').next().unwrap_or_default().trim_end_matches('.'))
     };
     match entry.finding.verdict {
         Verdict::Holds if entry.finding.limit.is_none() => Some(format!("“{words}” holds")),

@@ -10,7 +10,7 @@ use crate::report::blocks::{BlockKind, Piece, pieces};
 use crate::report::certificates::Certificates;
 use crate::report::changes::{changes, decided_by, looked_at};
 use crate::report::citation::citation;
-use crate::report::claim_text::code_span;
+use crate::report::claim_text::{code_span, plain};
 use crate::report::claims_picture::claims_picture;
 use crate::report::math::check_size;
 use crate::report::parts::words_of_source;
@@ -21,7 +21,7 @@ use crate::report::{
 use crate::scene::{Chapter, LogAxis, ReportPlan, Sentence, Source, StatedClaim};
 use slipmode_algebra::{Certificate, Line, Notation};
 use slipmode_core::number::nearest_f64;
-use slipmode_plot::table::{Table, escape_markdown as plain};
+use slipmode_plot::table::Table;
 use slipmode_theory::Equations;
 
 /// Everything that a report puts before its reader.
@@ -218,7 +218,7 @@ fn claim_view(entry: &Entry, ledger: &Ledger, certificates: &Certificates<'_>, f
         acceptance_markdown: acceptance(entry),
         verdict: finding.verdict,
         verdict_markdown: plain(finding.limit.as_deref().unwrap_or_default()),
-        strength: strength_of(finding.verdict, finding.strength),
+        strength: strength_of(finding.strength),
         readings: readings(entry),
         evidence: finding.evidence.iter().map(|one| evidence_view(one, entry, certificates)).collect(),
         counter_example_markdown: plain(finding.counter_example.as_deref().unwrap_or_default()),
@@ -230,8 +230,8 @@ fn claim_view(entry: &Entry, ledger: &Ledger, certificates: &Certificates<'_>, f
 }
 
 /// The word for a strength; empty for what was not checked.
-fn strength_of(verdict: Verdict, strength: Strength) -> String {
-    if verdict == Verdict::NotChecked { String::new() } else { strength.as_str().into() }
+fn strength_of(strength: Option<Strength>) -> String {
+    strength.map_or("", Strength::as_str).into()
 }
 
 /// What has to be found: the formulas with their conditions, where formulas decide; several stand with their parts.
@@ -256,14 +256,14 @@ fn readings(entry: &Entry) -> Vec<ReadingView> {
         words_markdown: plain(&part.words),
         formula_markdown: formulas.next().unwrap_or_default(),
         verdict: part.verdict,
-        strength: strength_of(part.verdict, part.strength),
+        strength: strength_of(part.strength),
         result_markdown: plain(part.result()),
         evidence: part.evidence.clone(),
     };
     let mut reading = |reading: &Reading| ReadingView {
         words_markdown: plain(&reading.words),
         verdict: reading.verdict,
-        strength: strength_of(reading.verdict, reading.strength),
+        strength: strength_of(reading.strength),
         parts: reading.parts.iter().map(&mut part).collect(),
     };
     entry.finding.readings.iter().map(&mut reading).collect()

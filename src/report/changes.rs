@@ -2,8 +2,8 @@
 
 use crate::claims::{Entry, Evidence, Ledger, Verdict};
 use crate::report::ChangeView;
+use crate::report::claim_text::plain;
 use crate::scene::StatedClaim;
-use slipmode_plot::table::escape_markdown;
 
 /// What would be true in the place of the sentences that fail.
 pub(super) fn changes(ledger: &Ledger) -> Vec<ChangeView> {
@@ -12,8 +12,8 @@ pub(super) fn changes(ledger: &Ledger) -> Vec<ChangeView> {
     all.sort_by_key(|(_, change)| change.rank);
     let view = |(entry, change): (&Entry, &crate::scene::Change)| ChangeView {
         claim: entry.id.clone(),
-        instead_markdown: escape_markdown(&change.instead),
-        affects_markdown: escape_markdown(&change.affects),
+        instead_markdown: plain(&change.instead),
+        affects_markdown: plain(&change.affects),
     };
     all.into_iter().map(view).collect()
 }
@@ -27,7 +27,7 @@ pub(super) fn decided_by(entry: &Entry) -> String {
         Verdict::NotChecked => finding.remarks.first().map(|reason| first_clause(reason)),
         Verdict::Holds | Verdict::HoldsWithin => first(&finding.limit),
     };
-    escape_markdown(&found.or_else(|| by_evidence(entry)).unwrap_or_default())
+    plain(&found.or_else(|| by_evidence(entry)).unwrap_or_default())
 }
 
 /// The first piece of evidence, and how many parts it is one of.

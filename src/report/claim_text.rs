@@ -92,6 +92,18 @@ pub(crate) fn cell(line: &str) -> String {
     cell
 }
 
+/// Plain text as Markdown: words between backticks are code, and everything else shows exactly its characters.
+pub(crate) fn plain(text: &str) -> String {
+    let escaped = escape_markdown(text);
+    // Both have the same pieces, those in the odd places inside of backticks.
+    let pieces = || escaped.split("\\`").zip(text.split('`')).enumerate();
+    let is_code = |at: usize, piece: &str| at % 2 == 0 || !piece.contains('|') && !piece.trim().is_empty();
+    if text.matches('`').count() % 2 == 1 || !pieces().all(|(at, (_, piece))| is_code(at, piece)) {
+        return escaped;
+    }
+    pieces().map(|(at, (words, code))| if at % 2 == 0 { words.into() } else { code_span(code) }).collect()
+}
+
 /// Text as an inline code span that shows exactly these characters, on one line; empty for empty text.
 pub(crate) fn code_span(text: &str) -> String {
     let one_line: String =
@@ -125,6 +137,25 @@ mod tests {
     fn a_bar_does_not_end_a_cell() {
         assert_eq!(cell(r"|s| = 1"), r"\|s\| = 1");
         assert_eq!(cell(r"\|s\| = \\\\|"), r"\|s\| = \\\\\|");
+    }
+
+    #[test]
+    fn words_between_two_backticks_are_code_and_others_stay_text() {
+        let mut prose = crate::report::markdown::Prose::default();
+        for (text, html) in [
+            (
+                "a further condition in `given`, or `of`",
+                "a further condition in <code>given</code>, or <code>of</code>",
+            ),
+            ("*x* with `a*b_c <i>`: *no*", "*x* with <code>a*b_c &lt;i&gt;</code>: *no*"),
+            (r"`a\` and \`b`", r"<code>a\</code> and \<code>b</code>"),
+            ("`a", "`a"),
+            ("``a''", "``a''"),
+            ("`|x|`", "`|x|`"),
+            ("- `a`", "- <code>a</code>"),
+        ] {
+            assert_eq!(prose.inline(&plain(text), "here"), html);
+        }
     }
 
     #[test]

@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use super::ReportError;
 use super::templates::Templates;
-use crate::claims::{Entry, Ledger, Verdict};
+use crate::claims::{Entry, Ledger, Verdict, verdict_words};
 
 /// A test for every claim, and one for every file that moved, with the name that its line in `moved` begins with.
 ///
@@ -47,9 +47,6 @@ fn claim(entry: &Entry, drift: &[String]) -> Value {
         "name": format!("{} {}", entry.id, entry.words),
         "failure": (!faults.is_empty()).then(|| faults.join("; ")),
         "skipped": is_skipped.then(|| finding.verdict.as_str()),
-        "said": match finding.verdict {
-            Verdict::NotChecked => finding.verdict.as_str().to_owned(),
-            verdict => format!("{}, {}", verdict.as_str(), finding.strength.as_str()),
-        },
+        "said": verdict_words(finding.verdict, finding.strength),
     })
 }

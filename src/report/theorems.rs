@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::claims::{Entry, Ledger, Tie, definitions, statement, whole_statements};
+use crate::claims::{Entry, Ledger, Tie, definitions, statement, verdict_words, whole_statements};
 use slipmode_plot::table::escape_markdown as plain;
 use slipmode_theory::Equations;
 
@@ -42,7 +42,7 @@ fn section(entry: &Entry, equations: &Equations) -> Option<String> {
     });
     let all: String = generated.chain(by_hand).collect();
     let (words, finding) = (plain(&entry.words), &entry.finding);
-    let result = format!("{}, {}", finding.verdict.as_str(), finding.strength.as_str());
+    let result = verdict_words(finding.verdict, finding.strength);
     (!all.is_empty()).then(|| format!("\n## {}\n\n{words} ({result})\n{all}", entry.id))
 }
 

@@ -13,7 +13,9 @@ use slipmode_algebra::coq::Theorem;
 use slipmode_algebra::{Certificate, Proof};
 use slipmode_theory::Equations;
 
-use crate::claims::{self, Conclusion, Strength, TIES, WholeTheorem, statement_digest, whole_theorems};
+use crate::claims::{
+    self, Conclusion, PROVED, Strength, TIES, WholeTheorem, statement_digest, whole_theorems,
+};
 use crate::scene::ClaimEntry;
 
 pub use archived::{archived, file_list};
@@ -30,7 +32,7 @@ struct Claim {
     id: String,
     #[serde(flatten)]
     conclusion: Conclusion,
-    strength: Strength,
+    strength: Option<Strength>,
     evidence: Vec<Evidence>,
 }
 
@@ -105,7 +107,7 @@ impl Files {
         let Published { name, claims, equations, .. } = report;
         self.add(name, &claim.id, claim.evidence.iter().filter_map(|evidence| evidence.proof.as_ref()));
         let stated = claims.iter().find(|known| known.id == claim.id);
-        if claim.strength > Strength::Argued {
+        if !PROVED.contains(&claim.strength) {
             return;
         }
         self.add_whole(name, claim, stated, equations);

@@ -1,7 +1,7 @@
 //! The rows of `proofs/claims.csv` as they would be now, with what a person reads before one of them is written.
 
 use super::{Claim, Published};
-use crate::claims::{Strength, TIES, Tie, Tied, resolved_claim, sha256_hex, statement};
+use crate::claims::{PROVED, TIES, Tie, Tied, resolved_claim, sha256_hex, statement};
 
 /// A claim of a published ledger as resolved.
 struct Now<'p> {
@@ -48,7 +48,7 @@ pub fn ties(reports: &[Published]) -> Result<Vec<(usize, String)>, String> {
     for report in reports {
         for claim in report.ledger()?.claims {
             let entry = report.claims.iter().find(|entry| entry.id == claim.id);
-            let Some(entry) = entry.filter(|_| claim.strength <= Strength::Argued) else { continue };
+            let Some(entry) = entry.filter(|_| PROVED.contains(&claim.strength)) else { continue };
             let resolved = resolved_claim(entry, &report.equations);
             let digest = sha256_hex(&resolved);
             all.push(Now { report, claim, resolved, digest });

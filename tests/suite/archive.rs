@@ -50,7 +50,7 @@ fn an_archive_is_replayed_in_another_place() {
     assert!(from.read("small.zip.timings.json").contains("computed in, seconds"));
     fs::copy(from.path("small.zip"), to.path("got.zip")).unwrap();
     let said = to.run(["replay", "got.zip"]).expect_success();
-    assert!(said.contains("3 claims: 2 hold, 0 hold within a limit, 1 fail"), "{said}");
+    assert!(said.contains("3 claims: 2 hold, 0 hold within a limit, 1 fails"), "{said}");
     assert!(said.contains("archived by this build: all bytes compared"), "{said}");
     assert_eq!(to.names(), ["got.zip"], "a replay leaves nothing behind");
 }
@@ -339,6 +339,15 @@ fn two_ledgers_are_compared_by_verdict() {
     assert_eq!((ended.code, ended.stdout.as_str()), (1, "B8: verdict: fails -> holds\n"));
     place.write("empty.json", "");
     place.run(["diff", "empty.json", "out/ledger.json"]).expect_refusal(&["the first is not a ledger"]);
+    for forge in [
+        |files: &mut Files| replace(files, "report/ledger.json", "\"holds\"", "\"fails\""),
+        |files: &mut Files| drop(files.insert(DIGESTS_FILE.into(), files[DIGESTS_FILE].repeat(2))),
+    ] {
+        forged(&place, false, forge);
+        let ended = place.run(["diff", "small.zip", "forged.zip"]);
+        let said = ["report/ledger.json: its SHA-256 is not", "SHA256SUMS:"];
+        assert!(ended.code == 2 && said.iter().any(|one| ended.stderr.contains(one)), "{}", ended.stderr);
+    }
 }
 
 #[test]
@@ -353,10 +362,8 @@ fn one_claim_is_decided_alone() {
     place
         .run(["verify", "small", "--claim", "N1"])
         .expect_refusal(&["--claim = N1: the report lists no such claim; it is a claim of the paper"]);
-    place.run(["verify", "smal"]).expect_refusal(&["smal: cannot be read: no such folder"]);
-    place
-        .run(["diff", "small", "small"])
-        .expect_refusal(&["small: cannot be read: is a folder; name a file"]);
+    place.run(["verify", "smal"]).expect_refusal(&["smal: no such folder"]);
+    place.run(["diff", "small", "small"]).expect_refusal(&["small: is a folder; name a file"]);
     place.write("small/claims.toml", CLAIMS.replace("\"fails\"", "\"holds\""));
     let ended = place.run(["verify", "small", "--claim", "B8"]);
     assert_eq!((ended.code, ended.stderr.trim()), (1, "B8: recorded holds, now fails"));

@@ -65,7 +65,7 @@ fn a_line_has_the_verdict_and_what_it_rests_on() {
     let lines: Vec<&str> = said.lines().collect();
     assert_eq!(lines[0], "B1   holds         exact");
     assert_eq!(lines[3], "B4   fails         exact           at A = 1: its slope in A is 2");
-    assert_eq!(lines[4], "4 claims: 3 hold, 0 hold within a limit, 1 fail, 0 not checked");
+    assert_eq!(lines[4], "4 claims: 3 hold, 0 hold within a limit, 1 fails, 0 not checked");
     let proof = place.run(["check", "b.toml", "--claim", "B2"]).expect_success();
     for part in
         ["verdict          holds, exact", "evidence         proof, checked again: formula-b2:", "\n  1. "]

@@ -163,7 +163,7 @@ fn a_report_on_another_paper_is_decided_as_it_is_written() {
     let said = place.run(["new", "--paper", "other"]).expect_success();
     assert!(said.ends_with("other/report.toml\nnext: slipmode verify other\n"), "{said}");
     let verified = place.run(["verify", "other"]).expect_success();
-    assert!(verified.contains("1 claim: 1 hold, ") && verified.contains("no published copy"), "{verified}");
+    assert!(verified.contains("1 claim: 1 holds, ") && verified.contains("no published copy"), "{verified}");
     // The example is decided by its formula: another formula has another verdict.
     let claims = place.read("other/claims.toml");
     fs::write(place.path("other/claims.toml"), claims.replace("iff K > K_c", "iff K < K_c")).unwrap();

@@ -63,7 +63,7 @@ fn found_on(lines: &[Line], text: &str, kind: Kind) -> Finding {
 fn found(lines: &[Line], text: &str) -> (Verdict, Strength) {
     let found = found_on(lines, text, Kind::Universal);
     assert!(!found.is_overstated(), "{found:?}");
-    (found.verdict, found.strength)
+    (found.verdict, found.strength.unwrap_or_default())
 }
 
 /// The grid with one cell changed.
@@ -304,10 +304,10 @@ fn certificates_of_cycles_decide_and_what_is_wrong_with_one_leaves_the_statement
     let all = on_cycles(|_| {});
     assert_eq!(
         (all.verdict, all.strength, all.limit.as_deref()),
-        (Verdict::Holds, Strength::Certified, Some("2 pairs"))
+        (Verdict::Holds, Some(Strength::Certified), Some("2 pairs"))
     );
     let one_less = on_cycles(|all| all.rows[3].certificate = Err("because".into()));
-    assert_eq!((one_less.verdict, one_less.strength), (Verdict::Holds, Strength::Converged));
+    assert_eq!((one_less.verdict, one_less.strength), (Verdict::Holds, Some(Strength::Converged)));
     let moved = on_cycles(|all| {
         let proof = all.rows[0].certificate.as_mut().unwrap();
         proof.peak_velocity_m_per_s = proof.peak_velocity_m_per_s.map(|end| 1.001 * end);
