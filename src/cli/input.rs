@@ -115,7 +115,7 @@ fn open_at_once(path: &Path) -> io::Result<File> {
 
 /// A file that cannot be read, as a fault.
 pub fn unreadable(path: &Path, error: &io::Error) -> Fault {
-    fault_of(path, Problem::Unreadable(error.to_string()))
+    fault_of(path, error.into())
 }
 
 /// Names a section that a scene needs and lacks.

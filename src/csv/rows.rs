@@ -191,7 +191,7 @@ impl RowReader {
         let read = loop {
             match self.input.reader.read(&mut self.buffer) {
                 Err(error) if error.kind() == std::io::ErrorKind::Interrupted => {}
-                Err(error) => return Err(self.place(Problem::Unreadable(error.to_string()))),
+                Err(error) => return Err(self.place(Problem::from(&error))),
                 Ok(read) => break read,
             }
         };

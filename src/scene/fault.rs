@@ -1,6 +1,6 @@
 //! What is wrong with an input, in words for people: place, key, value, problem, allowed range.
 
-use std::fmt;
+use std::{fmt, io};
 
 use thiserror::Error;
 
@@ -59,8 +59,8 @@ pub type Faults = Vec<Fault>;
 /// The ways in which an input can be wrong.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum Problem {
-    /// The operating system does not let the file be read.
-    #[error("cannot be read: {0}")]
+    /// The operating system does not let the file be read, or it is none that the command reads.
+    #[error("{0}")]
     Unreadable(String),
     /// The file exceeds the cap on its size.
     #[error("{bytes} bytes (allowed: at most {limit})")]
@@ -183,6 +183,14 @@ pub enum Problem {
     /// Parameters for which the section has no meaning.
     #[error("needs evolution_effect > direct_effect: otherwise no critical normal stress exists")]
     NoCriticalNormalStress,
+}
+
+impl From<&io::Error> for Problem {
+    /// A reason of our own stands as it is: `is a folder`.
+    fn from(error: &io::Error) -> Self {
+        let action = if error.get_ref().is_some() { "" } else { "cannot be read: " };
+        Self::Unreadable(format!("{action}{error}"))
+    }
 }
 
 fn suggestion(nearest: &Option<String>, known: &str) -> String {

@@ -183,7 +183,7 @@ impl CompareRows {
 /// When the name is not safe or the file is not there.
 fn trajectory_place(folder: &Path, name: &str) -> Result<PathBuf, Problem> {
     name.split('/').try_for_each(check_name).map_err(Problem::BadName)?;
-    place_inside(folder, name).map_err(|error| Problem::Unreadable(error.to_string()))
+    place_inside(folder, name).map_err(|error| Problem::from(&error))
 }
 
 /// How many rows agree, within the error bars of their parameters at least, differ and could not be compared.
