@@ -97,11 +97,14 @@ pub(crate) fn plain(text: &str) -> String {
     let escaped = escape_markdown(text);
     // Both have the same pieces, those in the odd places inside of backticks.
     let pieces = || escaped.split("\\`").zip(text.split('`')).enumerate();
-    let is_code = |at: usize, piece: &str| at % 2 == 0 || !piece.contains('|') && !piece.trim().is_empty();
-    if text.matches('`').count() % 2 == 1 || !pieces().all(|(at, (_, piece))| is_code(at, piece)) {
+    let is_code =
+        |at: usize, piece: &str| at.is_multiple_of(2) || !piece.contains('|') && !piece.trim().is_empty();
+    if !text.matches('`').count().is_multiple_of(2) || !pieces().all(|(at, (_, piece))| is_code(at, piece)) {
         return escaped;
     }
-    pieces().map(|(at, (words, code))| if at % 2 == 0 { words.into() } else { code_span(code) }).collect()
+    pieces()
+        .map(|(at, (words, code))| if at.is_multiple_of(2) { words.into() } else { code_span(code) })
+        .collect()
 }
 
 /// Text as an inline code span that shows exactly these characters, on one line; empty for empty text.
