@@ -153,7 +153,7 @@ mod tests {
             ("*x* with `a*b_c <i>`: *no*", "*x* with <code>a*b_c &lt;i&gt;</code>: *no*"),
             (r"`a\` and \`b`", r"<code>a\</code> and \<code>b</code>"),
             ("`a", "`a"),
-            ("``a''", "``a''"),
+            ("``a", "``a"),
             ("`|x|`", "`|x|`"),
             ("- `a`", "- <code>a</code>"),
         ] {
