@@ -1,18 +1,19 @@
 "use strict";
 // The map on which all seven values can be changed. It computes monomials and polynomials that the program made; it knows no equation.
 (() => {
-  // A decimal as numerator and denominator; nothing for anything else, zero and negative numbers included.
-  const exact = (text) => {
-    const parts = /^\s*(\d+)(?:\.(\d*))?(?:e([+-]?\d{1,3}))?\s*$/i.exec(text) || /^\s*()\.(\d+)(?:e([+-]?\d{1,3}))?\s*$/i.exec(text);
-    if (!parts) return null;
-    const fraction = parts[2] || "";
-    const power = Number(parts[3] || 0) - fraction.length;
-    const digits = BigInt(parts[1] + fraction);
-    return digits > 0n ? [digits * 10n ** BigInt(Math.max(power, 0)), 10n ** BigInt(Math.max(-power, 0))] : null;
+  // A decimal, or a fraction of whole numbers, as numerator and denominator; nothing for other texts.
+  const quotient = (text) => {
+    const whole = /^(\d+)\/(\d+)$/.exec(text);
+    if (whole) return [BigInt(whole[1]), BigInt(whole[2])];
+    const [all, before, after = "", exponent = 0] = /^\+?(\d*)(?:\.(\d*))?(?:e([+-]?\d{1,4}))?$/i.exec(text) || [];
+    if (!all || !(before + after)) return null;
+    const power = Number(exponent) - after.length;
+    return [BigInt(before + after) * 10n ** BigInt(Math.max(power, 0)), 10n ** BigInt(Math.max(-power, 0))];
   };
+  const nearest = (text) => { const [above, below = 1] = text.split("/").map(Number); return above / below; };
   const sign = (value) => (value > 0 ? 2 : value < 0 ? 0 : 1);
   // Three digits are enough for a place that was pointed at.
-  const short = (value) => value.toExponential(2).replace(/\.?0+e/, "e").replace("e+", "e");
+  const short = (value) => value.toExponential(2).replace(/\.?0+e/, "e").replace("e+", "e").replace(/e0$/, "");
 
   for (const live of document.querySelectorAll(".live")) {
     const model = JSON.parse(live.dataset.model);
@@ -28,6 +29,13 @@
     const canvas = live.querySelector("canvas");
     const degrees = [1, 2, 3].map((at) => Math.max(...model.polynomials.flat().map((term) => term[at])));
     let chosen = 0;
+    // The value of a text within the limits of the command.
+    const [least, most] = model.limits.map(quotient);
+    const exact = (text) => {
+      const value = quotient(text.trim());
+      const isAtMost = ([one, over], [other, under]) => one * under <= other * over;
+      return value && value[1] && isAtMost(least, value) && isAtMost(value, most) ? value : null;
+    };
 
     // The signs of the polynomials at groups given as fractions, multiplied by powers of the denominators; then the mode that is listed for them.
     const modeAt = (values) => {
@@ -45,7 +53,7 @@
     // The same in 64-bit numbers for every place of the map. The terms are ordered as they stand.
     const terms = model.polynomials.map((polynomial) => polynomial.map(([coefficient, ...exponents]) => [Number(coefficient), ...exponents]));
     const raster = (values, width, height, place) => {
-      const logs = values.map((value) => Math.log(Number(value)));
+      const logs = values.map((value) => Math.log(nearest(value)));
       const [stress, velocity] = ["s", "v"].map((letter) => letters.indexOf(letter));
       const fixed = model.groups.map((exponents) => exponents.reduce((sum, exponent, which) =>
         sum + (which === stress || which === velocity ? 0 : exponent * logs[which]), 0));
@@ -74,7 +82,7 @@
     const [left, bottom, top, right] = [62, 46, 12, 22];
     const ends = (which) => model.window[which].map(Math.log10);
     const at = (which, share) => { const [low, high] = ends(which); return 10 ** (low + share * (high - low)); };
-    const share = (which, value) => { const [low, high] = ends(which); return (Math.log10(value) - low) / (high - low); };
+    const share = (which, value) => { const [low, high] = ends(which); return (Math.log10(nearest(value)) - low) / (high - low); };
     const draw = () => {
       const [wide, high] = [canvas.clientWidth, Math.min(0.72 * canvas.clientWidth, 560)];
       if (!wide) return;
@@ -104,7 +112,7 @@
         [pen.textAlign, pen.textBaseline] = [align, baseline];
         const [low, up] = ends(which);
         for (let exponent = Math.ceil(low - 1e-9); exponent <= up + 1e-9; exponent += 1) {
-          const along = share(which, 10 ** exponent);
+          const along = share(which, `1e${exponent}`);
           const [x, y] = which === "v" ? [left + along * width, top + height] : [left, top + (1 - along) * height];
           pen.fillRect(which === "v" ? x : x - 5, y, which === "v" ? 1 : 5, which === "v" ? 5 : 1);
           pen.fillText(raised(exponent), which === "v" ? x : x - 8, which === "v" ? y + 7 : y);
@@ -159,8 +167,11 @@
         else field.setAttribute("aria-invalid", "true");
       });
       const said = live.querySelector(".live-said");
+      const command = live.querySelector("code");
       if (read.includes(null)) {
-        said.textContent = "Each value must be a positive decimal, such as 1e-5.";
+        const faulty = fields.filter((_, which) => !read[which]).map((field) => field.dataset.name);
+        said.textContent = `${faulty.join(", ")}: write a number without a unit, such as 1e-5 or 1/3 (allowed: ${model.limits.join(" to ")}).`;
+        command.textContent = "";
         return;
       }
       [points[chosen].s, points[chosen].v] = ["s", "v"].map((letter) => fields[letters.indexOf(letter)].value);
@@ -168,22 +179,27 @@
         const values = letters.map((letter, which) => (letter in point ? exact(point[letter]) : read[which]));
         return `${point.name}: ${modeAt(values)}`;
       }).join("; ");
-      ranges.forEach((range, which) => { range.value = Math.log10(Number(fields[which].value)); });
+      ranges.forEach((range, which) => {
+        range.value = Math.log10(nearest(fields[which].value));
+        range.setAttribute("aria-valuetext", `${fields[which].value.trim()} ${fields[which].dataset.unit}`.trim());
+      });
       const typed = (field, which) => field.value.trim() + (field.value === initial[which] && field.dataset.bar || "");
-      live.querySelector("code").textContent = `slipmode classify ${fields.map((field, which) => `-${field.name} ${typed(field, which)}`).join(" ")}`;
+      command.textContent = `slipmode classify ${fields.map((field, which) => `-${field.name} ${typed(field, which)}`).join(" ")}`;
       if (isDue) return;
       isDue = true;
       requestAnimationFrame(() => { isDue = false; draw(); });
     };
     const keep = () => {
+      // The address has the last values that are all allowed.
+      if (live.querySelector("[aria-invalid]")) return;
       const address = fields.map((field) => `${field.name}=${field.value.trim()}`).join("&");
       history.replaceState(null, "", `#live&${address}`);
     };
     const change = () => { show(); keep(); };
+    const inside = (which, value) => Math.min(Math.max(value, model.window[which][0]), model.window[which][1]);
     const move = (v, s) => {
-      const limits = (which, value) => Math.min(Math.max(value, model.window[which][0]), model.window[which][1]);
-      fields[letters.indexOf("v")].value = short(limits("v", v));
-      fields[letters.indexOf("s")].value = short(limits("s", s));
+      fields[letters.indexOf("v")].value = short(inside("v", v));
+      fields[letters.indexOf("s")].value = short(inside("s", s));
       change();
     };
     const choose = (index) => {
@@ -193,8 +209,9 @@
 
     ranges.forEach((range, which) => {
       const window = model.window[letters[which]];
-      const middle = Math.log10(Number(initial[which]));
-      [range.min, range.max] = window ? window.map(Math.log10) : [middle - 3, middle + 3];
+      const middle = Math.log10(nearest(initial[which]));
+      const limits = model.limits.map((limit) => Math.log10(limit));
+      [range.min, range.max] = window ? window.map(Math.log10) : [Math.max(middle - 3, limits[0]), Math.min(middle + 3, limits[1])];
       range.addEventListener("input", () => {
         fields[which].value = short(10 ** Number(range.value));
         change();
@@ -220,13 +237,23 @@
       const [x, y] = placeOf(event);
       move(at("v", x), at("s", y));
     });
+    const walks = {};
     const steps = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
     live.querySelector(".live-map").addEventListener("keydown", (event) => {
       const step = steps[event.key];
       if (!step || event.altKey || event.ctrlKey || event.metaKey) return;
       event.preventDefault();
-      const by = event.shiftKey ? 0.1 : 0.01;
-      move(at("v", share("v", points[chosen].v) + by * step[0]), at("s", share("s", points[chosen].s) + by * step[1]));
+      // Steps are counted from where the keys first moved the point, so that the opposite key returns to the same value.
+      ["v", "s"].forEach((letter, which) => {
+        const field = fields[letters.indexOf(letter)];
+        const walk = walks[letter]?.last === field.value ? walks[letter] : { from: points[chosen][letter], steps: 0 };
+        const place = (steps) => Math.min(Math.max(share(letter, walk.from), 0), 1) + steps / 100;
+        const by = step[which] * (event.shiftKey ? 10 : 1);
+        if (by > 0 ? place(walk.steps) < 1 : by < 0 && place(walk.steps) > 0) walk.steps += by;
+        if (by) field.value = walk.steps ? short(inside(letter, at(letter, place(walk.steps)))) : walk.from;
+        walks[letter] = { ...walk, last: field.value };
+      });
+      change();
     });
     live.querySelector("button").addEventListener("click", () => {
       model.points.forEach(([, s, v], index) => Object.assign(points[index], { s, v }));

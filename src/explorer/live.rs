@@ -6,7 +6,7 @@
 use serde::Serialize;
 use serde_json::{Value, json};
 use slipmode_algebra::{Polynomial, RationalFunction};
-use slipmode_core::friction::{Groups, OperatingPoint, Parameters};
+use slipmode_core::friction::{Groups, LEAST, MOST, OperatingPoint, Parameters};
 use slipmode_core::number::Rational;
 use slipmode_core::number::format::rational_to_decimal;
 use slipmode_core::stability::{
@@ -62,9 +62,6 @@ const CONTROLS: [[&str; 3]; 7] = [
     ["v", "Loading velocity V0", "m/s"],
 ];
 
-/// What is said of a point on the transition.
-const NEUTRAL: &str = "neutral";
-
 /// Digits of a value: all that a person typed.
 const DIGITS: usize = 17;
 
@@ -89,8 +86,10 @@ pub fn live_map(
         json!([point.name, decimal(normal_stress_pa), decimal(loading_velocity_m_per_s)])
     });
     let mut data = model(threshold)?;
-    data["neutral"] = NEUTRAL.into();
+    // What is said of a point on the transition.
+    data["neutral"] = "neutral".into();
     data["points"] = places.collect();
+    data["limits"] = json!([LEAST, MOST]);
     data["window"] = json!({ "v": window.velocity, "s": window.stress });
     let modes = SlipMode::ALL.iter().enumerate();
     Some(LiveMap {
@@ -111,9 +110,9 @@ fn model(threshold: &InertialThreshold) -> Option<Value> {
             of(group.numerator()) - of(group.denominator())
         })
     };
-    let of_parameters = [inertial_parameter, stiffness_group, effect_ratio];
     let names = ["eta", "kappa", "beta"];
     let [eta, kappa, beta] = names.map(RationalFunction::variable);
+    let of_parameters = [inertial_parameter, stiffness_group, effect_ratio];
     let of_names = Groups { inertial_parameter: eta, stiffness_group: kappa, effect_ratio: beta };
     let ratio = RationalFunction::constant(threshold.squared_ratio().clone());
     let quantities = deciding_quantities(&of_names, &ratio);
