@@ -22,6 +22,7 @@ use crate::cli::options::{Arguments, QUANTITIES, SliderOptions, option_of};
 use crate::cli::output::OutputFolder;
 use crate::cli::path_text::{json_path, word_of};
 use crate::cli::progress::Progress;
+use crate::cli::simulate::range::outside;
 use crate::cli::tree::{Files, listing};
 
 use files::folder_files;
@@ -74,10 +75,8 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     let (typed, parameters) = read(options)?;
     let (place, output) = free_place(options)?;
     let files = drafted(&typed, &parameters, &place, *progress)?;
-    let ranges = typed
-        .own
-        .iter()
-        .flat_map(|own| ["normal_stresses_pa", "loading_velocities_m_per_s"].into_iter().zip(&own.ranges));
+    let keys = ["normal_stresses_pa", "loading_velocities_m_per_s"];
+    let ranges = typed.own.iter().flat_map(|own| keys.into_iter().zip(&own.ranges));
     let inputs = ranges.fold(given_json(&typed.slider), |inputs, (key, [low, _, high])| {
         inputs.with(key, [low, high].map(nearest_f64))
     });
@@ -109,7 +108,13 @@ pub fn write_fitted(
     output.commit(&drafted(&typed, &parameters, &place, progress)?)
 }
 
-/// The files of a folder with their verdicts, on a grid of simulations that has no gaps.
+/// Failed simulations that another grid may avoid: those next to the boundary are few.
+const FEW_GAPS: usize = 4;
+
+/// How far below and above the tested ranges the groups of an operating range may lie. A simulation far outside takes minutes.
+const FARTHEST: [f64; 2] = [1e10, 100.0];
+
+/// The files of a folder with their verdicts, on a grid of simulations that has no gaps where such a grid is found.
 fn drafted(
     typed: &Typed,
     parameters: &Slider<Rational>,
@@ -119,9 +124,9 @@ fn drafted(
     let effects = effects_of(parameters);
     let corners = Ranges::around(parameters).map_err(Failure::Refused)?;
     let mut ranges = typed.own.as_ref().map_or(corners, |own| Ranges::of_laboratory(&own.ranges));
-    let (mut files, mut has_gaps) = complete(typed, effects, &ranges, place, progress)?;
-    while has_gaps && ranges.coarsen() {
-        (files, has_gaps) = complete(typed, effects, &ranges, place, progress)?;
+    let (mut files, mut gaps) = complete(typed, effects, &ranges, place, progress)?;
+    while (1..=FEW_GAPS).contains(&gaps) && ranges.coarsen() {
+        (files, gaps) = complete(typed, effects, &ranges, place, progress)?;
     }
     Ok(files)
 }
@@ -177,9 +182,7 @@ fn effects_of(parameters: &Slider<Rational>) -> Sliders {
 fn read(options: &Options) -> Result<(Typed, Slider<Rational>), Failure> {
     let mut arguments = Arguments::default();
     check_report_name(&options.name, &mut arguments);
-    let Some(centre) = options.slider.centre(&mut arguments) else {
-        return arguments.finish(None);
-    };
+    let Some(centre) = options.slider.centre(&mut arguments) else { return arguments.finish(None) };
     let given = Quantity::OF_THE_SLIDER.map(|quantity| centre.text(quantity));
     let is_example = given.iter().all(Option::is_none);
     let or_example = |slider: SliderOptions| if is_example { slider.with_material(PAPER) } else { slider };
@@ -188,8 +191,16 @@ fn read(options: &Options) -> Result<(Typed, Slider<Rational>), Failure> {
     let ranges = centre.point(&mut arguments).and_then(|point| own_ranges(options, point, &mut arguments));
     let parameters = arguments.finish(parameters)?;
     let own = ranges.map(|ranges| Own { slider: parameters.clone(), ranges });
+    own.as_ref().and_then(far_outside).map_or(Ok(()), |far| Err(Failure::Refused(far)))?;
     let typed = Typed { name: options.name.clone(), slider, is_example, own, fitted: None };
     Ok((typed, parameters))
+}
+
+/// The group of an operating range that is too far from the tested ones.
+fn far_outside(Own { slider, ranges: [stresses, velocities] }: &Own) -> Option<String> {
+    let places = stresses.iter().flat_map(|stress| velocities.iter().map(move |velocity| (stress, velocity)));
+    let at = |(stress, velocity): (&Rational, &Rational)| slider.at(stress.clone(), velocity.clone());
+    places.map(at).find_map(|point| outside(&point, FARTHEST, "range of reports").next())
 }
 
 /// The operating range around an operating point; none without one, and when an option is at fault.
@@ -221,14 +232,14 @@ fn own_ranges(
 }
 
 /// The files with the verdicts that they have: the folder is read back as `report` will read it, and decided. The second
-/// value says whether a simulation has no result, so that claims on all of them are left out.
+/// value is the number of simulations without a result: claims on all of them are then left out.
 fn complete(
     typed: &Typed,
     effects: Sliders,
     ranges: &Ranges,
     place: &Path,
     progress: Progress,
-) -> Result<(Files, bool), Failure> {
+) -> Result<(Files, usize), Failure> {
     let mut files = folder_files(typed, effects, ranges);
     files.insert("claims.toml".into(), claims::undecided(&claims::candidates(effects)?));
     let bytes = files.iter().map(|(name, text)| (name.clone(), text.clone().into_bytes())).collect();
@@ -239,5 +250,5 @@ fn complete(
         *text = decided.without_those_left_out(text);
     }
     files.insert("claims.toml".into(), decided.text(&typed.name));
-    Ok((files, decided.has_gaps))
+    Ok((files, decided.gaps))
 }

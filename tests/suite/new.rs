@@ -154,6 +154,12 @@ fn every_number_that_is_missing_or_faulty_is_told_at_once() {
     place
         .run(["new", "far", "-a", "0.01", "-b", "0.02", "-d", "1", "-k", "1e300", "-m", "1"])
         .expect_refusal(&["beyond 1e-250 to 1e250"]);
+    for (stress, velocity, group) in
+        [("1e30", "1e-12", "eta"), ("1e20", "1e-3", "kappa"), ("1e-9", "1e-6", "kappa")]
+    {
+        let far = [&new("far", "0.01", "0.02")[..], &["-s", stress, "-v", velocity]].concat();
+        place.run(far).expect_refusal(&[&format!("error: {group} = "), "outside the range of reports"]);
+    }
     assert!(place.names().is_empty());
 }
 

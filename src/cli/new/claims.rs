@@ -19,8 +19,8 @@ const PAPER: &str = include_str!("../../../reports/im-avouac/claims.toml");
 pub struct Decided {
     /// The claims, each with what was found.
     claims: Vec<(ClaimEntry, Entry)>,
-    /// Whether a simulation has no result.
-    pub has_gaps: bool,
+    /// How many simulations have no result.
+    pub gaps: usize,
 }
 
 /// The claims to decide, in the order of the paper's report.
@@ -63,8 +63,8 @@ pub fn decide(folder: &Folder, progress: Progress) -> Result<Decided, Failure> {
     refuse_contradictions(&ledger)?;
     let claims = folder.claims.iter().cloned().zip(ledger.claims).collect();
     let grids = outcome.scenes.iter().flat_map(|scene| &scene.simulations).flat_map(|runs| &runs.grids);
-    let mut points = grids.flat_map(|(_, grid)| &grid.values);
-    Ok(Decided { claims, has_gaps: points.any(|point| point.simulation.is_err()) })
+    let points = grids.flat_map(|(_, grid)| &grid.values);
+    Ok(Decided { claims, gaps: points.filter(|point| point.simulation.is_err()).count() })
 }
 
 impl Decided {
