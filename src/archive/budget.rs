@@ -51,13 +51,12 @@ impl Budget {
     /// All limits times a factor.
     #[must_use]
     pub fn times(self, factor: f64) -> Self {
-        let Self { core_seconds, memory_mib, seconds, input_digits, result_digits } = self;
         Self {
-            core_seconds: core_seconds * factor,
-            memory_mib: memory_mib * factor,
-            seconds: seconds * factor,
-            input_digits: input_digits * factor,
-            result_digits: result_digits * factor,
+            core_seconds: self.core_seconds * factor,
+            memory_mib: self.memory_mib * factor,
+            seconds: self.seconds * factor,
+            input_digits: self.input_digits * factor,
+            result_digits: self.result_digits * factor,
         }
     }
 

@@ -7,15 +7,12 @@ use super::container::{ReleaseTime, pack};
 ///
 /// Checksums and digests cover the files; this covers what is between them, such as a mode or a time in the directory.
 pub(crate) fn container_fault(container: &[u8], files: &Files, time: ReleaseTime) -> Option<String> {
-    let packed = match pack(files, time) {
-        Ok(packed) => packed,
-        Err(error) => return Some(error),
+    let difference = |packed: Vec<u8>| {
+        let same = packed.iter().zip(container).take_while(|(one, other)| one == other).count();
+        let fault = format!("the container differs from what its files pack to, from byte {same} on");
+        (packed != container).then_some(fault)
     };
-    if packed == container {
-        return None;
-    }
-    let same = packed.iter().zip(container).take_while(|(one, other)| one == other).count();
-    Some(format!("the container differs from what its files pack to, from byte {same} on"))
+    pack(files, time).map_or_else(Some, difference)
 }
 
 #[cfg(test)]

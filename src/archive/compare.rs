@@ -32,16 +32,13 @@ pub(crate) fn text_differences(path: &str, archived: &[u8], computed: &[u8]) -> 
         return vec![format!("{path}: is not UTF-8 text")];
     };
     let (old, new): (Vec<&str>, Vec<&str>) = (old.split('\n').collect(), new.split('\n').collect());
-    let lines = (1..).zip(old.iter().zip(&new)).filter(|(_, (old, new))| !same_text(old, new));
-    let mut found = Vec::new();
-    for (number, (old, new)) in lines {
-        if found.len() == MOST_LINES {
-            found.push(format!("{path}: and more lines"));
-            break;
-        }
+    let mut lines = (1..).zip(old.iter().zip(&new)).filter(|(_, (old, new))| !same_text(old, new));
+    let line = |(number, (old, new)): (usize, (&&str, &&str))| {
         let (old, new) = first_difference(old, new);
-        found.push(format!("{path}:{number}: {} archived, {} computed now", shown(old), shown(new)));
-    }
+        format!("{path}:{number}: {} archived, {} computed now", shown(old), shown(new))
+    };
+    let mut found: Vec<String> = lines.by_ref().take(MOST_LINES).map(line).collect();
+    found.extend(lines.next().map(|_| format!("{path}: and more lines")));
     if old.len() != new.len() {
         found.push(format!("{path}: {} lines archived, {} computed now", old.len(), new.len()));
     }

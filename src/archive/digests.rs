@@ -23,6 +23,11 @@ pub fn finished_hex(digest: Sha256) -> String {
     digest.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
+/// Whether a text is a SHA-256 as this program writes it.
+pub(crate) fn is_digest(text: &str) -> bool {
+    text.len() == 64 && text.bytes().all(|byte| b"0123456789abcdef".contains(&byte))
+}
+
 /// Length and SHA-256 of all that a reader gives, in constant memory.
 ///
 /// # Errors
@@ -48,23 +53,18 @@ pub(super) fn list(files: &Files) -> String {
 /// What disagrees between an archive's files and its `SHA256SUMS`: one line a file, undeclared and missing ones too.
 #[must_use]
 pub fn digest_faults(files: &Files) -> Vec<String> {
-    let Some(listed) = files.get(DIGESTS_FILE) else {
-        return vec![format!("{DIGESTS_FILE}: missing")];
-    };
-    let declared = match parse(listed) {
+    let listed = files.get(DIGESTS_FILE).ok_or_else(|| format!("{DIGESTS_FILE}: missing"));
+    let declared = match listed.and_then(|listed| parse(listed)) {
         Ok(declared) => declared,
         Err(fault) => return vec![fault],
     };
-    let mut faults = Vec::new();
-    for (path, bytes) in files.iter().filter(|(path, _)| *path != DIGESTS_FILE) {
-        match declared.get(path.as_str()) {
-            None => faults.push(format!("{path}: not declared in {DIGESTS_FILE}")),
-            Some(digest) if *digest != sha256_hex(bytes) => {
-                faults.push(format!("{path}: its SHA-256 is not the declared one"));
-            }
-            Some(_) => {}
-        }
-    }
+    let fault = |(path, bytes): (&String, &Vec<u8>)| match declared.get(path.as_str()) {
+        None => Some(format!("{path}: not declared in {DIGESTS_FILE}")),
+        Some(digest) if *digest == sha256_hex(bytes) => None,
+        Some(_) => Some(format!("{path}: its SHA-256 is not the declared one")),
+    };
+    let others = files.iter().filter(|(path, _)| *path != DIGESTS_FILE);
+    let mut faults: Vec<String> = others.filter_map(fault).collect();
     let gone = declared.keys().filter(|path| !files.contains_key(**path));
     faults.extend(gone.map(|path| format!("{}: declared in {DIGESTS_FILE}, but missing", shown(path))));
     faults
@@ -78,9 +78,7 @@ fn parse(listed: &[u8]) -> Result<BTreeMap<&str, &str>, String> {
         let (digest, path) = line
             .split_once("  ")
             .ok_or_else(|| format!("{place}: is not a digest, two spaces and a path"))?;
-        let is_digest =
-            digest.len() == 64 && digest.bytes().all(|b| b.is_ascii_digit() || (b'a'..=b'f').contains(&b));
-        if !is_digest {
+        if !is_digest(digest) {
             return Err(format!("{place}: does not begin with 64 hexadecimal digits"));
         }
         if declared.insert(path, digest).is_some() {

@@ -36,27 +36,25 @@ struct Ledger {
 
 impl Ledger {
     fn read(json: &[u8], which: &str) -> Result<Self, String> {
-        let refuse = |why: &str| Err(format!("{which} is not a ledger: {why}"));
-        let mut rest: Map<String, Value> = match serde_json::from_slice(json) {
-            Ok(rest) => rest,
-            Err(error) => return refuse(&error.to_string()),
-        };
+        Self::of_json(json).map_err(|why| format!("{which} is not a ledger: {why}"))
+    }
+
+    fn of_json(json: &[u8]) -> Result<Self, String> {
+        let mut rest: Map<String, Value> = serde_json::from_slice(json).map_err(|error| error.to_string())?;
         if let Some(key) = doubled_key(&String::from_utf8_lossy(json)) {
-            return refuse(&format!("an object has the key {} twice", shown(&key)));
+            return Err(format!("an object has the key {} twice", shown(&key)));
         }
-        let Some(Value::Array(list)) = rest.remove("claims") else {
-            return refuse("it has no list `claims`");
-        };
+        let Some(Value::Array(list)) = rest.remove("claims") else { Err("it has no list `claims`")? };
         let mut claims = BTreeMap::new();
         for claim in list {
-            let Value::Object(claim) = claim else { return refuse("a claim is not an object") };
-            let Some(Value::String(id)) = claim.get("id") else { return refuse("a claim has no id") };
+            let Value::Object(claim) = claim else { Err("a claim is not an object")? };
+            let Some(Value::String(id)) = claim.get("id") else { Err("a claim has no id")? };
             let has_strength = claim.get("strength").is_some_and(|it| it.is_string() || it.is_null());
             if !has_strength || !claim.get("verdict").is_some_and(Value::is_string) {
-                return refuse(&format!("claim {} has no verdict or no strength", shown(id)));
+                return Err(format!("claim {} has no verdict or no strength", shown(id)));
             }
-            if claims.insert(id.clone(), claim).is_some() {
-                return Err(format!("{which} lists a claim twice"));
+            if let Some(known) = claims.insert(id.clone(), claim) {
+                return Err(format!("it lists claim {} twice", text(&known["id"])));
             }
         }
         Ok(Self { claims, rest })
@@ -65,26 +63,19 @@ impl Ledger {
 
 /// The first key that an object has twice, in a text that is JSON. Each reader keeps one of the values, not all of them the same one.
 fn doubled_key(json: &str) -> Option<String> {
-    let (mut keys, mut rest) = (vec![BTreeSet::new()], json);
+    let (mut objects, mut rest) = (Vec::new(), json);
     while let Some(at) = rest.find(['"', '{', '}']) {
-        let (found, mut length, mut is_escaped) = (&rest[at..], 1, false);
-        match found.as_bytes()[0] {
-            b'{' => keys.push(BTreeSet::new()),
-            b'}' => drop(keys.pop()),
-            _ => {
-                length += 1 + found.bytes().skip(1).position(|byte| {
-                    let is_end = byte == b'"' && !is_escaped;
-                    is_escaped = byte == b'\\' && !is_escaped;
-                    is_end
-                })?;
-                let is_key = found[length..].trim_start().starts_with(':');
-                let word: String = serde_json::from_str(&found[..length]).ok()?;
-                if is_key && !keys.last_mut()?.insert(word.clone()) {
-                    return Some(word);
-                }
-            }
+        let mut texts = serde_json::Deserializer::from_str(&rest[at..]).into_iter::<String>();
+        let text = texts.next()?.ok();
+        let length = if text.is_some() { texts.byte_offset() } else { 1 };
+        let (found, after) = rest[at..].split_at(length);
+        match (found, text.filter(|_| after.trim_start().starts_with(':'))) {
+            ("{", _) => objects.push(BTreeSet::new()),
+            ("}", _) => drop(objects.pop()),
+            (_, Some(key)) if !objects.last_mut()?.insert(key.clone()) => return Some(key),
+            _ => {}
         }
-        rest = &found[length..];
+        rest = after;
     }
     None
 }
@@ -200,7 +191,10 @@ mod tests {
         for bad in [&b"{}"[..], b"", b"[]", br#"{"claims": [1]}"#, br#"{"claims": [{"id": "A1"}]}"#] {
             assert!(refusal(bad).starts_with("the first is not a ledger"), "{}", refusal(bad));
         }
-        assert_eq!(refusal(OLD.replace("A8", "A1").as_bytes()), "the first lists a claim twice");
+        assert_eq!(
+            refusal(OLD.replace("A8", "A1").as_bytes()),
+            "the first is not a ledger: it lists claim A1 twice"
+        );
         for (from, to) in [
             ("\"runs\": 7", "\"runs\": 7, \"runs\": 7"),
             ("\"runs\": 7", "\"runs\": 8, \"run\\u0073\" : 7"),

@@ -106,13 +106,11 @@ impl Facts {
         let facts = Self { time, ..stated };
         let is_of_a_word = |c: char| c.is_ascii_alphanumeric() || " .+-()".contains(c);
         let is_word = |text: &String| text.len() <= 100 && text.chars().all(is_of_a_word);
-        let digest = &facts.source_sha256;
-        let is_digest = digest.len() == 64 && digest.bytes().all(|byte| byte.is_ascii_hexdigit());
         if !facts.versions.contains_key("slipmode") {
             return Err(refuse("states no version of slipmode"));
         }
         let is_plain = facts.versions.iter().all(|(name, version)| is_word(name) && is_word(version));
-        if is_digest && is_plain && facts.to_json().as_bytes() == json {
+        if digests::is_digest(&facts.source_sha256) && is_plain && facts.to_json().as_bytes() == json {
             Ok(facts)
         } else {
             Err(refuse("is not what a build of slipmode writes"))

@@ -89,36 +89,31 @@ impl Reader<'_> {
         let path = std::str::from_utf8(entry.name_raw())
             .map_err(|_| format!("{:?}: is not UTF-8", String::from_utf8_lossy(entry.name_raw())))?
             .to_string();
-        let refuse = |why: &str| Err(format!("{path:?}: {why}"));
-        if let Err(why) = check_path(&path) {
-            return refuse(&why);
+        let refuse = |why: &str| format!("{path:?}: {why}");
+        check_path(&path).map_err(|why| refuse(&why))?;
+        let is_special = entry.unix_mode().is_some_and(|mode| mode & 0o170_000 != 0o100_000);
+        let (size, Caps { file_bytes, total_bytes, ratio, .. }) = (entry.size(), *self.caps);
+        let total = self.total.saturating_add(size);
+        let faults = [
+            (entry.is_dir() || entry.is_symlink() || is_special, "is not a regular file".into()),
+            (entry.encrypted(), "is encrypted".into()),
+            (size > file_bytes, format!("{size} bytes; at most {file_bytes} are read of one file")),
+            (
+                size > ratio.saturating_mul(entry.compressed_size().max(64)),
+                format!("unpacks to more than {ratio} times its packed size"),
+            ),
+            (total > total_bytes, format!("with it the files exceed {total_bytes} bytes")),
+        ];
+        if let Some((_, why)) = faults.iter().find(|(is_so, _)| *is_so) {
+            return Err(refuse(why));
         }
-        if entry.is_dir()
-            || entry.is_symlink()
-            || entry.unix_mode().is_some_and(|mode| mode & 0o170_000 != 0o100_000)
-        {
-            return refuse("is not a regular file");
-        }
-        if entry.encrypted() {
-            return refuse("is encrypted");
-        }
-        let size = entry.size();
-        if size > self.caps.file_bytes {
-            return refuse(&format!("{size} bytes; at most {} are read of one file", self.caps.file_bytes));
-        }
-        if size > self.caps.ratio.saturating_mul(entry.compressed_size().max(64)) {
-            return refuse(&format!("unpacks to more than {} times its packed size", self.caps.ratio));
-        }
-        self.total += size;
-        if self.total > self.caps.total_bytes {
-            return refuse(&format!("with it the files exceed {} bytes", self.caps.total_bytes));
-        }
-        self.note_time(entry.last_modified()).or_else(refuse)?;
+        self.total = total;
+        self.note_time(entry.last_modified()).map_err(refuse)?;
         let mut bytes = Vec::new();
         // One byte more than declared shows a file that lies about its size, and never more is unpacked.
         entry.by_ref().take(size + 1).read_to_end(&mut bytes).map_err(|error| format!("{path}: {error}"))?;
         if bytes.len() as u64 != size {
-            return refuse("is not as long as it declares");
+            return Err(refuse("is not as long as it declares"));
         }
         self.files.insert(path, bytes);
         Ok(())

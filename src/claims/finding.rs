@@ -87,9 +87,7 @@ impl Finding {
 
     /// It rests on enclosures with outward rounding, unless what decides it is rational.
     pub(crate) fn enclosed_unless(mut self, is_rational: bool) -> Self {
-        if !is_rational {
-            self.strength = self.strength.map(|known| known.max(Strength::Certified));
-        }
+        self.strength = self.strength.map(|it| if is_rational { it } else { it.max(Strength::Certified) });
         self
     }
 
@@ -240,10 +238,8 @@ impl Finding {
 
     /// A claim about more than these things: it holds within them.
     pub(super) fn decided_for(self, things: &str) -> Self {
-        match self.verdict {
-            Verdict::Holds | Verdict::HoldsWithin => self.limited(things.to_owned()),
-            _ => self,
-        }
+        let is_true = matches!(self.verdict, Verdict::Holds | Verdict::HoldsWithin);
+        if is_true { self.limited(things.to_owned()) } else { self }
     }
 
     /// The points that a universal statement was looked at on, or how far a statement goes; the verdict stays.

@@ -260,15 +260,11 @@ fn state_values(claims: &mut [Entry]) {
     let id = |entry: &Entry| entry.id.clone();
     let mut proved: BTreeSet<String> = claims.iter().filter(is_proved).map(id).collect();
     // What rests on a claim that is not proved is not proved either.
-    loop {
+    for _ in 0..claims.len() {
         let rests = |entry: &&Entry| {
             proved.contains(&entry.id) && entry.rests_on.iter().all(|id| proved.contains(id))
         };
-        let kept: BTreeSet<String> = claims.iter().filter(rests).map(id).collect();
-        if kept.len() == proved.len() {
-            break;
-        }
-        proved = kept;
+        proved = claims.iter().filter(rests).map(id).collect();
     }
     for entry in claims.iter_mut().filter(|entry| entry.finding.verdict != Verdict::NotChecked) {
         let is_proved = proved.contains(&entry.id);

@@ -40,8 +40,7 @@ impl Part {
 /// Verdict and strength; what is not checked has none.
 #[must_use]
 pub fn verdict_words(verdict: Verdict, strength: Option<Strength>) -> String {
-    let strength = strength.map(|strength| format!(", {strength}"));
-    format!("{verdict}{}", strength.unwrap_or_default())
+    strength.map_or_else(|| verdict.to_string(), |strength| format!("{verdict}, {strength}"))
 }
 
 /// One way to read a claim.

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use serde_json::json;
-use slipmode::claims::{Entry, Ledger, Strength, Verdict};
+use slipmode::claims::{Entry, Ledger, Strength, Verdict, verdict_words};
 use slipmode::report::{
     PAGE_BUDGET_BYTES, Product, ReportError, produce, produce_scene, without_environment,
 };
@@ -162,7 +162,8 @@ pub fn verify(options: &VerifyOptions, progress: &Progress) -> Result<(), Failur
     moved.extend(product.files.get(PAGE).and_then(|page| over_budget(page.len())));
     let mut drift = problems(&product.ledger);
     drift.extend(product.ledger.overstated().map(|entry| {
-        format!("{}: the strength {} is above its weakest part's", entry.id, strength_of(entry))
+        let stated = verdict_words(entry.finding.verdict, entry.finding.strength);
+        format!("{}: `{stated}` is stronger than its weakest part", entry.id)
     }));
     let (steps, argued) = product.ledger.proof_steps();
     let steps = count_of(steps, "distinct proof step");
@@ -274,11 +275,6 @@ fn claim_part(entry: &Entry) -> Answer {
         .with("error_bars", entry.error_bars)
 }
 
-/// The word for the strength of a verdict; empty for what was not checked.
-fn strength_of(entry: &Entry) -> &'static str {
-    entry.finding.strength.map_or("", Strength::as_str)
-}
-
 /// A line with the verdict on a claim, its strength, and its limit, its counter-example or why it was not checked.
 pub fn claim_line(entry: &Entry) -> String {
     let finding = &entry.finding;
@@ -287,14 +283,9 @@ pub fn claim_line(entry: &Entry) -> String {
         Verdict::Fails => [&finding.counter_example, &finding.limit],
         _ => [&finding.limit, &finding.counter_example],
     };
-    let because = first.as_ref().or(second.as_ref()).or(reason);
-    let line = format!(
-        "{:<4} {:<13} {:<14}  {}",
-        entry.id,
-        finding.verdict,
-        strength_of(entry),
-        because.map_or("", String::as_str)
-    );
+    let because = first.as_ref().or(second.as_ref()).or(reason).map_or("", String::as_str);
+    let strength = finding.strength.map_or("", Strength::as_str);
+    let line = format!("{:<4} {:<13} {strength:<14}  {because}", entry.id, finding.verdict);
     format!("{}\n", line.trim_end())
 }
 

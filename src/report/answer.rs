@@ -99,16 +99,13 @@ fn right(ledger: &Ledger, claims: &[&Entry]) -> Option<AnswerView> {
         about.map(|entry| entry.finding.verdict).collect::<Vec<_>>()
     };
     let subjects = |fits: &dyn Fn(&[Verdict]) -> bool| {
-        let all = ledger.subjects().into_iter();
-        let fitting = all.filter(|subject| {
-            let verdicts = verdicts(subject);
-            !verdicts.is_empty() && fits(&verdicts)
-        });
+        let fitting = ledger.subjects().into_iter().filter(|subject| fits(&verdicts(subject)));
         listed(&fitting.map(|subject| subject.words.as_str()).collect::<Vec<_>>())
     };
-    let held = |verdicts: &[Verdict]| verdicts.iter().all(|it| *it == Verdict::Holds);
-    let right = |verdicts: &[Verdict]| {
-        verdicts.iter().all(|it| matches!(it, Verdict::Holds | Verdict::HoldsWithin)) && !held(verdicts)
+    let held = |all: &[Verdict]| !all.is_empty() && all.iter().all(|it| *it == Verdict::Holds);
+    let right = |all: &[Verdict]| {
+        all.contains(&Verdict::HoldsWithin)
+            && all.iter().all(|it| matches!(it, Verdict::Holds | Verdict::HoldsWithin))
     };
     let text = match (subjects(&held), subjects(&right)) {
         (None, None) => return None,
@@ -132,12 +129,10 @@ fn listed(words: &[&str]) -> Option<String> {
 /// The claims that fail: those for which the report has a replacement stand with it, the others below in their own words.
 fn wrong(ledger: &Ledger, claims: &[&Entry]) -> Option<AnswerView> {
     let failed: Vec<&Entry> = with(claims, Verdict::Fails).copied().collect();
-    let findings = match (failed.len(), ledger.findings(Verdict::Fails)) {
-        (all, fewer) if fewer < all => {
-            format!(" They are {fewer} findings: some repeat another one or share its counter-example.")
-        }
-        _ => String::new(),
-    };
+    let fewer = ledger.findings(Verdict::Fails);
+    let findings =
+        format!(" They are {fewer} findings: some repeat another one or share its counter-example.");
+    let findings = if fewer < failed.len() { findings } else { String::new() };
     let has_change = |entry: &&Entry| entry.sentence.change.is_some();
     let text = match failed.len() {
         0 => return None,
@@ -146,10 +141,8 @@ fn wrong(ledger: &Ledger, claims: &[&Entry]) -> Option<AnswerView> {
     };
     if failed.iter().any(has_change) {
         let ids = failed.iter().filter(|entry| !has_change(entry)).map(|entry| &entry.id);
-        return Some(AnswerView::new(
-            format!("{text}: [what would be true instead](#sentences-to-change).{findings}"),
-            ids,
-        ));
+        let text = format!("{text}: [what would be true instead](#sentences-to-change).{findings}");
+        return Some(AnswerView::new(text, ids));
     }
     Some(AnswerView {
         is_list: true,

@@ -95,16 +95,14 @@ pub(crate) fn cell(line: &str) -> String {
 /// Plain text as Markdown: words between backticks are code, and everything else shows exactly its characters.
 pub(crate) fn plain(text: &str) -> String {
     let escaped = escape_markdown(text);
-    // Both have the same pieces, those in the odd places inside of backticks.
-    let pieces = || escaped.split("\\`").zip(text.split('`')).enumerate();
-    let is_code =
-        |at: usize, piece: &str| at.is_multiple_of(2) || !piece.contains('|') && !piece.trim().is_empty();
-    if !text.matches('`').count().is_multiple_of(2) || !pieces().all(|(at, (_, piece))| is_code(at, piece)) {
+    // Both have the same pieces, every second one between backticks.
+    let pieces: Vec<(&str, &str)> = escaped.split("\\`").zip(text.split('`')).collect();
+    let is_code = |(_, code): &(&str, &str)| !code.contains('|') && !code.trim().is_empty();
+    if pieces.len().is_multiple_of(2) || !pieces.iter().skip(1).step_by(2).all(is_code) {
         return escaped;
     }
-    pieces()
-        .map(|(at, (words, code))| if at.is_multiple_of(2) { words.into() } else { code_span(code) })
-        .collect()
+    let code = |pair: &[(&str, &str)]| pair.get(1).map_or_else(String::new, |(_, code)| code_span(code));
+    pieces.chunks(2).map(|pair| pair[0].0.to_owned() + &code(pair)).collect()
 }
 
 /// Text as an inline code span that shows exactly these characters, on one line; empty for empty text.

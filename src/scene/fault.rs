@@ -236,19 +236,11 @@ pub fn visible(text: &str) -> String {
 
 impl fmt::Display for Fault {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.write_str(&visible(&shortened(&self.file, LONGEST_FILE)))?;
-        if let Some(line) = self.line {
-            write!(formatter, ":{line}")?;
-        }
-        formatter.write_str(": ")?;
-        if !self.key.is_empty() {
-            formatter.write_str(&shown(&self.key))?;
-            if let Some(value) = &self.value {
-                write!(formatter, " = {}", quoted(value))?;
-            }
-            formatter.write_str(": ")?;
-        }
-        formatter.write_str(&self.problem_text())
+        let file = visible(&shortened(&self.file, LONGEST_FILE));
+        let line = self.line.map_or_else(String::new, |line| format!(":{line}"));
+        let value = self.value.as_ref().map_or_else(String::new, |value| format!(" = {}", quoted(value)));
+        let key = if self.key.is_empty() { String::new() } else { shown(&self.key) + &value + ": " };
+        write!(formatter, "{file}{line}: {key}{}", self.problem_text())
     }
 }
 

@@ -13,9 +13,7 @@ use slipmode_algebra::coq::Theorem;
 use slipmode_algebra::{Certificate, Proof};
 use slipmode_theory::Equations;
 
-use crate::claims::{
-    self, Conclusion, PROVED, Strength, TIES, WholeTheorem, statement_digest, whole_theorems,
-};
+use crate::claims::{self, Conclusion, PROVED, Strength, TIES, WholeTheorem, statement_digest};
 use crate::scene::ClaimEntry;
 
 pub use archived::{archived, file_list};
@@ -154,7 +152,7 @@ impl Files {
     fn add_whole(&mut self, report: &str, claim: &Claim, stated: Option<&ClaimEntry>, equations: &Equations) {
         let proofs = || claim.evidence.iter().filter_map(|evidence| evidence.proof.as_ref());
         let proof = |id: &str| proofs().find(|proof| proof.id == id);
-        let mut found = stated.map_or(Vec::new(), |stated| whole_theorems(stated, equations, proof));
+        let mut found = stated.map_or(Vec::new(), |stated| claims::whole_theorems(stated, equations, proof));
         let others = proofs().filter(|proof| found.iter().all(|(id, _)| *id != proof.id));
         let no_formula = "a proof or a procedure decides it, not a formula";
         let others: Vec<_> = others.map(|proof| (proof.id.clone(), Err(no_formula.to_owned()))).collect();
