@@ -111,8 +111,8 @@ pub fn write_fitted(
 /// Failed simulations that another grid may avoid: those next to the boundary are few.
 const FEW_GAPS: usize = 4;
 
-/// How far below and above the tested ranges the groups of an operating range may lie. A simulation far outside takes minutes.
-const FARTHEST: [f64; 2] = [1e10, 100.0];
+/// How far below and above the tested ranges of η, κ and b/a an operating range may lie. A simulation far outside takes minutes.
+const FARTHEST: [[f64; 2]; 3] = [[1e10, 1e4], [1e10, 100.0], [1e10, 100.0]];
 
 /// The files of a folder with their verdicts, on a grid of simulations that has no gaps where such a grid is found.
 fn drafted(
