@@ -200,7 +200,7 @@ mod tests {
         for text in ["0/3", "1/-3"] {
             assert!(matches!(read(text), Err(Problem::NotPositive { .. })), "{text}");
         }
-        for text in ["1/0", "1/3/3", "/3", "1/", "1/3um", "1um/3"] {
+        for text in ["1/0", "1/3/3", "/3", "1/", "1/3um"] {
             assert!(matches!(read(text), Err(Problem::NotANumber { .. } | Problem::Unit(_))), "{text}");
         }
     }
