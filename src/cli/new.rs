@@ -22,7 +22,7 @@ use crate::cli::options::{Arguments, QUANTITIES, SliderOptions, option_of};
 use crate::cli::output::OutputFolder;
 use crate::cli::path_text::{json_path, word_of};
 use crate::cli::progress::Progress;
-use crate::cli::simulate::range::outside;
+use crate::cli::simulate::range::{Factors, outside};
 use crate::cli::tree::{Files, listing};
 
 use files::folder_files;
@@ -112,7 +112,7 @@ pub fn write_fitted(
 const FEW_GAPS: usize = 4;
 
 /// How far below and above the tested ranges of η, κ and b/a an operating range may lie. A simulation far outside takes minutes.
-const FARTHEST: [[f64; 2]; 3] = [[1e10, 1e4], [1e10, 100.0], [1e10, 100.0]];
+const FARTHEST: Factors = [[1e10, 1e4], [1e10, 100.0], [1e10, 100.0]];
 
 /// The files of a folder with their verdicts, on a grid of simulations that has no gaps where such a grid is found.
 fn drafted(

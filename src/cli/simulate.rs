@@ -162,7 +162,7 @@ impl Options {
         let parameters = region.middle();
         // An output that cannot be written is reported before the work, not after it.
         let outputs = Output::create_both([self.trajectory.as_deref(), self.svg.as_deref()])?;
-        for warning in range::outside(&parameters, [[1.0; 2]; 3], "tested range") {
+        for warning in range::outside_tested(&parameters) {
             terminal::message(&format!("warning: {warning}"));
         }
         let (found, written) = progress.spinner("simulating", || {

@@ -92,7 +92,7 @@ impl BoxRuns {
         let points = points_within(region, spread);
         let runs = parallel::map(&points, |point| simulate_point(point, law, options));
         let runs: Vec<Shown> = std::iter::once(middle).chain(runs).collect();
-        let outside_tested_range = points.iter().any(range::is_outside_tested);
+        let outside_tested_range = points.iter().any(|point| range::outside_tested(point).next().is_some());
         Self { corners: runs.len() - 1 - spread as usize, runs, outside_tested_range }
     }
 

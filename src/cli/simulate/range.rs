@@ -17,22 +17,20 @@ const TESTED: [(&str, [f64; 2]); 3] = [
 
 /// Units that are not SI, and groups for which no simulation was tested.
 pub fn warnings(parameters: &Parameters<Rational>) -> Vec<String> {
-    let of_units = slider_warnings(parameters.map(nearest_f64));
-    of_units.into_iter().chain(outside(parameters, [[1.0; 2]; 3], "tested range")).collect()
+    [slider_warnings(parameters.map(nearest_f64)), outside_tested(parameters).collect()].concat()
 }
 
-/// Whether a group of a slider lies outside the range over which simulations were tested.
-pub fn is_outside_tested(parameters: &Parameters<Rational>) -> bool {
-    outside(parameters, [[1.0; 2]; 3], "tested range").next().is_some()
+/// The groups of a slider that lie outside the ranges over which simulations were tested.
+pub fn outside_tested(parameters: &Parameters<Rational>) -> impl Iterator<Item = String> {
+    outside(parameters, [[1.0; 2]; 3], "tested range")
 }
+
+/// How far below and above the tested ranges the groups may lie.
+pub type Factors = [[f64; 2]; 3];
 
 /// The groups of a slider that lie outside the tested ranges, by more than a factor below and one above for each.
-pub fn outside(
-    parameters: &Parameters<Rational>,
-    by: [[f64; 2]; 3],
-    range: &str,
-) -> impl Iterator<Item = String> {
-    let groups = <[Rational; 3]>::from(parameters.groups());
+pub fn outside(of: &Parameters<Rational>, by: Factors, range: &str) -> impl Iterator<Item = String> {
+    let groups = <[Rational; 3]>::from(of.groups());
     groups.into_iter().zip(TESTED).zip(by).filter_map(move |((value, (name, [from, to])), by)| {
         let ends = [from / by[0], to * by[1]];
         let is_inside = (ends[0]..=ends[1]).contains(&nearest_f64(&value));

@@ -64,7 +64,7 @@ pub struct Simulated {
 impl Simulated {
     /// What is reported of a simulation with these parameters.
     pub fn new(found: Shown, parameters: &Parameters<Rational>) -> Self {
-        Self { found, outside_tested_range: range::is_outside_tested(parameters) }
+        Self { found, outside_tested_range: range::outside_tested(parameters).next().is_some() }
     }
 }
 
