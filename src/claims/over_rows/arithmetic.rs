@@ -9,15 +9,12 @@ use slipmode_algebra::Comparison;
 /// Bits of the values.
 pub(super) const BITS: u32 = 96;
 
-/// How a difference compares with zero. Without an estimated error, values that agree in all digits shown are equal.
-pub(super) fn compared(difference: &Ball, comparison: Comparison, is_estimated: bool) -> Option<bool> {
+/// How a difference compares with zero; none where its error could turn it.
+pub(super) fn compared(difference: &Ball, comparison: Comparison) -> Option<bool> {
     if let Some(sign) = difference.sign() {
         return Some(comparison.holds(sign));
     }
     match comparison {
-        Comparison::Equal | Comparison::Unequal if !is_estimated && difference.is_bounded() => {
-            Some(comparison == Comparison::Equal)
-        }
         Comparison::AtMost | Comparison::Greater if difference.upper() <= 0 => {
             Some(comparison == Comparison::AtMost)
         }

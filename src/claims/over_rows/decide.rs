@@ -67,7 +67,7 @@ impl All<'_> {
                 self.in_groups(|group| {
                     let [x, y] = self.rows.values(group, sides)?;
                     let found = correlation(&x, &y)?;
-                    let is = compared(&(found.clone() - &number), *comparison, true);
+                    let is = compared(&(found.clone() - &number), *comparison);
                     Ok((group[0], is, round_digits(found.to_f64(), 4)))
                 })?
             }
@@ -114,16 +114,24 @@ impl All<'_> {
     }
 
     fn nothing(&self, of: &str) -> Finding {
-        Finding::not_checked(format!("No {of} of the table `{}` meets the condition.", self.table.id))
+        Finding::not_checked(format!(
+            "No {of} of the table `{}` certainly meets the condition.",
+            self.table.id
+        ))
     }
 
     /// The finding that the second is true wherever the first one is, from the rows at which they begin.
     fn implied(&self, of: &str, cases: impl Iterator<Item = (Vec<usize>, Truth, Truth)>) -> Finding {
-        // Whatever does not meet the condition has to be out of the way as surely as the others are true.
-        let (met, left_out): (Vec<_>, Vec<_>) = cases.partition(|(_, chosen, _)| chosen.is != Some(false));
-        let left_out = left_out.into_iter().map(|(_, chosen, _)| chosen.strength).max();
-        let met = met.into_iter().map(|(at, chosen, claimed)| (at, chosen.implies(claimed)));
-        let met: Vec<Case> = met.map(|(at, truth)| Case { at, truth, value: String::new() }).collect();
+        let (mut met, mut left_out) = (Vec::new(), None);
+        for (at, chosen, claimed) in cases {
+            let truth = chosen.implies(claimed);
+            if chosen.is == Some(true) || truth.is.is_none() {
+                met.push(Case { at, truth, value: String::new() });
+            } else {
+                // Whatever may not meet the condition has to be out of the way as surely as the others are true.
+                left_out = left_out.max(Some(chosen.is.map_or(truth, |_| chosen).strength));
+            }
+        }
         match met.is_empty() {
             true => self.nothing(of.trim_end_matches('s')),
             false => self.conclude(of, met, left_out),
@@ -263,8 +271,7 @@ impl All<'_> {
         let may_be_least = |at: &usize| values[*at].lower() <= upper[least];
         let places = (0..group.len()).filter(may_be_least).map(|at| &places[at]);
         let [place, distance] = place.each_ref().map(|number| Ball::from_rational(number, BITS));
-        let near =
-            |at: &Ball| compared(&(magnitude(&(at.clone() - &place)) - &distance), Comparison::AtMost, true);
+        let near = |at: &Ball| compared(&(magnitude(&(at.clone() - &place)) - &distance), Comparison::AtMost);
         let found: Vec<(Option<bool>, String)> =
             places.map(|at| (near(at), round_digits(at.to_f64(), 4))).collect();
         let text = found.iter().map(|(_, text)| text.as_str()).collect::<Vec<_>>().join(" or ");

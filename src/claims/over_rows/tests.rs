@@ -48,7 +48,10 @@ fn table(lines: &[Line]) -> Table {
 }
 
 fn found_on(lines: &[Line], text: &str, kind: Kind) -> Finding {
-    let table = table(lines);
+    decided(&table(lines), text, kind)
+}
+
+fn decided(table: &Table, text: &str, kind: Kind) -> Finding {
     let numbers = BTreeMap::from(
         [
             ("most", "largest value_m where law = 'slip', 1 digits, above"),
@@ -57,7 +60,7 @@ fn found_on(lines: &[Line], text: &str, kind: Kind) -> Finding {
         .map(|(name, text)| (name.to_owned(), text.to_owned())),
     );
     let statement = super::statement::read(text, &numbers, &table.columns).unwrap();
-    super::decide::decide(text, &statement, &table, kind)
+    super::decide::decide(text, &statement, table, kind)
 }
 
 fn found(lines: &[Line], text: &str) -> (Verdict, Strength) {
@@ -92,6 +95,37 @@ fn an_enclosure_decides_before_an_estimated_error_and_a_missing_one_lowers_the_s
     let mut wide = GRID;
     wide[0][5..7].copy_from_slice(&["0", "50"]);
     assert_eq!(found(&wide, RISES).0, Verdict::NotChecked);
+}
+
+#[test]
+fn numbers_that_may_be_equal_are_open_and_those_that_name_a_row_are_as_shown() {
+    let shown = |_: &Line| Cell::rounded("1.2346", 5);
+    let value = |line: &Line| Cell::number(line[4]);
+    let law = || Table::of("t", "T", &GRID[..1]).text("law", "Law", |line: &Line| line[0]);
+    let [computed, named] =
+        [law().named().number("x", "x", "", shown), law().number("x", "x", "", shown).named()]
+            .map(|rows| rows.number("value_m", "v", "m", value).text("word", "Word", |line| line[7]).table());
+    let verdict = |table: &Table, text: &str| decided(table, text, Kind::Universal).verdict;
+    for text in ["count where x = 1.2346 = 1", "count where x = 1.23461 = 0", "for every row: x != 1.23461"] {
+        assert_eq!(verdict(&named, text), Verdict::Holds, "{text}");
+    }
+    for text in ["count where x = 1.2346 = 1", "count where x = 1.23461 = 0", "for every row: x = 1.23461"] {
+        assert_eq!(verdict(&computed, text), Verdict::NotChecked, "{text}");
+    }
+    assert_eq!(verdict(&computed, "for every row: x != 1.2347"), Verdict::Holds);
+    assert_eq!(verdict(&computed, "for every row: value_m = 10"), Verdict::Holds);
+}
+
+#[test]
+fn a_statement_about_no_certain_row_decides_nothing() {
+    for condition in
+        ["value_m > value_m", "value_m_low > 1000", "value_m > 10 and law = 'aging' and x = 1 and y = 1"]
+    {
+        let text = format!("for every row where {condition}: x > 0");
+        assert_eq!(found(&GRID, &text).0, Verdict::NotChecked, "{text}");
+    }
+    let some = "for every row where value_m >= 10 and law = 'aging': y > 0";
+    assert_eq!(found_on(&GRID, some, Kind::Universal).numbers["count"], "3");
 }
 
 #[test]

@@ -75,9 +75,13 @@ impl Rows<'_> {
             let is = (!is_empty || !row.has_failed).then_some(is_empty == (comparison == Comparison::Equal));
             return Truth { is, strength };
         }
-        let is_estimated =
-            sides.iter().flat_map(|side| side.variables()).any(|name| row.estimated.contains(&name));
-        let is = difference.and_then(|difference| compared(&difference, comparison, is_estimated));
+        if let Comparison::Equal | Comparison::Unequal = comparison
+            && let [Some(left), Some(right)] = sides.map(|side| side.enclosed(&row.names, BITS))
+        {
+            let is_equal = (left - right).sign().is_none_or(Ordering::is_eq);
+            return Truth { is: Some(is_equal == (comparison == Comparison::Equal)), strength };
+        }
+        let is = difference.and_then(|difference| compared(&difference, comparison));
         Truth { is, strength }
     }
 
@@ -124,6 +128,6 @@ impl Rows<'_> {
     pub fn changes(&self, side: &Expression, rises: bool, [from, to]: [usize; 2]) -> Truth {
         let wanted = if rises { Comparison::Greater } else { Comparison::Less };
         let (difference, strength) = self.difference([(side, to), (side, from)]);
-        Truth { is: difference.and_then(|difference| compared(&difference, wanted, true)), strength }
+        Truth { is: difference.and_then(|difference| compared(&difference, wanted)), strength }
     }
 }

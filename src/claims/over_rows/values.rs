@@ -17,8 +17,8 @@ pub(super) struct Row {
     pub values: BTreeMap<Symbol, Ball>,
     /// How sure each value is.
     pub strengths: BTreeMap<Symbol, Strength>,
-    /// The columns with an estimated error.
-    pub estimated: Vec<Symbol>,
+    /// The numbers that name the row, as they are shown.
+    pub names: BTreeMap<Symbol, Ball>,
     /// How sure it is that an empty cell has nothing to hold.
     pub of_words: Strength,
     /// Whether the row has no result: then no cell that is empty tells anything.
@@ -31,7 +31,7 @@ impl Row {
         let mut columns = table.columns.iter().zip(cells);
         let has_failed = columns.any(|(column, cell)| column.name == FAILURE && !cell.text.is_empty());
         let of_words = strength_of_words(cells, beside);
-        Self { values, strengths: BTreeMap::new(), estimated: Vec::new(), of_words, has_failed }
+        Self { values, strengths: BTreeMap::new(), names: BTreeMap::new(), of_words, has_failed }
     }
 
     /// Whether a column has an empty cell here.
@@ -115,8 +115,10 @@ pub(super) fn rows(table: &Table, statement: &RowStatement) -> Result<Vec<Row>, 
                 }
                 continue;
             };
-            let strength = if *at < table.names { Strength::Certified } else { strength };
-            row.estimated.extend((strength == Strength::Converged).then(|| name.clone()));
+            let is_name = *at < table.names;
+            let strength = if is_name { Strength::Certified } else { strength };
+            let shown = parse_decimal(&cell.text).ok().filter(|_| is_name);
+            row.names.extend(shown.map(|shown| (name.clone(), Ball::from_rational(&shown, BITS))));
             row.values.insert(name.clone(), value);
             row.strengths.insert(name.clone(), strength);
         }
