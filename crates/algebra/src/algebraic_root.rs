@@ -82,10 +82,7 @@ pub fn sign_beside_roots(
 
 /// All real roots but zero, each with a relative radius of at most 2^−bits.
 pub fn nonzero_real_roots(polynomial: &UnivariatePolynomial, bits: u32) -> Vec<Ball> {
-    let mut mirrored = polynomial.coefficients().to_vec();
-    mirrored.iter_mut().skip(1).step_by(2).for_each(|value| *value *= -1);
-    let mirrored = UnivariatePolynomial::new(mirrored);
-    let [positive, negative] = [polynomial, &mirrored].map(AlgebraicRoot::positive);
+    let [positive, negative] = [polynomial, &polynomial.mirrored()].map(AlgebraicRoot::positive);
     let negative = negative.iter().map(|root| -root.enclosed(bits));
     positive.iter().map(|root| root.enclosed(bits)).chain(negative).collect()
 }

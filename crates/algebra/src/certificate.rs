@@ -275,15 +275,7 @@ impl Linearisation {
 }
 
 impl Notation {
-    fn toward(self, variable: &Symbol, toward: Toward) -> String {
-        let end = match toward {
-            Toward::Zero => "0",
-            Toward::Infinity => self.either("infinity", "\\infty"),
-        };
-        self.formula(format_args!("{} {} {end}", self.name(variable), self.either("->", "\\to")))
-    }
-
-    fn end(self, end: &End) -> String {
+    pub(super) fn end(self, end: &End) -> String {
         match end {
             End::Finite(value) => self.set(value),
             End::Infinite(sign) => {
@@ -294,8 +286,12 @@ impl Notation {
 
     fn limit(self, expression: &Expression, end: &End, (variable, toward): (&Symbol, Toward)) -> String {
         let arrow = self.either("->", "\\to");
+        let toward = match toward {
+            Toward::Zero => "0",
+            Toward::Infinity => self.either("infinity", "\\infty"),
+        };
         let fact = self.formula(format_args!("{} {arrow} {}", self.set(expression), self.end(end)));
-        format!("{fact} as {}", self.toward(variable, toward))
+        format!("{fact} as {}", self.formula(format_args!("{} {arrow} {toward}", self.name(variable))))
     }
 }
 

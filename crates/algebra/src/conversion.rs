@@ -223,8 +223,7 @@ impl<'d> Converter<'d> {
         let known = self.squares.iter().find(|(name, _)| rest.degree(name) > 0);
         known.is_some_and(|(name, square)| {
             let (even, odd) = split_by_parity(&rest, name, square);
-            let norm = &(&even * &even) - &(&(&odd * &odd) * square);
-            let norm = self.without_squares(&norm).filter(|norm| !norm.is_zero());
+            let norm = self.without_squares(&norm(&even, &odd, square)).filter(|norm| !norm.is_zero());
             norm.is_some_and(|norm| norm.numerator().degree(name) == 0 && self.never_zero(norm.numerator()))
         })
     }
@@ -244,7 +243,7 @@ impl<'d> Converter<'d> {
     fn sign_with_root(&self, polynomial: &Polynomial) -> Option<i8> {
         let (name, square) = self.real_root(polynomial)?;
         let (even, odd) = split_by_parity(polynomial, name, square);
-        let norm = self.without_squares(&(&(&even * &even) - &(&(&odd * &odd) * square)))?;
+        let norm = self.without_squares(&norm(&even, &odd, square))?;
         let larger = match self.sign_of(&norm).filter(|_| !norm.generators().contains(name)) {
             Some(1) => self.sign_of(&even),
             Some(-1) if name.argument_of(Function::Sqrt).is_some() => self.sign_of(&odd),
@@ -267,16 +266,12 @@ impl<'d> Converter<'d> {
     /// The sign that coefficients of one sign give a polynomial in variables that are not negative, one of its terms in positive ones,
     /// or the form of a sum of squares.
     fn coefficient_sign(&self, polynomial: &Polynomial) -> Option<i8> {
-        self.term_sign(polynomial)
-            .filter(|_| {
-                let positive = |(monomial, _): (&Monomial, _)| {
-                    monomial.factors().all(|(name, _)| self.is_positive(name))
-                };
-                polynomial.terms().any(positive)
-            })
-            .or_else(|| {
-                self.sign_of_squares(polynomial).filter(|(_, is_strict)| *is_strict).map(|(sign, _)| sign)
-            })
+        let is_positive =
+            |(monomial, _): (&Monomial, _)| monomial.factors().all(|(name, _)| self.is_positive(name));
+        let sign = self.term_sign(polynomial).filter(|_| polynomial.terms().any(is_positive));
+        sign.or_else(|| {
+            self.sign_of_squares(polynomial).and_then(|(sign, is_strict)| is_strict.then_some(sign))
+        })
     }
 
     /// The sign that a polynomial has unless it is zero.
@@ -341,17 +336,15 @@ impl<'d> Converter<'d> {
             return None;
         }
         let numerator = function.numerator();
-        let shared = numerator.terms().map(|(monomial, _)| monomial.clone());
-        let shared = shared.reduce(|divisor, monomial| divisor.common_divisor(&monomial))?;
+        let shared = numerator.common_monomial()?;
         let positive = shared.factors().all(|(name, _)| self.is_positive(name));
         let shared = Polynomial::term(Rational::from(1), shared);
         let core = if positive { numerator.divide_exact(&shared)? } else { numerator.clone() };
-        let (_, core) = match relation {
-            Relation::NonZero => self.factors(&core, |relation| relation != Relation::NonNegative),
-            Relation::Positive | Relation::NonNegative => {
-                self.factors(&core, |relation| relation == Relation::Positive)
-            }
+        let usable: fn(Relation) -> bool = match relation {
+            Relation::NonZero => |relation| relation != Relation::NonNegative,
+            Relation::Positive | Relation::NonNegative => |relation| relation == Relation::Positive,
         };
+        let (_, core) = self.factors(&core, usable);
         core.as_constant().is_none().then_some((core, relation))
     }
 
@@ -393,12 +386,8 @@ impl<'d> Converter<'d> {
     fn never_negative_with_root(&self, polynomial: &Polynomial, divisor: i8) -> bool {
         let Some((name, square)) = self.real_root(polynomial) else { return false };
         let (even, odd) = split_by_parity(polynomial, name, square);
-        let Some(norm) = self.without_squares(&(&(&even * &even) - &(&(&odd * &odd) * square))) else {
-            return false;
-        };
-        if norm.generators().iter().any(|one| one == name) {
-            return false;
-        }
+        let norm = self.without_squares(&norm(&even, &odd, square));
+        let Some(norm) = norm.filter(|norm| !norm.generators().contains(name)) else { return false };
         // |e| >= |o·w|, and e has the sign of the divisor or is zero; or the other way round with a square root w.
         let upward = |part: &RationalFunction| if divisor > 0 { part.clone() } else { -part.clone() };
         let is_root = name.argument_of(Function::Sqrt).is_some();
@@ -451,8 +440,7 @@ fn reduce_square(
     // (e + o·w)/(f + g·w) = (e + o·w)(f − g·w)/(f² − g²·w²).
     let constant = &(&even * &lower_even) - &(&(&odd * &lower_odd) * square);
     let linear = &(&odd * &lower_even) - &(&even * &lower_odd);
-    let norm = &(&lower_even * &lower_even) - &(&(&lower_odd * &lower_odd) * square);
-    (&constant + &(&linear * &root)).checked_div(&norm)
+    (&constant + &(&linear * &root)).checked_div(&norm(&lower_even, &lower_odd, square))
 }
 
 pub(super) fn split_by_parity(
@@ -460,16 +448,26 @@ pub(super) fn split_by_parity(
     name: &Generator,
     square: &RationalFunction,
 ) -> (RationalFunction, RationalFunction) {
-    let mut sides = [RationalFunction::from(0), RationalFunction::from(0)];
+    let (mut even, mut odd) = (RationalFunction::from(0), RationalFunction::from(0));
     let mut power = RationalFunction::from(1);
     for (exponent, coefficient) in polynomial.coefficients(name).into_iter().enumerate() {
-        sides[exponent % 2] = &sides[exponent % 2] + &(&RationalFunction::from(coefficient) * &power);
-        if exponent % 2 == 1 {
-            power = &power * square;
+        let term = &RationalFunction::from(coefficient) * &power;
+        if exponent % 2 == 0 {
+            even = even + term;
+        } else {
+            (odd, power) = (odd + term, &power * square);
         }
     }
-    let [even, odd] = sides;
     (even, odd)
+}
+
+/// e² − o²·t, which is (e + o·w)(e − o·w) with w² = t.
+pub(super) fn norm(
+    even: &RationalFunction,
+    odd: &RationalFunction,
+    square: &RationalFunction,
+) -> RationalFunction {
+    &(even * even) - &(&(odd * odd) * square)
 }
 
 #[cfg(test)]

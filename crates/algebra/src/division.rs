@@ -65,8 +65,10 @@ impl Polynomial {
         if self.is_zero() || other.is_zero() {
             return (self + other).monic();
         }
-        if self.term_count() == 1 || other.term_count() == 1 {
-            return Self::term(Rational::from(1), self.common_monomial(other));
+        if (self.term_count() == 1 || other.term_count() == 1)
+            && let Some((own, others)) = self.common_monomial().zip(other.common_monomial())
+        {
+            return Self::term(Rational::from(1), own.common_divisor(&others));
         }
         let (left, right) = (self.generators(), other.generators());
         // A divisor of both is free of every variable that only one of them has, so it divides that one's coefficients.
@@ -88,8 +90,7 @@ impl Polynomial {
     /// The polynomial divided by its leading coefficient.
     #[must_use]
     pub fn monic(&self) -> Self {
-        self.leading_term()
-            .map_or_else(Self::zero, |(_, leading)| self.scale(&Rational::from(leading.recip_ref())))
+        self.leading_term().map_or_else(Self::zero, |(_, leading)| self.scale(&leading.clone().recip()))
     }
 
     /// The polynomial times the positive number that makes its coefficients integers without a common factor.
@@ -97,11 +98,10 @@ impl Polynomial {
         self.scale(&integer_scale(self.terms().map(|(_, coefficient)| coefficient)))
     }
 
-    /// The greatest monomial that divides every term of both.
-    fn common_monomial(&self, other: &Self) -> Monomial {
-        let mut monomials = self.terms().chain(other.terms()).map(|(monomial, _)| monomial);
-        let first = monomials.next().cloned().unwrap_or_default();
-        monomials.fold(first, |divisor, monomial| divisor.common_divisor(monomial))
+    /// The greatest monomial that divides every term; none of zero.
+    pub(super) fn common_monomial(&self) -> Option<Monomial> {
+        let monomials = self.terms().map(|(monomial, _)| monomial.clone());
+        monomials.reduce(|divisor, monomial| divisor.common_divisor(&monomial))
     }
 
     fn gcd_in(&self, other: &Self, variable: &Generator) -> Self {
@@ -116,7 +116,7 @@ impl Polynomial {
             // Of too large remainders the common divisor stays unknown; that of the coefficients is one, if not the greatest.
             let Some(remainder) = left.pseudo_remainder(&right, variable) else { return content };
             left = right;
-            right = remainder.divide_or_keep(&remainder.content(variable)).with_integers();
+            right = remainder.without_content(variable).with_integers();
         }
         // A last non-zero remainder free of the variable means that the primitive parts have no common factor.
         if left.degree(variable) == 0 { content } else { &content * &left }
@@ -125,6 +125,12 @@ impl Polynomial {
     /// The greatest common divisor of the coefficients with respect to one variable.
     fn content(&self, variable: &Generator) -> Self {
         self.coefficients(variable).iter().fold(Self::zero(), |divisor, coefficient| divisor.gcd(coefficient))
+    }
+
+    /// The polynomial divided by the greatest common divisor of its coefficients with respect to one variable.
+    #[must_use]
+    pub fn without_content(&self, variable: &Generator) -> Self {
+        self.divide_or_keep(&self.content(variable))
     }
 
     fn divide_or_keep(&self, divisor: &Self) -> Self {
@@ -176,7 +182,7 @@ pub(super) fn integer_scale<'r>(values: impl Iterator<Item = &'r Rational>) -> R
     if divisor.is_zero() { Rational::from(1) } else { Rational::from((multiple, divisor)) }
 }
 
-fn square_root_of(value: &Rational) -> Option<Rational> {
+pub(super) fn square_root_of(value: &Rational) -> Option<Rational> {
     let square =
         !value.is_negative() && value.numer().is_perfect_square() && value.denom().is_perfect_square();
     square.then(|| Rational::from((value.numer().clone().sqrt(), value.denom().clone().sqrt())))

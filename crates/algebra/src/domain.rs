@@ -173,13 +173,8 @@ impl Domain {
     #[must_use]
     pub fn symbols(&self) -> BTreeSet<Symbol> {
         let pairs = self.squares.iter().chain(&self.substitutions).chain(&self.parameters);
-        let named = pairs.flat_map(|(name, value)| {
-            let mut all = value.variables();
-            all.insert(name.clone());
-            all
-        });
-        let given = self.given.iter().flat_map(|condition| condition.expression.variables());
-        self.positive.iter().cloned().chain(named).chain(given).collect()
+        let named = self.positive.iter().chain(pairs.map(|(name, _)| name)).cloned();
+        named.chain(self.expressions().into_iter().flat_map(Expression::variables)).collect()
     }
 
     /// The expressions of its assumptions, substitutions and parameters.
@@ -230,10 +225,7 @@ impl Domain {
 
     /// The expression after the substitutions with nothing simplified: a divisor stays where it may be zero.
     pub(super) fn as_written(&self, expression: &Expression) -> Expression {
-        match self.substitutions.is_empty() {
-            true => expression.clone(),
-            false => expression.replaced(&values(&self.substitutions)),
-        }
+        expression.replaced(&values(&self.substitutions))
     }
 
     /// Checks that the domain means what it says: every name stands for one thing, the assumptions can hold, and the
@@ -271,12 +263,8 @@ impl Domain {
     /// Substituted variables, parameters and other names must not be mixed up.
     fn check_names(&self) -> Result<(), DomainError> {
         let mut seen = BTreeSet::new();
-        let ambiguous = |name: &Symbol| DomainError::Ambiguous(name.clone());
-        for (name, _) in self.substitutions.iter().chain(&self.parameters) {
-            if !seen.insert(name) {
-                return Err(ambiguous(name));
-            }
-        }
+        let mut named = self.substitutions.iter().chain(&self.parameters).map(|(name, _)| name);
+        let doubled = named.find(|name| !seen.insert(*name));
         let substituted = |name: &Symbol| self.substitutions.iter().any(|(known, _)| known == name);
         let circular = self.substitutions.iter().flat_map(|(_, value)| value.variables()).find(substituted);
         let assumed = self.parameters.iter().map(|(name, _)| name).find(|name| self.is_assumed(name));
@@ -284,10 +272,8 @@ impl Domain {
             self.positive.contains(name) || seen.contains(name) || ["i", "pm"].contains(&name.as_str())
         });
         let imaginary = self.positive.iter().find(|name| ["i", "pm"].contains(&name.as_str()));
-        match circular.as_ref().or(assumed).or(known).or(imaginary) {
-            Some(name) => Err(ambiguous(name)),
-            None => Ok(()),
-        }
+        let ambiguous = doubled.or(circular.as_ref()).or(assumed).or(known).or(imaginary);
+        ambiguous.map_or(Ok(()), |name| Err(DomainError::Ambiguous(name.clone())))
     }
 
     /// Every assumption must hold at the example.
@@ -307,11 +293,9 @@ impl Domain {
         }
         for condition in &self.given {
             let expression = &condition.expression;
-            let enclosed = || {
-                let point =
-                    expression.variables().into_iter().map(|name| (name.clone(), self.example_of(&name)));
-                expression.order_at(&point.collect())
-            };
+            let names = expression.variables().into_iter();
+            let enclosed =
+                || expression.order_at(&names.map(|name| (name.clone(), self.example_of(&name))).collect());
             let order = value(expression)?.map(|value| value.cmp0()).or_else(enclosed);
             if !order.is_some_and(|order| Sign::from(condition.relation).admits(order)) {
                 return Err(DomainError::Impossible(condition.to_string()));
@@ -335,15 +319,13 @@ impl Domain {
 
     /// Are positive variables all there is?
     pub(super) fn is_orthant(&self) -> bool {
-        let rest = self.squares.len() + self.substitutions.len() + self.parameters.len() + self.given.len();
-        rest == 0
+        self.expressions().is_empty()
     }
 
     /// Does no assumption, substitution or parameter speak of this variable?
     pub(super) fn is_unbound(&self, name: &Symbol) -> bool {
-        let values = self.substitutions.iter().chain(&self.parameters);
-        let mut values = values.filter(|(known, value)| known == name || value.variables().contains(name));
-        values.next().is_none() && !self.is_assumed(name)
+        let mut values = self.substitutions.iter().chain(&self.parameters);
+        !values.any(|(known, value)| known == name || value.contains(name)) && !self.is_assumed(name)
     }
 
     /// May this variable be any positive number, whatever the others are?

@@ -49,9 +49,7 @@ impl Converter<'_> {
         whole: &RationalFunction,
     ) -> Result<RationalFunction, ConversionError> {
         let error = || ConversionError::Logarithm(Expression::from(whole).to_string());
-        let shared = polynomial.terms().map(|(monomial, _)| monomial.clone());
-        let shared =
-            shared.reduce(|divisor, monomial| divisor.common_divisor(&monomial)).ok_or_else(error)?;
+        let shared = polynomial.common_monomial().ok_or_else(error)?;
         let is_positive = shared.factors().all(|(name, _)| self.is_positive(name));
         let shared = if is_positive { shared } else { Monomial::one() };
         let factor = Polynomial::term(Rational::from(1), shared.clone());
@@ -121,8 +119,7 @@ impl Converter<'_> {
 
     fn absolute(&self, argument: &RationalFunction) -> Result<RationalFunction, ConversionError> {
         match self.sign_of(argument) {
-            _ if argument.is_zero() => Ok(argument.clone()),
-            Some(1) => Ok(argument.clone()),
+            sign if sign == Some(1) || argument.is_zero() => Ok(argument.clone()),
             Some(_) => Ok(-argument.clone()),
             None => Err(ConversionError::OpenSign(Expression::from(argument).to_string())),
         }
@@ -136,12 +133,10 @@ impl Converter<'_> {
         }
         let roots = argument.numerator().square_root().zip(argument.denominator().square_root());
         let root = roots.and_then(|(upper, lower)| RationalFunction::new(upper, lower));
-        match root.and_then(|root| Some((self.sign_of(&root)?, root))) {
-            Some((1, root)) => return Ok(root),
-            Some((_, root)) => return Ok(-root),
-            // Of two roots of unknown sign neither is the non-negative one: the root stays a variable.
-            None => {}
+        if let Some((sign, root)) = root.and_then(|root| Some((self.sign_of(&root)?, root))) {
+            return Ok(if sign > 0 { root } else { -root });
         }
+        // Of two roots of unknown sign neither is the non-negative one: the root stays a variable.
         if !self.never_negative(&argument) {
             return Err(possible_negative());
         }
@@ -207,12 +202,8 @@ fn primes(number: &Rational) -> Vec<(Rational, i32)> {
         // What has a composite divisor had a prime one before.
         found.push((Rational::from(prime), up as i32 - down as i32));
     }
-    found.extend(
-        [(above, 1), (below, -1)]
-            .into_iter()
-            .filter(|(left, _)| *left != 1)
-            .map(|(left, exponent)| (Rational::from(left), exponent)),
-    );
+    let rest = [(above, 1), (below, -1)].into_iter().filter(|(left, _)| *left != 1);
+    found.extend(rest.map(|(left, exponent)| (Rational::from(left), exponent)));
     found
 }
 

@@ -3,6 +3,7 @@
 pub(super) mod symbol;
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::convert::Infallible;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use rug::Rational;
@@ -84,6 +85,11 @@ impl Expression {
         Self::Call(function, Box::new(self))
     }
 
+    /// The quotient as it is written.
+    pub(super) fn quotient(above: Self, below: Self) -> Self {
+        Self::Quotient(Box::new(above), Box::new(below))
+    }
+
     /// Is it the number zero as written?
     #[must_use]
     pub fn is_zero(&self) -> bool {
@@ -95,6 +101,14 @@ impl Expression {
     }
 
     /// Does it begin with a minus sign? Products and quotients carry it in front.
+    /// What stands below a square root, if this is one.
+    pub(super) fn below_root(&self) -> Option<&Self> {
+        match self {
+            Self::Call(Function::Sqrt, inner) => Some(inner),
+            _ => None,
+        }
+    }
+
     pub(super) fn is_negated(&self) -> bool {
         match self {
             Self::Number(value) => value.is_negative(),
@@ -217,7 +231,6 @@ impl Expression {
     pub fn substitute(&self, values: &BTreeMap<Symbol, Expression>) -> Self {
         let go = |inner: &Self| inner.substitute(values);
         match self {
-            Self::Number(_) => self.clone(),
             Self::Variable(name) => values.get(name).unwrap_or(self).clone(),
             Self::Sum(parts) => parts.iter().map(go).fold(Self::integer(0), Add::add),
             Self::Product(parts) => {
@@ -232,15 +245,13 @@ impl Expression {
             Self::Quotient(left, right) => {
                 let (above, below) = (go(left), go(right));
                 if above.is_zero() && below != **right && !below.is_never_zero() {
-                    return Self::Quotient(Box::new(above), Box::new(below));
+                    return Self::quotient(above, below);
                 }
                 above / below
             }
             Self::Negation(inner) => -go(inner),
-            Self::Power(inner, 0) => Self::Power(Box::new(go(inner)), 0),
-            Self::Power(inner, exponent) => go(inner).power(*exponent),
-            Self::Call(function, inner) => Self::Call(*function, Box::new(go(inner))),
-            Self::Generic(function, inner) => Self::Generic(function.clone(), Box::new(go(inner))),
+            Self::Power(inner, exponent) if *exponent != 0 => go(inner).power(*exponent),
+            Self::Number(_) | Self::Power(..) | Self::Call(..) | Self::Generic(..) => self.with_parts(&go),
         }
     }
 
@@ -255,17 +266,23 @@ impl Expression {
 
     /// The same with each part that it is directly made of replaced, and nothing simplified.
     pub(super) fn with_parts(&self, new: &dyn Fn(&Self) -> Self) -> Self {
-        let boxed = |inner: &Self| Box::new(new(inner));
-        match self {
+        let Ok(expression) = self.try_with_parts(|part| Ok::<_, Infallible>(new(part)));
+        expression
+    }
+
+    /// The same with parts that may be refused.
+    pub(super) fn try_with_parts<E>(&self, new: impl Fn(&Self) -> Result<Self, E>) -> Result<Self, E> {
+        let boxed = |inner: &Self| new(inner).map(Box::new);
+        Ok(match self {
             Self::Number(_) | Self::Variable(_) => self.clone(),
-            Self::Sum(parts) => Self::Sum(parts.iter().map(new).collect()),
-            Self::Product(parts) => Self::Product(parts.iter().map(new).collect()),
-            Self::Quotient(left, right) => Self::Quotient(boxed(left), boxed(right)),
-            Self::Negation(inner) => Self::Negation(boxed(inner)),
-            Self::Power(inner, exponent) => Self::Power(boxed(inner), *exponent),
-            Self::Call(function, inner) => Self::Call(*function, boxed(inner)),
-            Self::Generic(function, inner) => Self::Generic(function.clone(), boxed(inner)),
-        }
+            Self::Sum(parts) => Self::Sum(parts.iter().map(&new).collect::<Result<_, _>>()?),
+            Self::Product(parts) => Self::Product(parts.iter().map(&new).collect::<Result<_, _>>()?),
+            Self::Quotient(left, right) => Self::Quotient(boxed(left)?, boxed(right)?),
+            Self::Negation(inner) => Self::Negation(boxed(inner)?),
+            Self::Power(inner, exponent) => Self::Power(boxed(inner)?, *exponent),
+            Self::Call(function, inner) => Self::Call(*function, boxed(inner)?),
+            Self::Generic(function, inner) => Self::Generic(function.clone(), boxed(inner)?),
+        })
     }
 
     /// This expression with one variable replaced.
@@ -341,7 +358,7 @@ impl Div for Expression {
         if self.is_negated() {
             return -(-self / other);
         }
-        Self::Quotient(Box::new(self), Box::new(other))
+        Self::quotient(self, other)
     }
 }
 

@@ -10,10 +10,27 @@ impl Domain {
     /// The domain as it is, and with substitutions that reach every point of its conditions, in which more expressions have a sign.
     /// The sides name the roots that are to become rational.
     ///
+    /// A condition h x − r > 0 with h > 0 gives x = r/h + g with a parameter g > 0, one with h < 0 gives x = r/h − g, or r/(h (1 + g)) for
+    /// a positive x. A variable x under a root becomes x = k² with k > 0. Two variables under roots, and the difference of two, give
+    /// squares of sums and sums of squares.
+    ///
     /// Each form passes [`Domain::check`] where the domain does and no positive variable is below an end that may be zero as written.
     #[must_use]
     pub fn forms(&self, sides: &[Expression]) -> Vec<Self> {
-        forms(self, sides)
+        let form = Form::of(self);
+        let gaps = [false, true].map(|last| form.with_gaps(Way { last, ..Way::default() }));
+        let pairs = form.pairs().into_iter();
+        let pairs = pairs.flat_map(|(larger, smaller)| form.squares_of_pair(&larger, &smaller, sides));
+        let plain = [form.clone()].into_iter().chain(gaps);
+        let plain = plain.flat_map(|form| [form.clone(), form.with_squares(sides)]);
+        let mut found: Vec<Self> = Vec::new();
+        for form in plain.chain(pairs) {
+            let form = form.domain();
+            if !found.contains(&form) {
+                found.push(form);
+            }
+        }
+        found
     }
 
     /// The number of ways of [`Domain::forms_in_way`].
@@ -34,26 +51,6 @@ impl Domain {
         let forms = self.forms(std::slice::from_ref(&condition.expression));
         forms.into_iter().find(|form| form.proves(condition) == Ok(true))
     }
-}
-
-/// A condition h x − r > 0 with h > 0 gives x = r/h + g with a parameter g > 0, one with h < 0 gives x = r/h − g, or r/(h (1 + g)) for
-/// a positive x. A variable x under a root becomes x = k² with k > 0. Two variables under roots, and the difference of two, give
-/// squares of sums and sums of squares.
-fn forms(domain: &Domain, sides: &[Expression]) -> Vec<Domain> {
-    let form = Form::of(domain);
-    let gaps = [false, true].map(|last| form.with_gaps(Way { last, ..Way::default() }));
-    let pairs =
-        form.pairs().into_iter().flat_map(|(larger, smaller)| form.squares_of_pair(&larger, &smaller, sides));
-    let mut found: Vec<Domain> = Vec::new();
-    let plain = [form.clone()].into_iter().chain(gaps);
-    let plain = plain.flat_map(|form| [form.clone(), form.with_squares(sides)]);
-    for form in plain.chain(pairs) {
-        let form = form.domain();
-        if !found.contains(&form) {
-            found.push(form);
-        }
-    }
-    found
 }
 
 /// In which order conditions are solved, and for which name.
@@ -92,11 +89,11 @@ impl<'d> Form<'d> {
     }
 
     fn domain(&self) -> Domain {
-        let with = |domain: Domain, (name, value): (&Symbol, &Expression)| domain.with(name, value.clone());
-        let parameter =
-            |domain: Domain, (name, value): (&Symbol, &Expression)| domain.parameter(name, value.clone());
-        let domain = self.values.iter().fold(self.given.clone(), with);
-        self.parameters.iter().fold(domain, parameter)
+        let values = self.values.iter();
+        let domain =
+            values.fold(self.given.clone(), |domain, (name, value)| domain.with(name, value.clone()));
+        let parameters = self.parameters.iter();
+        parameters.fold(domain, |domain, (name, value)| domain.parameter(name, value.clone()))
     }
 
     /// A parameter that the domain has not.
@@ -236,10 +233,7 @@ impl<'d> Form<'d> {
 
 /// The arguments of the square roots in an expression.
 fn under_roots(expression: &Expression) -> Vec<Expression> {
-    let own = match expression {
-        Expression::Call(Function::Sqrt, inner) => Some((**inner).clone()),
-        _ => None,
-    };
+    let own = expression.below_root().cloned();
     own.into_iter().chain(expression.parts().flat_map(under_roots)).collect()
 }
 

@@ -82,11 +82,10 @@ fn call(function: Function, argument: &str) -> String {
     match function {
         Function::Sqrt => format!("\\sqrt{{{argument}}}"),
         Function::Abs => format!("\\left|{argument}\\right|"),
-        Function::Ln => format!("\\ln\\left({argument}\\right)"),
-        Function::Exp => format!("\\exp\\left({argument}\\right)"),
         Function::Asinh => format!("\\operatorname{{asinh}}\\left({argument}\\right)"),
-        Function::Sin => format!("\\sin\\left({argument}\\right)"),
-        Function::Cos => format!("\\cos\\left({argument}\\right)"),
+        Function::Ln | Function::Exp | Function::Sin | Function::Cos => {
+            format!("\\{function}\\left({argument}\\right)")
+        }
     }
 }
 

@@ -61,7 +61,7 @@ pub use expression::symbol::{Generator, Symbol};
 pub use expression::{Expression, Function};
 pub use limit::{End, Toward};
 pub use linearisation::{Linearisation, written_out};
-pub use matrix::{determinant, discriminant, resultant};
+pub use matrix::{determinant, discriminant, resultant, sylvester};
 pub use monomial::Monomial;
 pub use multivariate::Polynomial;
 pub use named::{UnknownWord, nearest};

@@ -9,8 +9,10 @@
 use std::cell::Cell;
 use std::fmt;
 
-use super::conversion::{Converter, split_by_parity};
-use super::{Condition, Domain, Expression, Function, Polynomial, RationalFunction, Relation, Symbol};
+use super::conversion::{Converter, norm, split_by_parity};
+use super::{
+    Condition, Domain, Expression, Function, Notation, Polynomial, RationalFunction, Relation, Symbol,
+};
 
 /// How often a quotient is differentiated, and how many parts are looked at.
 const MOST_SLOPES: usize = 6;
@@ -41,10 +43,7 @@ pub enum End {
 
 impl fmt::Display for End {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Finite(value) => value.fmt(formatter),
-            Self::Infinite(sign) => formatter.write_str(if *sign > 0 { "infinity" } else { "-infinity" }),
-        }
+        formatter.write_str(&Notation::Plain.end(self))
     }
 }
 
@@ -110,7 +109,15 @@ impl Search<'_> {
                 }
             }
             Expression::Call(function, inner) => return self.call(*function, go(inner)?),
-            Expression::Generic(function, inner) => return self.generic(function, go(inner)?),
+            // A function of which is known that it is continuous everywhere.
+            Expression::Generic(function, inner) => {
+                return match go(inner)? {
+                    End::Finite(inner) => {
+                        Some(End::Finite(Expression::Generic(function.clone(), Box::new(inner))))
+                    }
+                    End::Infinite(_) => None,
+                };
+            }
         };
         direct.or_else(|| {
             let function = self.domain.rational_function(expression).ok()?;
@@ -171,14 +178,6 @@ impl Search<'_> {
                 let value = inner.call(function);
                 self.domain.rational_function(&value).is_ok().then_some(End::Finite(value))
             }
-        }
-    }
-
-    /// The end of a function of which is known that it is continuous everywhere.
-    fn generic(&self, function: &Symbol, inner: End) -> Option<End> {
-        match inner {
-            End::Finite(inner) => Some(End::Finite(Expression::Generic(function.clone(), Box::new(inner)))),
-            End::Infinite(_) => None,
         }
     }
 
@@ -248,7 +247,7 @@ impl Search<'_> {
                 && numerator.degree(*name) > 0
         })?;
         let (even, odd) = split_by_parity(numerator, name, square);
-        let norm = converter.without_squares(&(&(&even * &even) - &(&(&odd * &odd) * square)))?;
+        let norm = converter.without_squares(&norm(&even, &odd, square))?;
         let conjugate = &even - &(&odd * &RationalFunction::generator(name));
         let denominator = RationalFunction::from(function.denominator().clone());
         let [above, below, conjugate] = [&norm, &denominator, &conjugate].map(Expression::from);

@@ -42,19 +42,27 @@ pub fn resultant(
     right: &Polynomial,
     variable: &(impl AsRef<Generator> + ?Sized),
 ) -> Polynomial {
+    determinant(&sylvester(left, right, variable))
+}
+
+/// The rows of the matrix whose determinant is the resultant: the left polynomial as often as the degree of the right one says,
+/// moved by one column from row to row, and the right one likewise.
+#[must_use]
+pub fn sylvester(
+    left: &Polynomial,
+    right: &Polynomial,
+    variable: &(impl AsRef<Generator> + ?Sized),
+) -> Vec<Vec<Polynomial>> {
     let (left, right) = (left.coefficients(variable), right.coefficients(variable));
     let (left_degree, right_degree) = (left.len() - 1, right.len() - 1);
-    let size = left_degree + right_degree;
     let row = |coefficients: &[Polynomial], shift: usize| {
-        let mut row = vec![Polynomial::zero(); size];
-        for (power, coefficient) in coefficients.iter().rev().enumerate() {
-            row[shift + power] = coefficient.clone();
-        }
+        let mut row = vec![Polynomial::zero(); left_degree + right_degree];
+        row[shift..shift + coefficients.len()].clone_from_slice(coefficients);
+        row[shift..shift + coefficients.len()].reverse();
         row
     };
     let upper = (0..right_degree).map(|shift| row(&left, shift));
-    let lower = (0..left_degree).map(|shift| row(&right, shift));
-    determinant(&upper.chain(lower).collect::<Vec<_>>())
+    upper.chain((0..left_degree).map(|shift| row(&right, shift))).collect()
 }
 
 /// The discriminant with respect to one variable: resultant with the derivative, divided by the leading

@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use rug::Rational;
+use rug::ops::Pow;
 
 use super::{Expression, Generator, Monomial, Symbol};
 
@@ -121,10 +122,10 @@ impl Polynomial {
 
     /// The highest degree of a term in all variables together; 0 for the zero polynomial.
     pub(crate) fn total_degree(&self) -> u32 {
-        self.terms()
-            .map(|(monomial, _)| monomial.factors().map(|(_, exponent)| exponent).sum())
-            .max()
-            .unwrap_or(0)
+        let degree = |(monomial, _): &(Monomial, Rational)| {
+            monomial.factors().map(|(_, exponent)| exponent).sum::<u32>()
+        };
+        self.0.iter().map(degree).max().unwrap_or(0)
     }
 
     /// The coefficients as polynomials in the other variables, by ascending power of `variable` (at least one).
@@ -174,7 +175,7 @@ impl Polynomial {
                     Some(value) => value.clone(),
                     None => Expression::from(name).rational_value(point)?,
                 };
-                term *= power_of(&value, *exponent);
+                term *= value.pow(*exponent);
             }
             sum += term;
         }
@@ -193,12 +194,9 @@ impl Polynomial {
         if factor.is_zero() {
             return Self::zero();
         }
-        Self(
-            self.0
-                .iter()
-                .map(|(monomial, value)| (monomial.clone(), Rational::from(value * factor)))
-                .collect(),
-        )
+        let scaled =
+            |(monomial, value): &(Monomial, Rational)| (monomial.clone(), Rational::from(value * factor));
+        Self(self.0.iter().map(scaled).collect())
     }
 
     /// +1 when every coefficient is positive, −1 when every one is negative, `None` otherwise (and for zero).
@@ -213,8 +211,4 @@ impl Polynomial {
             _ => None,
         }
     }
-}
-
-fn power_of(base: &Rational, exponent: u32) -> Rational {
-    (0..exponent).fold(Rational::from(1), |product, _| product * base)
 }

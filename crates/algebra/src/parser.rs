@@ -215,7 +215,7 @@ impl Parser<'_> {
                 let below = self.divisor()?;
                 // 0/x keeps its divisor: whether it may be zero is decided where the expression is used.
                 let is_zero = product.is_zero();
-                product = if is_zero { quotient(product, below) } else { product / below };
+                product = if is_zero { Expression::quotient(product, below) } else { product / below };
             } else {
                 return Ok(product);
             }
@@ -382,10 +382,6 @@ fn as_written(left: Expression, right: Expression) -> Expression {
         return Expression::Product(vec![left, right]);
     }
     left * right
-}
-
-fn quotient(above: Expression, below: Expression) -> Expression {
-    Expression::Quotient(Box::new(above), Box::new(below))
 }
 
 impl TryFrom<String> for Condition {

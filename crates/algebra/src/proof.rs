@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use super::check::Failure;
 use super::{Certificate, Domain, Expression, Refutation};
 
 /// One step of a proof.
@@ -233,13 +234,9 @@ impl Proof {
 
     fn check(&self, step: &Step) -> Result<(), Refutation> {
         let Some(certificate) = &step.certificate else { return Ok(()) };
-        certificate.check().map_err(|failure| Refutation {
-            id: self.id.clone(),
-            equations: step.equations.clone(),
-            statement: step.says.clone(),
-            remainder: failure.remainder,
-            is_false: failure.is_false,
-            counter_example: failure.counter_example,
+        certificate.check().map_err(|Failure { remainder, is_false, counter_example }| {
+            let equations = step.equations.clone();
+            Refutation { equations, is_false, counter_example, ..self.refute(&step.says, &[], remainder) }
         })
     }
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 
 use super::rational_function::evaluate;
-use super::{Domain, Expression, RationalFunction, Symbol};
+use super::{Domain, Expression, Notation, RationalFunction, Symbol};
 use rug::Rational;
 
 /// A rational point at which a statement is false, with what both sides are there.
@@ -46,10 +46,9 @@ impl fmt::Display for Refutation {
         }
         write!(formatter, "; remainder: {}", self.remainder)?;
         if let Some(example) = &self.counter_example {
-            let point: Vec<String> =
-                example.point.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+            let point = Notation::Plain.equal(&example.point);
             // Two constants differ everywhere: there is no point to name.
-            let place = if point.is_empty() { String::new() } else { format!("at {}: ", point.join(", ")) };
+            let place = if point.is_empty() { point } else { format!("at {point}: ") };
             write!(formatter, "; {place}{} instead of {}", example.left, example.right)?;
         }
         Ok(())
@@ -63,12 +62,7 @@ impl CounterExample {
     #[must_use]
     pub(super) fn search(left: &RationalFunction, right: &RationalFunction, domain: &Domain) -> Option<Self> {
         const VALUES: [i32; 12] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37];
-        let variables: Vec<Symbol> = [left, right]
-            .iter()
-            .flat_map(|side| side.variables())
-            .collect::<std::collections::BTreeSet<_>>()
-            .into_iter()
-            .collect();
+        let variables = &left.variables() | &right.variables();
         // A polynomial of degree d that is not zero cannot vanish on all shifts of more than d distinct values.
         (0..VALUES.len()).find_map(|shift| {
             let value = |index: usize| Rational::from(VALUES[(index * (shift + 1) + shift) % VALUES.len()]);

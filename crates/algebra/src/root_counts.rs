@@ -1,9 +1,8 @@
 //! How many roots of a polynomial over ℚ lie on which side of the imaginary axis, and how many of them are real: exact counts.
 
-use std::cmp::Ordering;
-
 use rug::{Integer, Rational};
 
+use crate::sturm::sign_changes;
 use crate::{SturmSequence, UnivariatePolynomial};
 
 /// Numbers of distinct roots of a polynomial.
@@ -46,12 +45,10 @@ impl UnivariatePolynomial {
     }
 
     /// The polynomial of −x.
-    fn mirrored(&self) -> Self {
-        let signed = |(power, value): (usize, &Rational)| match power % 2 {
-            0 => value.clone(),
-            _ => Rational::from(-value),
-        };
-        Self::new(self.coefficients().iter().enumerate().map(signed).collect())
+    pub(crate) fn mirrored(&self) -> Self {
+        let mut coefficients = self.coefficients().to_vec();
+        coefficients.iter_mut().skip(1).step_by(2).for_each(|value| *value *= -1);
+        Self::new(coefficients)
     }
 
     /// How many distinct negative roots there are, and how many positive ones.
@@ -103,8 +100,7 @@ fn cauchy_index(below: UnivariatePolynomial, above: UnivariatePolynomial) -> i64
         let remainder = current.divided_by(&next).1.primitive().scaled(&Rational::from(-1));
         (current, next) = (next, remainder);
     }
-    let changes = |signs: &[Ordering]| signs.windows(2).filter(|pair| pair[0] != pair[1]).count() as i64;
-    changes(&before) - changes(&after)
+    sign_changes(&before) as i64 - sign_changes(&after) as i64
 }
 
 #[cfg(test)]

@@ -16,9 +16,8 @@ impl Series {
     /// A constant, to this many coefficients.
     #[must_use]
     pub fn constant(value: RationalFunction, length: usize) -> Self {
-        let mut coefficients = vec![RationalFunction::from(0); length];
-        coefficients.iter_mut().take(1).for_each(|first| *first = value.clone());
-        Self(coefficients)
+        let zeros = std::iter::repeat_with(|| RationalFunction::from(0));
+        Self([value].into_iter().chain(zeros).take(length).collect())
     }
 
     /// The variable itself, to this many coefficients.
@@ -52,10 +51,8 @@ impl Series {
     #[must_use]
     pub fn times(&self, other: &Self) -> Self {
         let length = self.0.len().min(other.0.len());
-        let coefficient = |power: usize| {
-            let terms = (0..=power).map(|split| &self.0[split] * &other.0[power - split]);
-            terms.fold(RationalFunction::from(0), |sum, term| sum + term)
-        };
+        let coefficient =
+            |power: usize| sum((0..=power).map(|split| &self.0[split] * &other.0[power - split]));
         Self((0..length).map(coefficient).collect())
     }
 
@@ -130,8 +127,7 @@ impl Series {
         let mut inverse = vec![first.clone()];
         for power in 1..self.0.len() {
             let terms = (1..=power).map(|split| &self.0[split] * &inverse[power - split]);
-            let sum = terms.fold(RationalFunction::from(0), |sum, term| sum + term);
-            inverse.push(-(sum * &first));
+            inverse.push(-(sum(terms) * &first));
         }
         Some(Self(inverse))
     }
@@ -145,11 +141,15 @@ impl Series {
         let mut root = vec![RationalFunction::from(1)];
         for power in 1..self.0.len() {
             let cross = (1..power).map(|split| &root[split] * &root[power - split]);
-            let rest = &self.0[power] - &cross.fold(RationalFunction::from(0), |sum, term| sum + term);
+            let rest = &self.0[power] - &sum(cross);
             root.push(rest / RationalFunction::from(2));
         }
         Some(Self(root))
     }
+}
+
+fn sum(terms: impl Iterator<Item = RationalFunction>) -> RationalFunction {
+    terms.fold(RationalFunction::from(0), |sum, term| sum + term)
 }
 
 #[cfg(test)]

@@ -76,6 +76,10 @@ fn without_squares(polynomial: &Polynomial) -> (Polynomial, Vec<Polynomial>) {
     (rest, factors)
 }
 
+fn product(factors: &[Polynomial]) -> Polynomial {
+    factors.iter().fold(Polynomial::one(), |product, factor| &product * factor)
+}
+
 /// A factor that occurs twice, as its derivative shows, and the quotient by its square.
 fn square_factor(polynomial: &Polynomial, name: &Generator) -> Option<(Polynomial, Polynomial)> {
     if polynomial.degree(name) < 2 || !may_have_square(polynomial, name) {
@@ -91,7 +95,7 @@ fn square_factor(polynomial: &Polynomial, name: &Generator) -> Option<(Polynomia
 pub(super) fn addends(polynomial: &Polynomial, known: &Known<'_>) -> Option<Vec<(Polynomial, Polynomial)>> {
     let found = within_budget(STEPS, || {
         let (rest, squared) = without_squares(polynomial);
-        let root = squared.iter().fold(Polynomial::one(), |product, root| &product * root);
+        let root = product(&squared);
         let mut parts = match squares_and_terms(&rest, known) {
             Some((squares, terms)) => {
                 let squares = squares.into_iter().map(|(factor, root)| (root, Polynomial::constant(factor)));
@@ -157,7 +161,7 @@ fn square_in(polynomial: &Polynomial, x: &Generator) -> Option<(Rational, Polyno
     let [below, middle, leading]: [Polynomial; 3] = polynomial.coefficients(x).try_into().ok()?;
     let (factor, roots) = without_squares(&leading);
     let factor = factor.as_constant().filter(|factor| *factor > 0)?;
-    let root = roots.iter().fold(Polynomial::one(), |product, root| &product * root);
+    let root = product(&roots);
     let other = middle.divide_exact(&root.scale(&(factor.clone() * 2)))?;
     let square = &(&root * &Polynomial::generator(x)) + &other;
     let rest = &below - &(&other * &other).scale(&factor);

@@ -44,13 +44,8 @@ impl SturmSequence {
 
     /// Sign changes along the sequence, zeros left out.
     fn variations(&self, x: &Rational) -> usize {
-        let signs: Vec<Ordering> = self
-            .members
-            .iter()
-            .map(|member| sign_at(member, x))
-            .filter(|sign| *sign != Ordering::Equal)
-            .collect();
-        signs.windows(2).filter(|pair| pair[0] != pair[1]).count()
+        let signs = self.members.iter().map(|member| sign_at(member, x));
+        sign_changes(&signs.filter(|sign| sign.is_ne()).collect::<Vec<_>>())
     }
 
     fn sign(&self, x: &Rational) -> Ordering {
@@ -88,6 +83,11 @@ impl UnivariatePolynomial {
     }
 }
 
+/// How often the sign changes along a list without zeros.
+pub(super) fn sign_changes(signs: &[Ordering]) -> usize {
+    signs.windows(2).filter(|pair| pair[0] != pair[1]).count()
+}
+
 /// Appends the roots of `lower < x ≤ upper`; the order is ascending because the left half goes first.
 fn bisect(sequence: &SturmSequence, lower: Rational, upper: Rational, roots: &mut Vec<IsolatingInterval>) {
     let count = sequence.count_roots(&lower, &upper);
@@ -121,20 +121,15 @@ fn binary_exponent(x: &Rational) -> i64 {
 /// 2^exponent.
 fn power_of_two(exponent: i64) -> Rational {
     let magnitude = u32::try_from(exponent.unsigned_abs()).unwrap_or(u32::MAX);
-    let power = Integer::from(1) << magnitude;
-    if exponent < 0 { Rational::from((Integer::from(1), power)) } else { Rational::from(power) }
+    if exponent < 0 { Rational::from(1) >> magnitude } else { Rational::from(1) << magnitude }
 }
 
 /// Exponents l < h of two such that every positive root is in 2^l < x < 2^h (Cauchy's bound for p and its reverse).
 ///
 /// None when the polynomial has fewer than two non-zero terms, and so no positive root.
 fn positive_root_exponents(polynomial: &UnivariatePolynomial) -> Option<(i64, i64)> {
-    let nonzero: Vec<i64> = polynomial
-        .coefficients()
-        .iter()
-        .filter(|c| **c != 0)
-        .map(|c| binary_exponent(&c.clone().abs()))
-        .collect();
+    let nonzero = polynomial.coefficients().iter().filter(|c| **c != 0);
+    let nonzero: Vec<i64> = nonzero.map(binary_exponent).collect();
     let (first, last) = (*nonzero.first()?, *nonzero.last()?);
     let largest = *nonzero.iter().max()?;
     // |c_i/c_n| < 2^(e_i − e_n + 2), hence |x| < 1 + 2^(…) < 2^(… + 1).

@@ -70,9 +70,8 @@ impl UnivariatePolynomial {
     /// The value at a number of any type, by Horner's rule; `convert` brings the coefficients into that type.
     #[must_use]
     pub fn evaluate_with<R: Field>(&self, x: &R, convert: impl Fn(&Rational) -> R) -> R {
-        let mut descending = self.coefficients.iter().rev();
-        let Some(leading) = descending.next() else { return R::from(0) };
-        descending.fold(convert(leading), |value, coefficient| value * x + convert(coefficient))
+        let descending = self.coefficients.iter().rev().map(convert);
+        descending.reduce(|value, coefficient| value * x + coefficient).unwrap_or_else(|| R::from(0))
     }
 
     /// The sum of two polynomials.
@@ -152,10 +151,7 @@ impl UnivariatePolynomial {
     /// The polynomial divided by its leading coefficient.
     #[must_use]
     pub fn monic(&self) -> Self {
-        match self.coefficients.last() {
-            Some(leading) => self.scaled(&Rational::from(leading.recip_ref())),
-            None => self.clone(),
-        }
+        self.coefficients.last().map_or_else(|| self.clone(), |leading| self.scaled(&leading.clone().recip()))
     }
 
     /// A positive multiple of the polynomial whose coefficients are integers without a common factor.

@@ -4,6 +4,7 @@ use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Add;
 
+use super::division::square_root_of;
 use super::enclosure::Enclosure;
 use super::{Expression, Function, Generator, Symbol};
 use crate::number::{Ball, Field, Interval, Rational};
@@ -45,12 +46,7 @@ impl Expression {
                 horner(&taylor(function, &|name| values.get(name).cloned()), &go(inner)?)?
             }
             Self::Call(Function::Abs, inner) => go(inner)?.abs(),
-            Self::Call(Function::Sqrt, inner) => {
-                let square = go(inner)?;
-                let is_square = square.numer().is_perfect_square() && square.denom().is_perfect_square();
-                let (above, below) = Some(square).filter(|_| is_square)?.into_numer_denom();
-                Rational::from((above.sqrt(), below.sqrt()))
-            }
+            Self::Call(Function::Sqrt, inner) => square_root_of(&go(inner)?)?,
             Self::Call(Function::Ln, inner) => {
                 Some(Rational::new()).filter(|_| go(inner).is_some_and(|one| one == 1))?
             }
@@ -211,8 +207,7 @@ fn taylor<N: Field>(function: &Symbol, value_of: &impl Fn(&Symbol) -> Option<N>)
 
 /// The value at x of the polynomial with these coefficients; none without coefficients.
 fn horner<N: Field>(coefficients: &[N], x: &N) -> Option<N> {
-    let (last, others) = coefficients.split_last()?;
-    Some(others.iter().rev().fold(last.clone(), |value, coefficient| value * x + coefficient))
+    coefficients.iter().rev().cloned().reduce(|value, coefficient| value * x + coefficient)
 }
 
 #[cfg(test)]

@@ -8,10 +8,7 @@ use std::collections::BTreeMap;
 use rug::Rational;
 
 use crate::refutation::CounterExample;
-use crate::{
-    Certificate, ConversionError, Domain, DomainError, End, Expression, RationalFunction, Series, Symbol,
-    Toward,
-};
+use crate::{Certificate, Domain, DomainError, End, Expression, RationalFunction, Series, Symbol, Toward};
 
 /// Why a certificate does not hold.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -22,15 +19,9 @@ pub(crate) struct Failure {
     pub counter_example: Option<Box<CounterExample>>,
 }
 
-impl From<ConversionError> for Failure {
-    fn from(error: ConversionError) -> Self {
-        Self::remainder(error.to_string())
-    }
-}
-
-impl From<DomainError> for Failure {
-    fn from(error: DomainError) -> Self {
-        Self::remainder(error.to_string())
+impl<E: Into<DomainError>> From<E> for Failure {
+    fn from(error: E) -> Self {
+        Self::remainder(error.into().to_string())
     }
 }
 
@@ -69,13 +60,11 @@ impl Certificate {
                 identities.iter().try_for_each(|[left, right]| check_identity(left, right, domain))
             }
             Self::Difference { left, right, point, values } => {
-                let [left, right] =
-                    [check_value(left, point, &values[0])?, check_value(right, point, &values[1])?];
-                if left == right {
-                    Err(Failure::of_a_false_fact(format!("both sides are {left} there")))
-                } else {
-                    Ok(())
+                let left = check_value(left, point, &values[0])?;
+                if left == check_value(right, point, &values[1])? {
+                    return Err(Failure::of_a_false_fact(format!("both sides are {left} there")));
                 }
+                Ok(())
             }
             Self::Value { expression, point, value } => check_value(expression, point, value).map(|_| ()),
             Self::Series { relation, variable, unknown, coefficients, domain } => {
@@ -196,12 +185,9 @@ fn check_root(
         return Err(Failure::remainder(format!("no polynomial in a {name} that may have any value")));
     }
     let degree = function.numerator().degree(name);
-    let leading = || {
-        let leading = function.numerator().coefficients(name).into_iter().nth(degree as usize);
-        leading.and_then(|leading| RationalFunction::new(leading, function.denominator().clone()))
-    };
     let at_infinity = |below: bool| {
-        let sign = domain.sign_of(&leading()?)?;
+        let leading = function.numerator().coefficients(name).pop()?;
+        let sign = domain.sign_of(&RationalFunction::new(leading, function.denominator().clone())?)?;
         Some(if below && degree % 2 == 1 { -sign } else { sign })
     };
     let at = |end: &Option<Expression>, below: bool| match end {
@@ -241,11 +227,8 @@ fn check_growth(expression: &Expression, name: &Symbol, order: u32, domain: &Dom
     let zero = Expression::integer(0);
     let mut derivative = expression.clone();
     for _ in 0..order {
-        compare(
-            &domain.rational_function(&derivative.with(name, &zero))?,
-            &RationalFunction::from(0),
-            domain,
-        )?;
+        let start = domain.rational_function(&derivative.with(name, &zero))?;
+        compare(&start, &RationalFunction::from(0), domain)?;
         derivative = derivative.derivative(name);
     }
     check_sign(&derivative, 1, domain)

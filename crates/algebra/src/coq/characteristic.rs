@@ -2,7 +2,7 @@
 //! its characteristic polynomial is det(s − J). Coq differentiates the rates by itself.
 
 use super::Obstacle;
-use super::statement::{Piece, Statement, altered_side, derivative_of, term, text};
+use super::statement::{Piece, Statement, altered_value, derivative_of, term, text};
 use super::tactic::Tactics;
 use super::term::{name, real};
 use crate::{Domain, Expression, Linearisation, Symbol};
@@ -49,10 +49,7 @@ impl Statement {
             let last = [term(&determinant), text(" = "), term(polynomial)];
             pieces.iter().cloned().chain(last).collect::<Vec<_>>()
         };
-        let altered = match altered_side(polynomial, &determinant, domain)? {
-            (true, polynomial) => polynomial,
-            (false, _) => polynomial.clone() + Expression::integer(1),
-        };
+        let altered = altered_value(polynomial, &determinant, domain)?;
         let last = proofs.len() - 1;
         let steps: String = proofs[..last].iter().map(|proof| format!("split; [ {proof} | ]; ")).collect();
         let proof = format!("{steps}{}", proofs[last]);

@@ -11,8 +11,7 @@ mod statement;
 mod tactic;
 mod term;
 
-use std::collections::BTreeSet;
-use std::fmt::Write as _;
+use std::collections::{BTreeMap, BTreeSet};
 
 use setting::Setting;
 use statement::Statement;
@@ -97,28 +96,22 @@ impl Theorem {
         };
         let binders = substituted.text();
         let mut lemmas = Vec::new();
-        let mut text = String::new();
-        if setting.is_plain() {
-            let _ = write!(
-                text,
-                "Theorem {name}{binders} :\n  {}.\nProof. {tactics}. Qed.\n",
-                shown(false, true)
-            );
+        let written = shown(false, true);
+        let text = if setting.is_plain() {
+            format!("Theorem {name}{binders} :\n  {written}.\nProof. {tactics}. Qed.\n")
         } else if domain.conditions().iter().any(|one| one.expression.calls(Function::Abs)) {
             return Err(Obstacle(
                 "no tactic for a condition with an absolute value in other variables".into(),
             ));
         } else {
             lemmas.extend(setting.cover()?);
-            let _ = write!(
-                text,
-                "Lemma {name}_substituted{binders} :\n  {}.\nProof. {tactics}. Qed.\n\nTheorem {name}{} :\n  {}.\nProof. {}. Qed.\n",
-                shown(false, true),
+            format!(
+                "Lemma {name}_substituted{binders} :\n  {written}.\nProof. {tactics}. Qed.\n\nTheorem {name}{} :\n  {}.\nProof. {}. Qed.\n",
                 original.text(),
                 shown(false, false),
                 setting.transfer(&original, &substituted, &format!("{name}_substituted")),
-            );
-        }
+            )
+        };
         lemmas.extend(setting.witness(&original));
         let proofs: String = lemmas.iter().map(|lemma| lemma.text.as_str()).chain([text.as_str()]).collect();
         lemmas.splice(0..0, sign::lemmas_for(&proofs));
@@ -172,9 +165,10 @@ fn point_domain(certificate: &Certificate) -> Domain {
 /// Variables without any assumption, and what is defined by them or by i, are complex where a statement has i.
 fn complex_variables(domain: &Domain, statement: &Statement) -> BTreeSet<Symbol> {
     let imaginary = Symbol::from("i");
-    let mut inner = BTreeSet::new();
+    let mut calls = BTreeMap::new();
     let written: Vec<Expression> = statement.terms().iter().map(|part| domain.as_written(part)).collect();
-    written.iter().for_each(|part| arguments_of_calls(part, &mut inner));
+    written.iter().for_each(|part| term::outer_calls(part, &mut calls));
+    let inner: BTreeSet<Symbol> = calls.values().flat_map(Expression::variables).collect();
     let free = |name: &Symbol| {
         *name != imaginary
             && name.as_str() != "pm"
@@ -190,12 +184,6 @@ fn complex_variables(domain: &Domain, statement: &Statement) -> BTreeSet<Symbol>
     let defined: Vec<Symbol> = defined.map(|(name, _)| name.clone()).collect();
     complex.extend(defined);
     complex
-}
-
-fn arguments_of_calls(expression: &Expression, names: &mut BTreeSet<Symbol>) {
-    let mut calls = std::collections::BTreeMap::new();
-    term::outer_calls(expression, &mut calls);
-    names.extend(calls.values().flat_map(Expression::variables));
 }
 
 /// A short name for a text: FNV-1a in 64 bits.

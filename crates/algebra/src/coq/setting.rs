@@ -10,7 +10,7 @@ use super::Obstacle;
 use super::tactic::Tactics;
 use super::term::{complex, condition, name, outer_calls, real};
 use crate::number::Rational;
-use crate::{Domain, Expression, Function, Symbol};
+use crate::{Condition, Domain, Expression, Function, Symbol};
 
 /// Computes an enclosure for each hypothesis, with a tactic of `proofs/Signs.v`.
 const ENCLOSURE: &str = "repeat match goal with |- _ /\\ _ => split end; met";
@@ -119,7 +119,13 @@ impl Setting<'_> {
         self.domain.parameters().iter().any(|(known, _)| known == name)
     }
 
-    fn bind(&self, names: &BTreeSet<Symbol>, domain: &Domain) -> Binders {
+    fn bind(
+        &self,
+        names: &BTreeSet<Symbol>,
+        domain: &Domain,
+        conditions: &[Condition],
+        squares: Vec<(Symbol, Expression)>,
+    ) -> Binders {
         let mut binders = Binders::default();
         let names: BTreeSet<&Symbol> =
             names.iter().filter(|name| !self.bound.contains(*name) && name.as_str() != "i").collect();
@@ -134,13 +140,17 @@ impl Setting<'_> {
         if names.iter().any(|name| name.as_str() == "pm") {
             binders.hypotheses.push(("pm'square".to_owned(), "pm ^ 2 = 1".to_owned()));
         }
+        if let Some(nonzero) = &self.nonzero {
+            binders.hypotheses.push(("single'root".to_owned(), format!("{} <> 0", real(nonzero))));
+        }
+        for (index, given) in conditions.iter().enumerate() {
+            binders.hypotheses.push((format!("given'{}", index + 1), condition(given)));
+        }
+        for (known, square) in squares {
+            let known = name(&known);
+            binders.hypotheses.push((format!("{known}'square"), format!("{known} ^ 2 = {}", real(&square))));
+        }
         binders
-    }
-
-    fn bind_nonzero(&self, binders: &mut Binders) {
-        let nonzero =
-            self.nonzero.iter().map(|value| ("single'root".to_owned(), format!("{} <> 0", real(value))));
-        binders.hypotheses.extend(nonzero);
     }
 
     /// The binders of the statement after the substitutions.
@@ -148,11 +158,9 @@ impl Setting<'_> {
         let mut names: BTreeSet<Symbol> =
             expressions.iter().flat_map(|part| self.domain.as_written(part).variables()).collect();
         let conditions = self.domain.conditions().iter();
-        let conditions: Vec<_> = conditions
-            .map(|given| crate::Condition {
-                expression: self.domain.as_written(&given.expression),
-                relation: given.relation,
-            })
+        let written = |given: &Condition| self.domain.as_written(&given.expression);
+        let conditions: Vec<Condition> = conditions
+            .map(|given| Condition { expression: written(given), relation: given.relation })
             .collect();
         names.extend(conditions.iter().flat_map(|given| given.expression.variables()));
         let mut squares = Vec::new();
@@ -160,36 +168,20 @@ impl Setting<'_> {
             let square = self.domain.as_written(square);
             if names.contains(known) {
                 names.extend(square.variables());
-                squares.push((known, square));
+                squares.push((known.clone(), square));
             }
         }
         names.extend(self.nonzero.iter().flat_map(Expression::variables));
-        let mut binders = self.bind(&names, self.domain);
-        self.bind_nonzero(&mut binders);
-        for (index, given) in conditions.iter().enumerate() {
-            binders.hypotheses.push((format!("given'{}", index + 1), condition(given)));
-        }
-        for (known, square) in squares {
-            let known = name(known);
-            binders.hypotheses.push((format!("{known}'square"), format!("{known} ^ 2 = {}", real(&square))));
-        }
-        binders
+        self.bind(&names, self.domain, &conditions, squares)
     }
 
     /// The binders of the statement in the original variables.
     pub fn original(&self, expressions: &[&Expression]) -> Binders {
         let stated = expressions.iter().copied().chain(&self.nonzero);
         let names = self.relevant(stated.flat_map(Expression::variables).collect());
-        let mut binders = self.bind(&names, &self.domain.original());
-        self.bind_nonzero(&mut binders);
-        for (index, given) in self.domain.conditions().iter().enumerate() {
-            binders.hypotheses.push((format!("given'{}", index + 1), condition(given)));
-        }
         let in_use = |(known, _): &&(Symbol, Expression)| names.contains(known);
-        for (known, square) in self.domain.squares().iter().filter(in_use) {
-            let known = name(known);
-            binders.hypotheses.push((format!("{known}'square"), format!("{known} ^ 2 = {}", real(square))));
-        }
+        let squares = self.domain.squares().iter().filter(in_use).cloned().collect();
+        let mut binders = self.bind(&names, &self.domain.original(), self.domain.conditions(), squares);
         for (known, value) in self.domain.parameters().iter().filter(in_use) {
             let known = name(known);
             binders.hypotheses.push((format!("{known}'value"), format!("{known} = {}", real(value))));
@@ -298,30 +290,22 @@ impl Setting<'_> {
         }
         let label = format!("possible_{}", super::digest(&original.text()));
         let value = |symbol: &Symbol| {
-            let defined = self.domain.parameters().iter().chain(self.domain.substitutions());
-            let defined = defined.filter(|(known, _)| !self.domain.is_assumed(known));
-            let mut defined = defined.filter(|(known, _)| known == symbol);
-            match defined.next() {
-                Some(_) => None,
-                None if symbol.as_str() == "pm" => Some("1".to_owned()),
+            let mut defined = self.domain.parameters().iter().chain(self.domain.substitutions());
+            let is_defined = !self.domain.is_assumed(symbol) && defined.any(|(known, _)| known == symbol);
+            (!is_defined).then(|| match &self.nonzero {
+                _ if symbol.as_str() == "pm" => "1".to_owned(),
                 // The value 0, which is the example of a name without assumptions, often makes a double root.
-                None if self.nonzero.as_ref().is_some_and(|value| value.variables().contains(symbol)) => {
-                    Some("2".to_owned())
-                }
-                None => Some(real(&Expression::Number(self.domain.original().example_of(symbol)))),
-            }
+                Some(value) if value.contains(symbol) => "2".to_owned(),
+                _ => real(&Expression::Number(self.domain.original().example_of(symbol))),
+            })
         };
         let mut proof = String::new();
         for (variable, kind) in &original.variables {
-            match value(variable) {
-                Some(value) if *kind == "C" => {
-                    let _ = write!(proof, "exists (RtoC {value}); ");
-                }
-                Some(value) => {
-                    let _ = write!(proof, "exists {value}; ");
-                }
-                None => proof += "eexists; ",
-            }
+            proof += &match value(variable) {
+                Some(value) if *kind == "C" => format!("exists (RtoC {value}); "),
+                Some(value) => format!("exists {value}; "),
+                None => "eexists; ".to_owned(),
+            };
         }
         let (rational, others, close) = self.calls_at_the_example();
         for root in rational {

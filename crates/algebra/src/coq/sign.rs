@@ -4,7 +4,7 @@
 use super::Block;
 use super::tactic::Tactics;
 use super::term::real;
-use crate::conversion::{Converter, split_by_parity};
+use crate::conversion::{Converter, norm, split_by_parity};
 use crate::squares::{Known, addends};
 use crate::{Expression, Function, Generator, Monomial, Polynomial, RationalFunction, Relation};
 
@@ -40,19 +40,23 @@ impl Seen {
     /// The product of two values that are both positive, or both not negative.
     fn times(self, other: Self, is_strict: bool) -> Self {
         let lemma = if is_strict { "Rmult_lt_0_compat" } else { "Rmult_le_pos" };
-        Self {
-            form: Expression::Product(vec![self.form, other.form]),
-            proof: format!("apply {lemma}; [ {} | {} ]", self.proof, other.proof),
-        }
+        self.joined(lemma, other, |one, other| Expression::Product(vec![one, other]))
     }
 
     /// The sum of a value and one that is not negative.
     fn plus(self, other: Self, is_strict: bool) -> Self {
         let lemma = if is_strict { "Rplus_lt_le_0_compat" } else { "Rplus_le_le_0_compat" };
-        Self {
-            form: Expression::Sum(vec![self.form, other.form]),
-            proof: format!("apply {lemma}; [ {} | {} ]", self.proof, other.proof),
-        }
+        self.joined(lemma, other, |one, other| Expression::Sum(vec![one, other]))
+    }
+
+    fn over(self, other: Self, is_strict: bool) -> Self {
+        let lemma = if is_strict { "Rdiv_lt_0_compat" } else { "Rdiv_le_0_compat" };
+        self.joined(lemma, other, Expression::quotient)
+    }
+
+    fn joined(self, lemma: &str, other: Self, form: fn(Expression, Expression) -> Expression) -> Self {
+        let proof = format!("apply {lemma}; [ {} | {} ]", self.proof, other.proof);
+        Self { form: form(self.form, other.form), proof }
     }
 }
 
@@ -77,24 +81,9 @@ impl Tactics<'_> {
             above
         } else {
             let Signs { tactics, converter, .. } = signs;
-            let below = Signs { tactics, converter, is_strict: true }.seen(&divisor, MOST_DEPTH)?;
-            let lemma = if is_strict { "Rdiv_lt_0_compat" } else { "Rdiv_le_0_compat" };
-            Seen {
-                form: Expression::Quotient(Box::new(above.form), Box::new(below.form)),
-                proof: format!("apply {lemma}; [ {} | {} ]", above.proof, below.proof),
-            }
+            above.over(Signs { tactics, converter, is_strict: true }.seen(&divisor, MOST_DEPTH)?, is_strict)
         };
-        self.replaced(value, seen)
-    }
-
-    /// The proof of a value's sign from that of its form.
-    fn replaced(&self, value: &Expression, seen: Seen) -> Option<String> {
-        let Seen { form, proof } = seen;
-        if real(value) == real(&form) {
-            return Some(proof);
-        }
-        let equal = self.equal(value, &form).ok()?;
-        Some(format!("replace {} with {} by (symmetry; {equal}); {proof}", real(value), real(&form)))
+        self.in_form(value, &seen.form, &seen.proof).ok()
     }
 }
 
@@ -208,8 +197,7 @@ impl Signs<'_> {
             Some(part.numerator().scale(&divisor))
         };
         let (even, odd) = split_by_parity(polynomial, name, square);
-        let norm = &(&even * &even) - &(&(&odd * &odd) * square);
-        let norm = whole(&self.converter.without_squares(&norm)?)?;
+        let norm = whole(&self.converter.without_squares(&norm(&even, &odd, square))?)?;
         let (even, odd) = (whole(&even)?, whole(&odd)?);
         let found = [(&even, norm.clone(), ""), (&odd, -&norm, "other_")]
             .into_iter()
@@ -229,7 +217,7 @@ impl Signs<'_> {
         let [larger, smaller] = difference;
         let difference = Expression::Sum(vec![larger, Expression::Negation(Box::new(smaller))]);
         let inner = self.tactics.not_negative_by_form(&below).ok()?;
-        let norm = self.tactics.replaced(&difference, norm)?;
+        let norm = self.tactics.in_form(&difference, &norm.form, &norm.proof).ok()?;
         let relation = if self.is_strict { "lt" } else { "le" };
         let [e, o, t] = [&even, &odd, &below].map(real);
         let proof = format!(
@@ -237,15 +225,5 @@ impl Signs<'_> {
             part.proof
         );
         Some(Seen { form: Expression::Sum(vec![even, Expression::Product(vec![odd, root])]), proof })
-    }
-}
-
-impl Expression {
-    /// What stands below a square root, if this is one.
-    pub(super) fn below_root(&self) -> Option<&Self> {
-        match self {
-            Self::Call(Function::Sqrt, inner) => Some(inner),
-            _ => None,
-        }
     }
 }

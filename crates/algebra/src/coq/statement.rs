@@ -114,22 +114,16 @@ impl Statement {
         let is_complex = [&l, &r].iter().any(|side| side.variables().contains(&imaginary));
         let proof = match square_of_root(&l).filter(|inner| real(inner) == real(&r)) {
             Some(inner) => format!("apply root_squared; {}", tactics.not_negative_by_form(inner)?),
-            None if is_complex => tactics.equal_complex(&[&l, &r])?,
+            // Of complex sides the real and the imaginary parts are equal.
+            None if is_complex => tactics.equal_after("project; ", &[&l, &r])?,
             None => tactics.equal(&l, &r)?,
         };
         let sides = |left: &Expression, right: &Expression| vec![term(left), text(" = "), term(right)];
-        let altered = altered_side(right, left, domain)?;
-        Ok(Self {
-            pieces: sides(left, right),
-            altered: match altered {
-                (true, right) => sides(left, &right),
-                (false, left) => sides(&left, right),
-            },
-            tactics: proof,
-            is_complex,
-            bound: BTreeSet::new(),
-            nonzero: None,
-        })
+        let altered = match altered_side(right, left, domain)? {
+            (true, right) => sides(left, &right),
+            (false, left) => sides(&left, right),
+        };
+        Ok(Self { is_complex, ..Self::plain(sides(left, right), altered, proof) })
     }
 
     fn limit(
@@ -162,6 +156,7 @@ impl Statement {
         if let Some(moving) = above.iter().chain(&below).find(|one| one.variables().contains(symbol)) {
             return Err(Obstacle(format!("no tactic for a limit with {moving}, which moves with {symbol}")));
         }
+        let quotient = Expression::quotient;
         let equal = tactics.equal(&inner, &quotient(horner(&above, &point), horner(&below, &point)))?;
         let first = |list: &[Expression]| list.first().cloned().unwrap_or_else(|| Expression::integer(0));
         let ends = tactics.equal(&limit, &quotient(first(&above), first(&below)))?;
@@ -179,10 +174,7 @@ impl Statement {
             let open = text(&format!("filterlim (fun {at} : R => "));
             vec![open, term(expression), text(&format!(") {filter} (locally ")), term(value), text(")")]
         };
-        let altered = match altered_side(value, expression, domain)? {
-            (true, value) => pieces(&value),
-            (false, _) => pieces(&(value.clone() + Expression::integer(1))),
-        };
+        let altered = pieces(&altered_value(value, expression, domain)?);
         Ok(Self { bound: [symbol.clone()].into(), ..Self::plain(pieces(value), altered, proof) })
     }
 
@@ -206,10 +198,7 @@ impl Statement {
             let open = text(&format!("is_derive (fun {x} : R => "));
             vec![open, term(expression), text(&format!(") {x} ")), term(value)]
         };
-        let altered = match altered_side(value, expression, domain)? {
-            (true, value) => pieces(&value),
-            (false, _) => pieces(&(value.clone() + Expression::integer(1))),
-        };
+        let altered = pieces(&altered_value(value, expression, domain)?);
         Ok(Self::plain(pieces(value), altered, derivative_of(expression).to_owned()))
     }
 
@@ -317,8 +306,7 @@ impl Statement {
         let mut altered = image.to_vec();
         altered.iter_mut().take(1).for_each(|(_, value)| *value = -value.clone());
         let bound = own.iter().chain(&others).map(|name| Symbol::read(name)).collect();
-        let (pieces, altered) = (pieces(image), pieces(&altered));
-        Self { pieces, altered, tactics: proof, is_complex: false, bound, nonzero: None }
+        Self { bound, ..Self::plain(pieces(image), pieces(&altered), proof) }
     }
 
     fn growth_from(
@@ -538,8 +526,20 @@ fn divided(part: Polynomial, below: &Polynomial) -> Result<RationalFunction, Obs
     whole.ok_or_else(|| Obstacle("a divisor is zero".to_owned()))
 }
 
+/// Another value of the expression: the stated one altered, or 1 more where no alteration of it is another value.
+pub(super) fn altered_value(
+    value: &Expression,
+    expression: &Expression,
+    domain: &Domain,
+) -> Result<Expression, Obstacle> {
+    Ok(match altered_side(value, expression, domain)? {
+        (true, altered) => altered,
+        (false, _) => value.clone() + Expression::integer(1),
+    })
+}
+
 /// The first alteration of either side that changes its value: the sign of a term, or a factor 2 on it.
-pub(super) fn altered_side(
+fn altered_side(
     right: &Expression,
     left: &Expression,
     domain: &Domain,
@@ -569,10 +569,6 @@ fn alterations(side: &Expression) -> Vec<Expression> {
         }
         other => vec![-other.clone(), twice(other)],
     }
-}
-
-fn quotient(above: Expression, below: Expression) -> Expression {
-    Expression::Quotient(Box::new(above), Box::new(below))
 }
 
 /// c₀ + x·(c₁ + x·(…)).

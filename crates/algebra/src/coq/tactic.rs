@@ -19,12 +19,8 @@ impl Tactics<'_> {
         self.equal_after("", &[left, right])
     }
 
-    /// Proves left = right over the complex numbers.
-    pub fn equal_complex(&self, sides: &[&Expression]) -> Result<String, Obstacle> {
-        self.equal_after("project; ", sides)
-    }
-
-    fn equal_after(&self, first: &str, sides: &[&Expression]) -> Result<String, Obstacle> {
+    /// Proves that two sides are equal, after a tactic.
+    pub fn equal_after(&self, first: &str, sides: &[&Expression]) -> Result<String, Obstacle> {
         let mut calls = BTreeMap::new();
         sides.iter().for_each(|side| outer_calls(side, &mut calls));
         let mut calls: Vec<(String, Expression)> = calls.into_iter().collect();
@@ -150,15 +146,12 @@ impl Tactics<'_> {
                 Ok(format!("replace {} with 0 by (symmetry; {zero}); apply exp_0", real(argument)))
             }
             Function::Ln => {
-                let plain = self.expression(&self.0.rational_function(argument)?)?;
-                let replaced = match plain == **argument {
-                    true => String::new(),
-                    false => {
-                        let proof = self.equal(&plain, argument)?;
-                        format!("replace {} with {} by ({proof}); ", real(argument), real(&plain))
-                    }
-                };
-                Ok(format!("{replaced}logarithms; ring"))
+                let plain = self.normal(argument)?;
+                if plain == **argument {
+                    return Ok("logarithms; ring".to_owned());
+                }
+                let proof = self.equal(&plain, argument)?;
+                Ok(format!("replace {} with {} by ({proof}); logarithms; ring", real(argument), real(&plain)))
             }
             Function::Sqrt => {
                 let square = Expression::Product(vec![normal.clone(), normal.clone()]);
@@ -202,16 +195,25 @@ impl Tactics<'_> {
         let form = self.signed_form(&function).ok_or_else(|| {
             Obstacle(format!(
                 "the sign of {} rests on more than coefficients of one sign",
-                expression_text(&function)
+                Expression::from(&function)
             ))
         })?;
         let form = if sign > 0 { form } else { Expression::Negation(Box::new(form)) };
-        let equal = self.equal(value, &form)?;
-        let close = if sign > 0 { "one_pos" } else { "negative" };
-        if real(value) == real(&form) {
-            return Ok(close.to_owned());
+        self.in_form(value, &form, if sign > 0 { "one_pos" } else { "negative" })
+    }
+
+    /// A proof about an expression from one about another form of it.
+    pub(super) fn in_form(
+        &self,
+        value: &Expression,
+        form: &Expression,
+        proof: &str,
+    ) -> Result<String, Obstacle> {
+        if real(value) == real(form) {
+            return Ok(proof.to_owned());
         }
-        Ok(format!("replace {} with {} by (symmetry; {equal}); {close}", real(value), real(&form)))
+        let equal = self.equal(value, form)?;
+        Ok(format!("replace {} with {} by (symmetry; {equal}); {proof}", real(value), real(form)))
     }
 
     /// Proves 0 <= value: by the conditions that speak of its factors where the converter sees them.
@@ -221,13 +223,7 @@ impl Tactics<'_> {
         if let Some(proof) = (!is_seen).then(|| self.sign_of_parts(value, false)).flatten() {
             return Ok(proof);
         }
-        match form {
-            Some(form) if real(&form) != real(value) => {
-                let equal = self.equal(value, &form)?;
-                Ok(format!("replace {} with {} by (symmetry; {equal}); nonneg", real(value), real(&form)))
-            }
-            _ => Ok("nonneg".to_owned()),
-        }
+        self.in_form(value, form.as_ref().unwrap_or(value), "nonneg")
     }
 
     /// The absolute value as a quotient of a form that is not negative by a form that is positive.
@@ -265,13 +261,11 @@ impl Tactics<'_> {
     fn factored(&self, polynomial: &Polynomial, used: fn(Relation) -> bool) -> Option<Expression> {
         let (factors, rest) = Converter::new(self.0).factors(polynomial, used);
         let rest = if rest.coefficient_sign()? < 0 { rest.scale(&rug::Rational::from(-1)) } else { rest };
-        let factors =
-            factors.iter().map(|factor| self.expression_of(factor)).collect::<Result<Vec<_>, _>>().ok()?;
-        factors.into_iter().try_fold(self.expression_of(&rest).ok()?, |product, factor| {
-            Some(match factor {
+        factors.iter().try_fold(self.expression_of(&rest).ok()?, |product, factor| {
+            Some(match self.expression_of(factor).ok()? {
                 // The product with it is the absolute value, and its sign stays inside.
-                Expression::Negation(_) => Expression::Product(vec![product, factor]),
-                _ => product * factor,
+                factor @ Expression::Negation(_) => Expression::Product(vec![product, factor]),
+                factor => product * factor,
             })
         })
     }
@@ -288,23 +282,14 @@ impl Tactics<'_> {
 
     /// A quotient below a root has positive forms above and below, where the domain has them.
     fn with_forms(&self, expression: &Expression) -> Result<Expression, Obstacle> {
-        let all = |parts: &[Expression]| {
-            parts.iter().map(|part| self.with_forms(part)).collect::<Result<Vec<_>, _>>()
-        };
-        let boxed = |inner: &Expression| self.with_forms(inner).map(Box::new);
-        Ok(match expression {
-            Expression::Number(_) | Expression::Variable(_) => expression.clone(),
-            Expression::Sum(parts) => Expression::Sum(all(parts)?),
-            Expression::Product(parts) => Expression::Product(all(parts)?),
-            Expression::Quotient(above, below) => Expression::Quotient(boxed(above)?, boxed(below)?),
-            Expression::Negation(inner) => Expression::Negation(boxed(inner)?),
-            Expression::Power(inner, exponent) => Expression::Power(boxed(inner)?, *exponent),
+        match expression {
             Expression::Call(Function::Sqrt, inner) if divides(inner) => {
                 let form = self.not_negative_form(inner)?;
-                Expression::Call(Function::Sqrt, form.map_or_else(|| inner.clone(), Box::new))
+                Ok(Expression::Call(Function::Sqrt, form.map_or_else(|| inner.clone(), Box::new)))
             }
-            Expression::Call(..) | Expression::Generic(..) => expression.clone(),
-        })
+            Expression::Call(..) | Expression::Generic(..) => Ok(expression.clone()),
+            other => other.try_with_parts(|part| self.with_forms(part)),
+        }
     }
 
     /// Brings each condition to the form in which the converter uses it.
@@ -384,27 +369,15 @@ fn factors_in(divisor: &Expression, found: &mut BTreeMap<String, Expression>) {
 }
 
 fn is_difference_of_roots(value: &Expression) -> bool {
-    let is_root = |part: &Expression| matches!(part, Expression::Call(Function::Sqrt, _));
-    match value {
-        Expression::Sum(parts) => match parts.as_slice() {
-            [first, Expression::Negation(second)] => is_root(first) && is_root(second),
-            _ => false,
-        },
-        _ => false,
-    }
+    let Expression::Sum(parts) = value else { return false };
+    let [first, Expression::Negation(second)] = &parts[..] else { return false };
+    [first, &**second].iter().all(|part| part.below_root().is_some())
 }
 
 /// The arguments of the roots that an expression in normal form has.
 fn roots_in(normal: &Expression, roots: &mut BTreeMap<String, Expression>) {
     let mut calls = BTreeMap::new();
     outer_calls(normal, &mut calls);
-    for (text, call) in calls {
-        if let Expression::Call(Function::Sqrt, inner) = call {
-            roots.insert(text, *inner);
-        }
-    }
-}
-
-fn expression_text(function: &RationalFunction) -> String {
-    Expression::from(function).to_string()
+    let below = |(text, call): (String, Expression)| Some((text, call.below_root()?.clone()));
+    roots.extend(calls.into_iter().filter_map(below));
 }

@@ -38,13 +38,9 @@ pub(super) fn real(expression: &Expression) -> String {
 
 fn function_name(function: Function) -> &'static str {
     match function {
-        Function::Ln => "ln",
-        Function::Sqrt => "sqrt",
         Function::Abs => "Rabs",
-        Function::Exp => "exp",
         Function::Asinh => "arcsinh",
-        Function::Sin => "sin",
-        Function::Cos => "cos",
+        other => other.as_str(),
     }
 }
 

@@ -200,13 +200,7 @@ impl Ball {
     /// The sign of every point of the ball against zero; `None` when they differ.
     #[must_use]
     pub fn sign(&self) -> Option<Ordering> {
-        if self.radius.is_zero() {
-            self.centre.cmp0()
-        } else if self.contains_zero() {
-            None
-        } else {
-            self.centre.cmp0()
-        }
+        if !self.radius.is_zero() && self.contains_zero() { None } else { self.centre.cmp0() }
     }
 
     /// Whether zero lies in the ball.

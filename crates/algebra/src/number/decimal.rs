@@ -104,10 +104,7 @@ fn parse_exponent(text: &str) -> Result<i64, DecimalError> {
         return Err(DecimalError::Malformed);
     }
     // Too long for i64 is certainly out of range; leading zeros are harmless.
-    let magnitude: i64 = digits
-        .trim_start_matches('0')
-        .parse()
-        .unwrap_or(if digits.bytes().all(|b| b == b'0') { 0 } else { i64::MAX });
+    let magnitude: i64 = digits.parse().unwrap_or(i64::MAX);
     if magnitude > MAX_EXPONENT {
         return Err(DecimalError::ExponentOutOfRange);
     }
