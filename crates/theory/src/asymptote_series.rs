@@ -43,14 +43,9 @@ pub struct AsymptoteSeries {
 pub fn derive(equations: &Equations, order: usize) -> Result<Vec<AsymptoteSeries>, Refutation> {
     let curve = curve(equations)?;
     let length = order + 1;
-    let quasi_static = |role| quasi_static(equations, &curve, role, length);
-    let inertial = |role| inertial(equations, &curve, role, length);
-    Ok(vec![
-        quasi_static(Role::QuasiStaticUpper)?,
-        quasi_static(Role::QuasiStaticLower)?,
-        inertial(Role::InertialUpper)?,
-        inertial(Role::InertialLower)?,
-    ])
+    let [_, levels @ .., upper, lower] = EQUATIONS;
+    let levels = levels.into_iter().map(|role| quasi_static(equations, &curve, role, length));
+    levels.chain([upper, lower].map(|role| inertial(equations, &curve, role, length))).collect()
 }
 
 /// At low velocity: σ_exact/σ_asymptote − 1 in η, at the same V0; β = w².

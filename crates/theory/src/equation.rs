@@ -4,7 +4,8 @@
 
 use std::fmt;
 
-use slipmode_algebra::{Condition, Expression, nearest};
+use crate::notation::did_you_mean;
+use slipmode_algebra::{Condition, Expression};
 use slipmode_core::friction::EvolutionLaw;
 
 /// One equation of a paper.
@@ -33,10 +34,11 @@ impl Equation {
         self.left.clone() - self.right.clone()
     }
 
-    /// What the names `left_N`, `right_N` and `residual_N` mean, each with the word that stands before N.
+    /// The names `left_N`, `right_N` and `residual_N`, each with what it means.
     #[must_use]
-    pub fn sides(&self) -> [(&'static str, Expression); 3] {
+    pub fn sides(&self) -> [(String, Expression); 3] {
         [("left", self.left.clone()), ("right", self.right.clone()), ("residual", self.residual())]
+            .map(|(side, expression)| (format!("{side}_{}", self.word()), expression))
     }
 
     /// Its number as a part of a name, as in `left_steady_state`.
@@ -126,10 +128,8 @@ impl Role {
     /// The role of this word.
     pub(super) fn read(word: &str) -> Result<Self, String> {
         Self::from_word(word).ok_or_else(|| {
-            let words = || Self::ALL.iter().map(|role| role.as_str());
-            let near = nearest(word, words()).map(|near| format!("; did you mean `{near}`?"));
-            let all = words().collect::<Vec<_>>().join(", ");
-            format!("'{word}' is no role{} (allowed: {all})", near.unwrap_or_default())
+            let all = Self::ALL.map(Self::as_str);
+            format!("'{word}' is no role{} (allowed: {})", did_you_mean(word, all), all.join(", "))
         })
     }
 

@@ -6,7 +6,7 @@ use std::sync::{Arc, LazyLock};
 use crate::definedness::Assumed;
 use crate::definitions::{self, Rest};
 use crate::names::Names;
-use crate::notation::in_groups;
+use crate::notation::{formula, in_groups};
 use crate::quantities::{self, Quantities};
 use crate::reading;
 use crate::stated_proofs::StatedProofs;
@@ -25,11 +25,8 @@ pub struct EquationsError {
 
 impl fmt::Display for EquationsError {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (index, fault) in self.faults.iter().enumerate() {
-            let separator = if index > 0 { "\n" } else { "" };
-            write!(formatter, "{separator}{fault}")?;
-        }
-        Ok(())
+        let faults: Vec<String> = self.faults.iter().map(ToString::to_string).collect();
+        formatter.write_str(&faults.join("\n"))
     }
 }
 
@@ -51,17 +48,9 @@ pub struct Equations {
 
 /// What stands for an equation that is not there: it has no value, so that every step of a proof with it is refused.
 static MISSING: LazyLock<Equation> = LazyLock::new(|| {
-    let nothing = || Expression::Quotient(Box::new(Expression::integer(0)), Box::new(Expression::integer(0)));
-    let note = "the equation is missing".to_owned();
-    Equation {
-        number: String::new(),
-        left: nothing(),
-        right: nothing(),
-        printed: None,
-        note,
-        given: Vec::new(),
-        role: None,
-    }
+    let [left, right] = ["0/0"; 2].map(formula);
+    let (number, note) = (String::new(), "the equation is missing".to_owned());
+    Equation { number, left, right, printed: None, note, given: Vec::new(), role: None }
 });
 
 impl Equations {
@@ -133,9 +122,7 @@ impl Equations {
         let (assumptions, functions) = (self.rest.assumptions.clone(), self.rest.functions.clone());
         let rest = Rest { assumptions, functions, ..Rest::default() };
         let (names, _) = definitions::names(&rest, &equations, &self.domain);
-        let (domain, proofs) = (self.domain.clone(), self.proofs.clone());
-        let quantities = self.quantities.clone();
-        Self { equations, rest, domain, names: Arc::new(names), proofs, quantities }
+        Self { equations, rest, names: Arc::new(names), ..self.clone() }
     }
 
     /// The equations alone, with the variables in the symbols of the procedures.
@@ -215,7 +202,7 @@ impl Equations {
     pub fn missing(&self, roles: &[Role]) -> Vec<String> {
         let with_role = |role: &Role| self.iter().filter(|one| one.role == Some(*role)).collect::<Vec<_>>();
         let missing = roles.iter().flat_map(|role| match &with_role(role)[..] {
-            [] => vec![format!("no equation has the role `{}`", role.as_str())],
+            [] => vec![format!("no equation has the role `{role}`")],
             some => quantities::faults(some, &self.quantities).iter().map(ToString::to_string).collect(),
         });
         missing.collect()

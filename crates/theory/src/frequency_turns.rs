@@ -80,7 +80,7 @@ impl Turns {
         let jacobian = (&cross(&kappa_at, &y) - &cross(&y, &kappa_at)).numerator().clone();
         let level = (&kappa_at - &RationalFunction::variable("kappa")).numerator().clone();
         let product = resultant(&jacobian, &level, &u);
-        let eliminated = without_content(&product, &kappa);
+        let eliminated = product.without_content(kappa.as_ref());
         if eliminated.degree(&x) == 0 {
             return Err(undecided(&proof, "no turning point at any κ"));
         }
@@ -120,14 +120,14 @@ impl Turns {
     fn turns_at(&self, limit: &Polynomial) -> Polynomial {
         let [x, u, kappa] = ["x", "u", "kappa"].map(Symbol::from);
         let [jacobian, level] = [&self.jacobian, &self.level].map(|part| part.substitute(&u, limit));
-        resultant(&jacobian, &without_content(&level, &kappa), &x)
+        resultant(&jacobian, &level.without_content(kappa.as_ref()), &x)
     }
 
     /// The number of turning points with η > 0 and w > 0 at one κ.
     fn count(&self, kappa: &Rational) -> Result<usize, Refutation> {
         let (x, u) = (Symbol::from("x"), Symbol::from("u"));
-        let at_kappa =
-            |part: &Polynomial| part.substitute(&Symbol::from("kappa"), &Polynomial::constant(kappa.clone()));
+        let value = Polynomial::constant(kappa.clone());
+        let at_kappa = |part: &Polynomial| part.substitute(&Symbol::from("kappa"), &value);
         let roots_of = in_one_variable(&at_kappa(&self.eliminated), &x);
         let roots_of = roots_of.ok_or_else(|| undecided(&self.proof, "not a polynomial in x"))?;
         let in_u = |part: &Polynomial| -> Option<Vec<UnivariatePolynomial>> {
@@ -150,9 +150,9 @@ impl Turns {
 
     /// Whether u > 0, w > 0 and η > 0; none where a sign is not certain.
     fn is_physical(&self, x: &Ball, u: &Ball) -> Option<bool> {
-        let values = [("x", x), ("u", u)].map(|(name, value)| (Symbol::from(name), value.clone()));
-        let beta = (Symbol::from("beta"), Ball::from_rational(&self.beta, BITS));
-        let values: BTreeMap<Symbol, Ball> = values.into_iter().chain([beta]).collect();
+        let beta = Ball::from_rational(&self.beta, BITS);
+        let values = [("x", x), ("u", u), ("beta", &beta)];
+        let values = BTreeMap::from(values.map(|(name, value)| (Symbol::from(name), value.clone())));
         let square = u.clone() - (Ball::from(1) + x.clone()).square();
         let eta = self.inertial_parameter.enclosed(&values, BITS)?;
         let signs: Option<Vec<_>> = [u.clone(), square, eta].iter().map(Ball::sign).collect();
@@ -186,13 +186,6 @@ fn in_place(proof: &Proof, text: &str) -> Result<RationalFunction, Refutation> {
 
 fn undecided(proof: &Proof, found: &str) -> Refutation {
     proof.refute("the turning points of the frequency are counted", &[], found)
-}
-
-/// A polynomial without the factors that do not contain the variable.
-fn without_content(polynomial: &Polynomial, variable: &Symbol) -> Polynomial {
-    let parts = polynomial.coefficients(variable);
-    let content = parts.iter().fold(Polynomial::zero(), |common, part| common.gcd(part));
-    polynomial.divide_exact(&content).unwrap_or_else(|| polynomial.clone())
 }
 
 /// The one common root of two polynomials, as the root of the last remainder of degree 1 in Euclid's algorithm.

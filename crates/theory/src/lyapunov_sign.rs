@@ -17,14 +17,7 @@ pub enum LyapunovSign {
 
 /// Three equations of first order with a steady state.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct ThreeStates {
-    /// The state variables.
-    pub state: [Symbol; 3],
-    /// Their rates.
-    pub rates: [Expression; 3],
-    /// Where the rates vanish.
-    pub steady: [Expression; 3],
-}
+pub struct ThreeStates(System);
 
 /// The names of the certificates, each with a number behind it: coordinates, components of vectors, unknowns.
 const OWN: [&str; 9] = ["distance", "e", "f", "g", "h11", "h20", "imaginary", "p", "real"];
@@ -35,17 +28,9 @@ const DISTANCES: [&str; 3] = ["distance_1", "distance_2", "distance_3"];
 impl ThreeStates {
     /// A system of three equations with a steady state.
     #[must_use]
-    pub fn of(system: &System) -> Option<Self> {
-        let [rates, steady] =
-            [&system.rates, &system.steady].map(|list| <[Expression; 3]>::try_from(list.clone()).ok());
-        Some(Self { state: system.state.clone().try_into().ok()?, rates: rates?, steady: steady? })
-    }
-
-    /// The system with each of its expressions changed.
-    #[must_use]
-    pub fn map(&self, change: impl Fn(&Expression) -> Expression) -> Self {
-        let [rates, steady] = [&self.rates, &self.steady].map(|three| three.each_ref().map(&change));
-        Self { state: self.state.clone(), rates, steady }
+    pub fn of(system: System) -> Option<Self> {
+        let counts = [system.state.len(), system.rates.len(), system.steady.len()];
+        (counts == [3; 3]).then_some(Self(system))
     }
 
     /// Adds to a proof what is said of the steady state although no root has a positive real part: a pair ±i·`frequency` is on the axis,
@@ -70,10 +55,10 @@ impl ThreeStates {
         }
         let proof = self.rests(start, domain)?;
         let proof = positive(proof, "the frequency of the pair", frequency, domains)?;
-        let origin = self.state.iter().zip(&self.steady).zip(DISTANCES);
+        let origin = self.0.state.iter().zip(&self.0.steady).zip(DISTANCES);
         let moved =
             origin.map(|((name, steady), own)| (name.clone(), steady.clone() + formula(own))).collect();
-        let rates = self.rates.each_ref().map(|rate| rate.substitute(&moved));
+        let rates = [0, 1, 2].map(|n| self.0.rates[n].substitute(&moved));
         let linear = rates.each_ref().map(|rate| taylor_part(rate, &DISTANCES, 1));
         let trace = linear.iter().zip(DISTANCES).map(|(form, name)| form.derivative(&Symbol::from(name)));
         let trace = trace.fold(Expression::integer(0), |sum, part| sum + part);
@@ -111,7 +96,8 @@ impl ThreeStates {
 
     /// A name of the system that the certificates of the lemma use for something of their own.
     fn own_name(&self, frequency: &Expression, domain: &Domain) -> Option<Symbol> {
-        let said = self.rates.iter().chain(&self.steady).chain([frequency]).flat_map(Expression::variables);
+        let said =
+            self.0.rates.iter().chain(&self.0.steady).chain([frequency]).flat_map(Expression::variables);
         let said: Vec<Symbol> = said.chain(domain.symbols()).collect();
         let is_own = |name: &&Symbol| {
             let Some((letters, number)) = name.as_str().rsplit_once('_') else { return false };
@@ -121,16 +107,9 @@ impl ThreeStates {
     }
 
     fn rests(&self, proof: Proof, domain: &Domain) -> Result<Proof, Refutation> {
-        let values = self.state.iter().cloned().zip(self.steady.clone()).collect();
-        let at_rest = self.rates.each_ref().map(|rate| rate.substitute(&values));
-        let zero = Expression::integer(0);
-        proof.identity(
-            "the rates at the steady state, by e_1, e_2, e_3",
-            &[],
-            &in_basis(&at_rest),
-            &zero,
-            domain,
-        )
+        let at_rest = self.0.map(|rate| self.0.at_rest(rate));
+        let says = "the rates at the steady state, by e_1, e_2, e_3";
+        proof.identity(says, &[], &in_basis(&at_rest.rates), &Expression::integer(0), domain)
     }
 }
 
@@ -208,11 +187,12 @@ mod tests {
             "(f - ln(v) - (1 + w^2)*ln(theta))/eta".to_owned(),
             law.to_owned(),
         ];
-        ThreeStates {
-            state: ["f", "v", "theta"].map(Symbol::from),
-            rates: rates.map(|rate| formula(&rate)),
-            steady: ["0", "1", "1"].map(formula),
-        }
+        three(["f", "v", "theta"], rates.each_ref().map(String::as_str), ["0", "1", "1"])
+    }
+
+    fn three(state: [&'static str; 3], rates: [&str; 3], steady: [&str; 3]) -> ThreeStates {
+        let [rates, steady] = [rates, steady].map(|texts| texts.map(formula).into());
+        ThreeStates(System { name: String::new(), state: state.map(Symbol::from).into(), rates, steady })
     }
 
     const AGING: &str = "1 - v*theta";
@@ -249,19 +229,15 @@ mod tests {
         assert!(slip.statement.contains("Re c_1"), "{slip}");
         // Another frequency has no eigenvector; another stiffness has no pair on the axis.
         assert!(prove(&slider(AGING), "2*w", &domain(small, "1/100")).is_err());
-        let softer = slider(AGING).map(|side| side.with("eta", &formula("2*eta")));
+        let softer = slider(AGING).0.map(|side| side.with("eta", &formula("2*eta")));
         let mut mixed = slider(AGING);
-        mixed.rates[0] = softer.rates[0].clone();
+        mixed.0.rates[0] = softer.rates[0].clone();
         assert!(prove(&mixed, "w", &domain(small, "1/100")).is_err());
     }
 
     #[test]
     fn a_frequency_may_be_a_root() {
-        let oscillator = ThreeStates {
-            state: ["y", "z", "h"].map(Symbol::from),
-            rates: ["z", "(-k*y - q*z^3)/m", "-A*h"].map(formula),
-            steady: ["0", "0", "0"].map(formula),
-        };
+        let oscillator = three(["y", "z", "h"], ["z", "(-k*y - q*z^3)/m", "-A*h"], ["0"; 3]);
         let prove = |frequency: &str, sign: &str| {
             let said = LyapunovSign::Of(formula(sign));
             let domains = [Domain::positive("k m A")];

@@ -253,9 +253,9 @@ pub(super) fn defined_by_equations(
         {
             doubled.push((name.clone(), [earlier.number, equation.number.clone()]));
         }
-        for (side, expression) in equation.sides() {
-            let kept = kept.filter(|_| side != "right");
-            if let Ok(name) = format!("{side}_{}", equation.word()).parse() {
+        for (name, expression) in equation.sides() {
+            let kept = kept.filter(|_| !name.starts_with("right"));
+            if let Ok(name) = name.parse() {
                 defined.insert(name, meaning(expression, kept));
             }
         }
@@ -276,13 +276,10 @@ pub fn circle<N: Ord + Clone>(start: &N, uses: &BTreeMap<N, BTreeSet<N>>) -> Opt
     while let Some(name) = open.pop() {
         for next in uses.get(name).into_iter().flatten() {
             if next == start {
-                let mut way = vec![start.clone()];
-                let mut at = name;
-                while at != start {
-                    way.insert(0, at.clone());
-                    at = from.get(at)?;
-                }
-                way.insert(0, start.clone());
+                let back =
+                    std::iter::successors(Some(name), |at| from.get(at).copied().filter(|_| *at != start));
+                let mut way: Vec<N> = [start].into_iter().chain(back).cloned().collect();
+                way.reverse();
                 return Some(way);
             }
             if uses.contains_key(next) && !from.contains_key(next) {

@@ -1,7 +1,7 @@
 //! Formulas and assumptions that the proofs share.
 
 use slipmode_algebra::{
-    Domain, Expression, Polynomial, Proof, RationalFunction, Refutation, Symbol, discriminant,
+    Domain, Expression, Polynomial, Proof, RationalFunction, Refutation, Symbol, discriminant, nearest,
 };
 
 /// The physical quantities, all positive.
@@ -13,6 +13,11 @@ const QUANTITIES: &str = "a b D_c K M sigma V V_0 theta mu_0";
 /// When the text is not of the grammar: a slip in the program text, which the test of the module shows.
 pub(super) fn formula(text: &str) -> Expression {
     text.parse().unwrap_or_else(|error| panic!("formula {text}: {error}"))
+}
+
+/// The part of a message that names the known word nearest to a written one; empty where none is near.
+pub(super) fn did_you_mean<'k>(written: &str, known: impl IntoIterator<Item = &'k str>) -> String {
+    nearest(written, known).map(|near| format!("; did you mean `{near}`?")).unwrap_or_default()
 }
 
 /// All physical quantities are positive, nothing is assumed about a − b.

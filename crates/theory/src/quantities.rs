@@ -2,9 +2,10 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::notation::did_you_mean;
 use crate::{AssumptionsText, Equation, EquationFault};
 
-use slipmode_algebra::{Expression, Symbol, nearest};
+use slipmode_algebra::{Expression, Symbol};
 
 /// What a variable is, with the symbol that stands for it in procedures.
 pub const QUANTITIES: [(&str, &str); 23] = [
@@ -55,10 +56,9 @@ impl Quantities {
             let mut fault =
                 |message| faults.push(EquationFault { key: format!("quantities.{word}"), message });
             let Some(at) = QUANTITIES.iter().position(|(known, _)| known == word) else {
-                let words = || QUANTITIES.iter().map(|(word, _)| *word);
-                let near = nearest(word, words()).map(|near| format!("; did you mean `{near}`?"));
-                let all = words().collect::<Vec<_>>().join(", ");
-                fault(format!("no quantity of a procedure{} (allowed: {all})", near.unwrap_or_default()));
+                let all = QUANTITIES.map(|(word, _)| word);
+                let near = did_you_mean(word, all);
+                fault(format!("no quantity of a procedure{near} (allowed: {})", all.join(", ")));
                 continue;
             };
             if at < POSITIVE && !assumptions.positive.contains(name) {
@@ -101,22 +101,18 @@ impl Quantities {
 
     /// A variable of an equation that is no quantity.
     fn foreign(&self, equation: &Equation) -> Option<Symbol> {
-        let variables = equation.left.variables().into_iter().chain(equation.right.variables());
-        let is_known =
-            |name: &Symbol| self.symbols.contains_key(name.base()) || ["i", "pm"].contains(&name.base());
-        variables.into_iter().find(|name| !is_known(name))
+        let mut variables = equation.left.variables().into_iter().chain(equation.right.variables());
+        variables.find(|name| !self.symbols.contains_key(name.base()) && !["i", "pm"].contains(&name.base()))
     }
 
     fn symbol(&self, name: &Symbol) -> Option<Symbol> {
-        let base = match self.symbols.get(name.base()) {
-            Some(symbol) => (*symbol).to_owned(),
-            None => {
-                let is_taken = QUANTITIES.iter().any(|(_, symbol)| *symbol == name.base());
-                if is_taken { format!("own_{}", name.base()) } else { name.base().to_owned() }
-            }
+        let is_taken = || QUANTITIES.iter().any(|(_, symbol)| *symbol == name.base());
+        let written = match self.symbols.get(name.base()) {
+            Some(symbol) => format!("{symbol}{}", "'".repeat(name.derivative_order())),
+            None if is_taken() => format!("own_{name}"),
+            None => name.to_string(),
         };
-        let primes = "'".repeat(name.derivative_order());
-        format!("{base}{primes}").parse().ok()
+        written.parse().ok()
     }
 }
 

@@ -2,16 +2,16 @@
 
 use slipmode_algebra::{Domain, Expression, Literal, Sign, Symbol};
 use slipmode_theory::lyapunov_sign::{LyapunovSign, ThreeStates};
-use slipmode_theory::planar::{MotionLemma, PlanarSystem};
+use slipmode_theory::planar::MotionLemma;
 
 use super::points::Points;
 use super::{Problem, no_point};
 use crate::claims::Finding;
 use crate::scene::{ClaimMotion, MotionSaid};
 
-/// A statement with the system as the equations say.
+/// A statement as the equations say.
 enum Said {
-    Planar(PlanarSystem, MotionLemma),
+    Planar(MotionLemma),
     Lyapunov(ThreeStates, LyapunovSign, Expression),
 }
 
@@ -27,23 +27,22 @@ impl Problem<'_> {
             ));
         }
         let resolved = |expression: &Expression| self.put_in(expression);
+        let moving = system.map(resolved);
         let said = match &motion.said {
-            MotionSaid::Planar(lemma) => {
-                PlanarSystem::of(system).map(|system| Said::Planar(system.map(resolved), lemma.map(resolved)))
-            }
-            MotionSaid::Lyapunov(lyapunov_sign, frequency) => ThreeStates::of(system).map(|system| {
+            MotionSaid::Planar(lemma) => (moving.state.len() == 2).then(|| Said::Planar(lemma.map(resolved))),
+            MotionSaid::Lyapunov(lyapunov_sign, frequency) => ThreeStates::of(moving.clone()).map(|system| {
                 let lyapunov_sign = match lyapunov_sign {
                     LyapunovSign::Positive => LyapunovSign::Positive,
                     LyapunovSign::Of(sign) => LyapunovSign::Of(resolved(sign)),
                 };
-                Said::Lyapunov(system.map(resolved), lyapunov_sign, resolved(frequency))
+                Said::Lyapunov(system, lyapunov_sign, resolved(frequency))
             }),
         };
         let Some(said) = said else {
             return Finding::not_checked(format!("The lemma is not for {} equations.", system.state.len()));
         };
         let region = match &said {
-            Said::Planar(system, lemma) => lemma.region(system),
+            Said::Planar(lemma) => lemma.region(&moving),
             Said::Lyapunov(..) => None,
         };
         let mut assumed = self.premises.clone();
@@ -61,7 +60,7 @@ impl Problem<'_> {
         let domain = example.into_iter().fold(self.premises.domain(), with);
         let domains = domain.forms(&[]);
         let proof = match said {
-            Said::Planar(system, lemma) => lemma.prove(start, &system, &domains),
+            Said::Planar(lemma) => lemma.prove(start, &moving, &domains),
             Said::Lyapunov(system, lyapunov_sign, frequency) => {
                 system.lyapunov_sign(start, &lyapunov_sign, &frequency, &domains)
             }

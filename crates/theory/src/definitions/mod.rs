@@ -16,8 +16,8 @@ use super::derivation::{
     Form, NOT_A_NAME, Operation, System, Work, derive, is_name, read_condition, read_name,
 };
 use super::names::{Defined, Names, circle, defined_by_equations, distinct, in_order};
+use super::notation::did_you_mean;
 use super::{AssumptionsText, DefinitionText, Equation, EquationFault, FunctionText, SystemText};
-use slipmode_algebra::nearest;
 use slipmode_algebra::{Condition, Domain, Expression, Proof, Symbol};
 
 /// The most definitions of a file, and the most systems.
@@ -195,8 +195,7 @@ impl<'r> Reader<'r> {
         let unknown = domain.conditions().iter().flat_map(|one| one.expression.variables());
         let unknown: BTreeSet<Symbol> = unknown.filter(|name| !self.names.variables.contains(name)).collect();
         for name in unknown {
-            let near = nearest(name.as_str(), self.names.variables.iter().map(Symbol::as_str));
-            let near = near.map(|near| format!("; did you mean `{near}`?")).unwrap_or_default();
+            let near = did_you_mean(name.as_str(), self.names.variables.iter().map(Symbol::as_str));
             self.fault("assumptions.conditions", format!("'{name}' is no variable{near}"));
         }
         let rest = self.rest;
@@ -216,11 +215,12 @@ impl<'r> Reader<'r> {
     }
 
     fn unknown(&self, name: &str, known: &BTreeSet<Symbol>) -> String {
-        let near = nearest(name, known.iter().map(Symbol::as_str));
-        let near = near.map_or_else(
-            || "; `positive` and `free` of [assumptions] list the variables".to_owned(),
-            |near| format!("; did you mean `{near}`?"),
-        );
+        let near = match did_you_mean(name, known.iter().map(Symbol::as_str)) {
+            near if near.is_empty() => {
+                "; `positive` and `free` of [assumptions] list the variables".to_owned()
+            }
+            near => near,
+        };
         format!("'{name}' is no variable and no defined name of equations.toml{near}")
     }
 
@@ -239,11 +239,9 @@ impl<'r> Reader<'r> {
             .filter(|name| !known.contains(*name))
             .map(|name| self.unknown(name.as_str(), &others))
             .collect();
-        if let Some(name) =
-            form.system.as_ref().filter(|name| !self.rest.systems.iter().any(|one| one.name == **name))
-        {
-            let near = nearest(name, systems.keys().map(String::as_str));
-            let near = near.map(|near| format!("; did you mean `{near}`?")).unwrap_or_default();
+        let is_missing = |name: &&String| !self.rest.systems.iter().any(|one| one.name == **name);
+        if let Some(name) = form.system.as_ref().filter(is_missing) {
+            let near = did_you_mean(name, systems.keys().map(String::as_str));
             messages.push(format!("there is no system '{name}'{near}"));
         }
         let variables = form.variables.iter().chain(form.values.iter().map(|(name, _)| name));
@@ -294,21 +292,15 @@ impl<'r> Reader<'r> {
             values: form.values.iter().map(|(name, value)| (name.clone(), resolve(value))).collect(),
             ..form.clone()
         };
-        let system = system.map(|system| self.resolved_system(system));
+        let system = system.map(|system| system.map(resolve));
         let proof = Proof::new(
             &format!("definition-{}", text.name.to_lowercase()),
             format!("{} = {}.", text.name, text.is.trim()),
         );
         let mut work = Work { domain, proof, equations: &sources };
         let found = derive(&resolved, system.as_ref(), &mut work)?;
-        let no_value = |error| format!("has no value under the assumptions: {error}");
-        match work.domain.rational_function(&found) {
-            Err(error) if !error.is_open() => return Err(no_value(error)),
-            _ => {}
-        }
+        work.has_value(&found).map_err(|error| format!("has no value under the assumptions: {error}"))?;
         let proof = Some(work.proof).filter(|proof| !proof.steps.is_empty());
-        let behind: Vec<Expression> = behind.into_iter().cloned().collect();
-        let behind: Vec<&Expression> = behind.iter().collect();
         if let Some(name) = read_name(&text.name) {
             self.names.define(&name, found, &behind, sources.clone(), given, proof);
         }

@@ -45,13 +45,10 @@ impl Reader<'_> {
         let mut side = |place: String, text: &String| -> Expression {
             match Expression::read_in(text, &self.names.functions) {
                 Ok((expression, _)) => {
-                    let unknown: Vec<_> =
-                        expression.variables().into_iter().filter(|name| !known.contains(name)).collect();
-                    messages.extend(
-                        unknown
-                            .iter()
-                            .map(|name| format!("{place} '{text}': {}", self.unknown(name.as_str(), known))),
-                    );
+                    let names = expression.variables().into_iter().filter(|name| !known.contains(name));
+                    let message =
+                        |name: Symbol| format!("{place} '{text}': {}", self.unknown(name.as_str(), known));
+                    messages.extend(names.map(message));
                     expression
                 }
                 Err(error) => {
@@ -60,13 +57,10 @@ impl Reader<'_> {
                 }
             }
         };
-        let numbered = |list: &[String]| -> Vec<(usize, String)> { (1..).zip(list.to_vec()).collect() };
-        let rates: Vec<_> =
-            numbered(&text.rates).iter().map(|(at, text)| side(format!("rate {at}"), text)).collect();
-        let steady: Vec<_> = numbered(&text.steady)
-            .iter()
-            .map(|(at, text)| side(format!("steady value {at}"), text))
-            .collect();
+        let mut all = |what: &str, list: &[String]| -> Vec<Expression> {
+            list.iter().zip(1..).map(|(text, at)| side(format!("{what} {at}"), text)).collect()
+        };
+        let (rates, steady) = (all("rate", &text.rates), all("steady value", &text.steady));
         let state: Vec<Symbol> = text.state.iter().filter_map(|name| read_name(name)).collect();
         if let Some(moving) = steady.iter().flat_map(Expression::variables).find(|name| state.contains(name))
         {
@@ -76,11 +70,6 @@ impl Reader<'_> {
             true => Ok(System { name: text.name.clone(), state, rates, steady }),
             false => Err(messages),
         }
-    }
-
-    pub(super) fn resolved_system(&self, system: &System) -> System {
-        let all = |list: &[Expression]| list.iter().map(|one| self.names.resolved(one)).collect();
-        System { rates: all(&system.rates), steady: all(&system.steady), ..system.clone() }
     }
 
     /// Each system is checked to be at rest at its steady state.
@@ -93,16 +82,11 @@ impl Reader<'_> {
             }
             let given: Vec<Condition> = parts().flat_map(|one| self.names.given_of(one)).cloned().collect();
             let equations: Vec<String> = vec![format!("system {name}")];
-            let resolved = self.resolved_system(&system);
+            let resolved = system.map(|one| self.names.resolved(one));
             let checked = with_conditions(domain.clone(), &given).and_then(|domain| {
                 let mut work = Work { domain, proof: Proof::new(&name, ""), equations: &equations };
                 for rate in &resolved.rates {
-                    match work.domain.rational_function(rate) {
-                        Err(error) if !error.is_open() => {
-                            return Err(format!("a rate has no value: {error}"));
-                        }
-                        _ => {}
-                    }
+                    work.has_value(rate).map_err(|error| format!("a rate has no value: {error}"))?;
                 }
                 resolved.rest(&mut work)
             });

@@ -3,7 +3,8 @@
 use super::system::polynomial;
 use super::work::{Work, expression};
 use slipmode_algebra::{
-    Expression, Function, Polynomial, RationalFunction, Symbol, determinant, discriminant, written_out,
+    Expression, Function, Polynomial, RationalFunction, Symbol, determinant, discriminant, sylvester,
+    written_out,
 };
 
 /// The largest degree of a polynomial in its variable.
@@ -77,14 +78,14 @@ pub(super) fn hurwitz(
     }
     // Row i, column j has the coefficient of x^(n − 2j + i), counted from 1.
     let place = |row: usize, column: usize| (degree + row + 1).checked_sub(2 * (column + 1));
-    let fill = |row: usize, pick: &dyn Fn(usize) -> Polynomial| -> Vec<Polynomial> {
-        (0..order).map(|column| place(row, column).map_or_else(Polynomial::zero, pick)).collect()
-    };
     let (numerators, divisor) = numerators(f, work)?;
     let by_power = numerators.coefficients(x);
     small(&by_power)?;
-    let pick = |power: usize| by_power.get(power).cloned().unwrap_or_default();
-    let matrix: Vec<_> = (0..order).map(|row| fill(row, &pick)).collect();
+    let pick = |row: usize, column: usize| {
+        place(row, column).and_then(|power| by_power.get(power)).cloned().unwrap_or_default()
+    };
+    let matrix: Vec<Vec<_>> =
+        (0..order).map(|row| (0..order).map(|column| pick(row, column)).collect()).collect();
     let over = divisor.pow(u32::try_from(order).unwrap_or(0));
     let found = RationalFunction::new(determinant(&matrix), over).ok_or("a division by zero")?;
     let entry = |row: usize, column: usize| {
@@ -104,45 +105,28 @@ pub(super) fn eliminate(
     x: &Symbol,
     work: &mut Work,
 ) -> Result<Expression, String> {
-    let degrees = [p, q].map(|f| work.coefficients(f, x, 1..=4).map(|parts| parts.len() - 1));
-    let [Ok(left), Ok(right)] = degrees else {
-        return Err(degrees.into_iter().find_map(Result::err).unwrap_or_default());
-    };
+    let [left, right] = [p, q].map(|f| work.coefficients(f, x, 1..=4).map(|parts| parts.len() - 1));
+    let (left, right) = (left?, right?);
     let size = left + right;
     if size > 6 {
         return Err(format!("the degrees in {x} are {left} and {right} (allowed: a sum of at most 6)"));
     }
     let [(above, below), (upper, lower)] = [numerators(p, work)?, numerators(q, work)?];
-    let [above_by_power, upper_by_power] = [&above, &upper].map(|side| side.coefficients(x));
-    small(&above_by_power)?;
-    small(&upper_by_power)?;
-    let row = |parts: &[Polynomial], shift: usize| {
-        let mut row = vec![Polynomial::zero(); size];
-        parts.iter().rev().enumerate().for_each(|(at, part)| row[shift + at].clone_from(part));
-        row
-    };
-    let mut rows: Vec<_> = (0..right).map(|shift| row(&above_by_power, shift)).collect();
-    rows.extend((0..left).map(|shift| row(&upper_by_power, shift)));
+    small(&above.coefficients(x))?;
+    small(&upper.coefficients(x))?;
+    let rows = sylvester(&above, &upper, x);
     // Cramer's rule for the last column: each row times its cofactor there.
     let cofactor = |at: usize| {
-        let minor: Vec<_> = rows
-            .iter()
-            .enumerate()
-            .filter(|(row, _)| *row != at)
-            .map(|(_, row)| row[..size - 1].to_vec())
-            .collect();
-        let minor = determinant(&minor);
+        let others = rows.iter().enumerate().filter(|(row, _)| *row != at);
+        let minor = determinant(&others.map(|(_, row)| row[..size - 1].to_vec()).collect::<Vec<_>>());
         if (at + size) % 2 == 1 { minor } else { -&minor }
     };
     let powers = |from: usize, count: usize| {
-        let term = |shift: usize| {
-            &cofactor(from + shift)
-                * &Polynomial::variable(x).pow(u32::try_from(count - 1 - shift).unwrap_or(0))
-        };
+        let power = |shift: usize| Polynomial::variable(x).pow((count - 1 - shift) as u32);
+        let term = |shift: usize| &cofactor(from + shift) * &power(shift);
         (0..count).map(term).fold(Polynomial::zero(), |sum, part| &sum + &part)
     };
-    let exponent = |degree: usize| u32::try_from(degree).unwrap_or(0);
-    let over = &below.pow(exponent(right)) * &lower.pow(exponent(left));
+    let over = &below.pow(right as u32) * &lower.pow(left as u32);
     let scaled = |found: Polynomial| RationalFunction::new(found, over.clone()).ok_or("a division by zero");
     let a = expression(&scaled(&powers(0, right) * &below)?);
     let b = expression(&scaled(&powers(right, left) * &lower)?);

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::work::{Work, expression};
+use super::work::Work;
 use slipmode_algebra::{Certificate, Condition, End, Expression, Relation, Symbol, Toward};
 
 /// A derivative, the other variables fixed.
@@ -26,11 +26,7 @@ pub(super) fn limit(
 /// The finite limit in normal form.
 fn finite(f: &Expression, x: &Symbol, toward: Toward, work: &Work) -> Result<Expression, String> {
     match work.domain.end(f, x, toward)? {
-        End::Finite(value) => work
-            .domain
-            .rational_function(&value)
-            .map(|value| expression(&value))
-            .map_err(|error| error.to_string()),
+        End::Finite(value) => Ok(Expression::from(&work.rational(&value)?)),
         End::Infinite(_) => Err(format!("{f} has no finite limit in {x}")),
     }
 }
@@ -74,9 +70,13 @@ pub(super) fn exchange(f: &Expression, [x, y]: [&Symbol; 2], work: &mut Work) ->
     if work.domain.is_positive(x) != work.domain.is_positive(y) {
         return Err(format!("one of {x} and {y} is positive and the other is not"));
     }
-    let variable = |name: &Symbol| Expression::Variable(name.clone());
-    let both = BTreeMap::from([(x.clone(), variable(y)), (y.clone(), variable(x))]);
-    work.simplified(&format!("{x} and {y} exchanged"), &f.substitute(&both))
+    work.simplified(&format!("{x} and {y} exchanged"), &exchanged(f, [x, y]))
+}
+
+/// The expression with two variables exchanged.
+pub(crate) fn exchanged(f: &Expression, [x, y]: [&Symbol; 2]) -> Expression {
+    let [to_x, to_y] = [x, y].map(Expression::variable);
+    f.substitute(&BTreeMap::from([(x.clone(), to_y), (y.clone(), to_x)]))
 }
 
 /// Values put in, all at once.

@@ -11,6 +11,7 @@ mod system;
 mod tests;
 mod work;
 
+pub(super) use calculus::exchanged;
 pub use form::{Form, Operation};
 pub(super) use form::{NOT_A_NAME, is_name, read_condition, read_name};
 pub(super) use system::MOST_STATES;

@@ -20,6 +20,18 @@ pub struct System {
 pub(crate) const MOST_STATES: usize = 6;
 
 impl System {
+    /// The system with its rates and steady values changed.
+    #[must_use]
+    pub fn map(&self, change: impl Fn(&Expression) -> Expression) -> Self {
+        let all = |list: &[Expression]| list.iter().map(&change).collect();
+        Self { rates: all(&self.rates), steady: all(&self.steady), ..self.clone() }
+    }
+
+    /// A state variable as an expression.
+    pub(crate) fn variable(&self, index: usize) -> Expression {
+        Expression::variable(&self.state[index])
+    }
+
     /// An expression at the steady state.
     #[must_use]
     pub fn at_rest(&self, expression: &Expression) -> Expression {

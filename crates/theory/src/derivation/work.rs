@@ -24,6 +24,14 @@ impl Work<'_> {
         self.domain.rational_function(expression).map_err(|error| error.to_string())
     }
 
+    /// Refuses what has no value under the assumptions; an open sign or logarithm is no refusal.
+    pub fn has_value(&self, expression: &Expression) -> Result<(), String> {
+        match self.domain.rational_function(expression) {
+            Err(error) if !error.is_open() => Err(error.to_string()),
+            _ => Ok(()),
+        }
+    }
+
     /// Adds the step left = right.
     ///
     /// # Errors
@@ -83,10 +91,9 @@ impl Work<'_> {
             Err(error) => return Err(error.to_string()),
         };
         let simple = expression(&function);
-        if simple == *raw {
-            return Ok(simple);
+        if simple != *raw {
+            self.identity(says, raw, &simple)?;
         }
-        self.identity(says, raw, &simple)?;
         Ok(simple)
     }
 
@@ -118,24 +125,17 @@ impl Work<'_> {
     /// # Errors
     /// When the assumptions do not exclude that it is zero.
     pub fn not_zero(&mut self, says: &str, found: &Expression) -> Result<(), String> {
-        match self.domain.sign(found) {
-            Ok(Some(sign)) => {
-                let (expression, domain) = (found.clone(), self.domain.clone());
-                let certificate = Certificate::Sign { expression, sign, domain };
-                self.step(|proof, equations, _| proof.certify(says, equations, certificate))
-            }
-            _ => {
-                let condition = Condition { expression: found.clone(), relation: Relation::NonZero };
-                match self.domain.proves(&condition) {
-                    // x·(1/x) = 1 is refused where x may be zero.
-                    Ok(true) => {
-                        let one = found.clone() * (Expression::integer(1) / found.clone());
-                        self.identity(says, &one, &Expression::integer(1))
-                    }
-                    _ => Err(format!("'{found}' may be zero: the assumptions do not exclude it")),
-                }
-            }
+        let expression = found.clone();
+        if let Ok(Some(sign)) = self.domain.sign(found) {
+            let certificate = Certificate::Sign { expression, sign, domain: self.domain.clone() };
+            return self.step(|proof, equations, _| proof.certify(says, equations, certificate));
         }
+        if self.domain.proves(&Condition { expression, relation: Relation::NonZero }) != Ok(true) {
+            return Err(format!("'{found}' may be zero: the assumptions do not exclude it"));
+        }
+        // x·(1/x) = 1 is refused where x may be zero.
+        let one = found.clone() * (Expression::integer(1) / found.clone());
+        self.identity(says, &one, &Expression::integer(1))
     }
 }
 

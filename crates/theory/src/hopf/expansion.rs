@@ -46,10 +46,9 @@ pub(crate) fn solve(
     conditions: &Conditions,
     domain: Domain,
 ) -> Result<Domain, Refutation> {
-    let mut parts = Vec::new();
-    for expression in conditions.vanishing {
-        parts.push(rational(proof, equations, expression, &domain)?.numerator().clone());
-    }
+    let vanishing = conditions.vanishing.iter();
+    let parts = vanishing.map(|one| Ok(rational(proof, equations, one, &domain)?.numerator().clone()));
+    let mut parts = parts.collect::<Result<Vec<_>, Refutation>>()?;
     for name in conditions.identically_in {
         parts = parts.iter().flat_map(|part| part.coefficients(&Symbol::from(*name))).collect();
     }

@@ -153,15 +153,9 @@ fn moving(u: &str, w: &str) -> Motion {
 /// What the frequency's change Ω_2 adds to the rates, for rates that were taken at frequency ω.
 fn retimed(motion: &Motion) -> Motion {
     let [_, speed, acceleration, _, evolution] = motion.clone();
-    let relative = formula("Omega_2/omega");
-    let zero = formula("0");
-    [
-        zero.clone(),
-        relative.clone() * speed,
-        formula("2") * relative.clone() * acceleration,
-        zero,
-        relative * evolution,
-    ]
+    let relative = || formula("Omega_2/omega");
+    let twice = formula("2") * relative();
+    [formula("0"), relative() * speed, twice * acceleration, formula("0"), relative() * evolution]
 }
 
 /// The derivative by τ of an expression in C = cos τ and S = sin τ.

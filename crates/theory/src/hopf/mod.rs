@@ -85,35 +85,21 @@ fn compare(
             stated_domain("on the transition where it is not degenerate with the aging law")
         }
     };
-    add_block(proof, "cycle-of-the-normal-form")?
-        .identity(
-            "(κ − κ_c)/A²: both routes agree",
-            used,
-            &cycle.stiffness,
-            &closed_form::stiffness_shift(law),
-            &domain,
-        )?
-        .identity(
-            "(Ω − ω)/A²: both routes agree",
-            used,
-            &cycle.frequency,
-            &closed_form::frequency_shift(law),
-            &domain,
-        )?
-        .identity(
-            "A²/(K/K_c − 1)",
-            used,
-            &(formula("kappa") / cycle.stiffness.clone()),
-            &closed_form::stated("square_amplitude", law),
-            &hyperbolic,
-        )?
-        .identity(
-            "(Ω − ω)/(K/K_c − 1)",
-            used,
-            &(formula("kappa") * cycle.frequency.clone() / cycle.stiffness.clone()),
-            &closed_form::stated("frequency_slope", law),
-            &hyperbolic,
-        )
+    let lindstedt::Cycle { stiffness, frequency } = cycle;
+    let square = formula("kappa") / stiffness.clone();
+    let slope = formula("kappa") * frequency.clone() / stiffness.clone();
+    let [stated_square, stated_slope] =
+        ["square_amplitude", "frequency_slope"].map(|name| closed_form::stated(name, law));
+    let routes = [
+        ("(κ − κ_c)/A²: both routes agree", stiffness, closed_form::stiffness_shift(law), &domain),
+        ("(Ω − ω)/A²: both routes agree", frequency, closed_form::frequency_shift(law), &domain),
+        ("A²/(K/K_c − 1)", &square, stated_square, &hyperbolic),
+        ("(Ω − ω)/(K/K_c − 1)", &slope, stated_slope, &hyperbolic),
+    ];
+    let proof = add_block(proof, "cycle-of-the-normal-form")?;
+    routes.into_iter().try_fold(proof, |proof, (says, derived, stated, domain)| {
+        proof.identity(says, used, derived, &stated, domain)
+    })
 }
 
 #[cfg(test)]

@@ -7,11 +7,7 @@ use slipmode_algebra::{Domain, Expression, Proof, Refutation, Symbol};
 pub(crate) type Vector = [Expression; 3];
 
 /// The Taylor parts of the rates: linear, quadratic (half of B) and cubic (a sixth of C) forms in the state.
-struct Forms {
-    linear: Vector,
-    quadratic: Vector,
-    cubic: Vector,
-}
+type Forms = [Vector; 3];
 
 /// Three equations of first order that rest at the origin, with a pair of roots on the imaginary axis.
 pub(crate) struct Critical<'c> {
@@ -40,27 +36,21 @@ pub(crate) fn coefficient(
     used: &[&str],
     critical: &Critical<'_>,
 ) -> Result<(Proof, Expression), Refutation> {
-    let (proof, forms) = forms(proof, used, critical)?;
-    let (proof, [q, p], domain) = eigenvectors(proof, used, critical, &forms)?;
+    let (proof, [linear, quadratic, cubic]) = forms(proof, used, critical)?;
+    let (proof, [q, p], domain) = eigenvectors(proof, used, critical, &linear)?;
     let conjugate = each(|n| q[n].with("i", &formula("-i")));
-    let source = critical.polar(&forms.quadratic, &q, &conjugate);
-    let zero = formula("0");
-    let mean = Resolvent {
-        names: ["h11_1", "h11_2", "h11_3"],
-        rate: &zero,
-        source,
-        says: "h_11: 0 = A h_11 + B(q, q̄)",
-        critical,
-    };
-    let (proof, h11, domain) = mean.solve(proof, used, &forms, domain)?;
-    let source = each(|n| formula("2") * critical.at(&forms.quadratic[n], &q));
+    let (names, rate) = (["h11_1", "h11_2", "h11_3"], formula("0"));
+    let (source, says) = (critical.polar(&quadratic, &q, &conjugate), "h_11: 0 = A h_11 + B(q, q̄)");
+    let mean = Resolvent { names, rate, source, says, critical, linear: &linear };
+    let (proof, h11, domain) = mean.solve(proof, used, domain)?;
+    let (names, rate) = (["h20_1", "h20_2", "h20_3"], formula("2*i") * critical.frequency.clone());
+    let source = each(|n| formula("2") * critical.at(&quadratic[n], &q));
     let says = "h_20: 2iω h_20 = A h_20 + B(q, q)";
-    let twice = formula("2*i") * critical.frequency.clone();
-    let double = Resolvent { names: ["h20_1", "h20_2", "h20_3"], rate: &twice, source, says, critical };
-    let (proof, h20, domain) = double.solve(proof, used, &forms, domain)?;
-    let cubic = critical.third(&forms.cubic, &q, &conjugate);
-    let direct = critical.polar(&forms.quadratic, &q, &h11);
-    let harmonic = critical.polar(&forms.quadratic, &conjugate, &h20);
+    let double = Resolvent { names, rate, source, says, critical, linear: &linear };
+    let (proof, h20, domain) = double.solve(proof, used, domain)?;
+    let cubic = critical.third(&cubic, &q, &conjugate);
+    let direct = critical.polar(&quadratic, &q, &h11);
+    let harmonic = critical.polar(&quadratic, &conjugate, &h20);
     let sum = each(|n| cubic[n].clone() + formula("2") * direct[n].clone() + harmonic[n].clone());
     let (proof, sum) = simplify(proof, used, "C(q, q, q̄) + 2 B(q, h_11) + B(q̄, h_20)", &sum, &domain)?;
     let value = dot(&p, &sum) / formula("2");
@@ -94,7 +84,7 @@ fn forms(proof: Proof, used: &[&str], critical: &Critical<'_>) -> Result<(Proof,
     let (proof, linear) = part(proof, 1, "linear")?;
     let (proof, quadratic) = part(proof, 2, "quadratic")?;
     let (proof, cubic) = part(proof, 3, "cubic")?;
-    Ok((proof, Forms { linear, quadratic, cubic }))
+    Ok((proof, [linear, quadratic, cubic]))
 }
 
 /// q, and p with ⟨p, q⟩ = 1, certified; the domain gains the values of p.
@@ -104,7 +94,7 @@ fn eigenvectors(
     proof: Proof,
     used: &[&str],
     critical: &Critical<'_>,
-    forms: &Forms,
+    linear: &Vector,
 ) -> Result<(Proof, [Vector; 2], Domain), Refutation> {
     let [q, adjoint] = &critical.eigenvectors;
     let length = dot(adjoint, q);
@@ -112,9 +102,9 @@ fn eigenvectors(
     let (proof, values) = simplify(proof, used, critical.adjoint_says, &scaled, &critical.domain)?;
     let (p, domain) = named(["p_1", "p_2", "p_3"], &values, critical.domain.clone());
     let rate = || formula("i") * critical.frequency.clone();
-    let image = each(|n| critical.at(&forms.linear[n], q));
+    let image = each(|n| critical.at(&linear[n], q));
     let rotated = each(|n| rate() * q[n].clone());
-    let row = dot(&p, &forms.linear);
+    let row = dot(&p, linear);
     let row = each(|n| row.derivative(&Symbol::from(critical.state[n])));
     let turned = each(|n| rate() * p[n].clone());
     let proof = proof
@@ -133,10 +123,11 @@ fn named(names: [&'static str; 3], values: &Vector, domain: Domain) -> (Vector, 
 /// The equation (rate − A) h = source.
 struct Resolvent<'r> {
     names: [&'static str; 3],
-    rate: &'r Expression,
+    rate: Expression,
     source: Vector,
     says: &'r str,
     critical: &'r Critical<'r>,
+    linear: &'r Vector,
 }
 
 impl Resolvent<'_> {
@@ -145,23 +136,22 @@ impl Resolvent<'_> {
         &self,
         proof: Proof,
         used: &[&str],
-        forms: &Forms,
         domain: Domain,
     ) -> Result<(Proof, Vector, Domain), Refutation> {
         let unknown = ["f_1 + i*g_1", "f_2 + i*g_2", "f_3 + i*g_3"].map(formula);
         let conditions = Conditions {
-            vanishing: &self.rest(forms, &unknown),
+            vanishing: &self.rest(&unknown),
             identically_in: &["i"],
             unknowns: &["f_1", "g_1", "f_2", "g_2", "f_3", "g_3"],
         };
         let parts = solve(&proof, used, &conditions, self.critical.domain.clone())?;
         let (h, domain) = named(self.names, &each(|n| parts.substituted(&unknown[n])), domain);
-        let rest = in_basis(&self.rest(forms, &h));
+        let rest = in_basis(&self.rest(&h));
         Ok((proof.identity(self.says, used, &rest, &formula("0"), &domain)?, h, domain))
     }
 
-    fn rest(&self, forms: &Forms, h: &Vector) -> Vector {
-        let image = |n: usize| self.critical.at(&forms.linear[n], h);
+    fn rest(&self, h: &Vector) -> Vector {
+        let image = |n: usize| self.critical.at(&self.linear[n], h);
         each(|n| self.rate.clone() * h[n].clone() - image(n) - self.source[n].clone())
     }
 }

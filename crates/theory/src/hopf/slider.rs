@@ -56,10 +56,8 @@ pub(super) fn derive(
     let derived = physical_rates(equations, law);
     let used = cited(equations, law);
     let [motion] = equations.numbers([Role::Motion]);
-    let mut rates = Vec::new();
-    for rate in &derived {
-        rates.push(simplified(&proof, &used, rate, &by_groups())?);
-    }
+    let rates = derived.iter().map(|rate| simplified(&proof, &used, rate, &by_groups()));
+    let rates = rates.collect::<Result<Vec<_>, _>>()?;
     let says = format!(
         "x = ln X = ln(V/V_0), y = ln Y = ln(V_0 θ/D_c) and ζ = (spring stress/σ − μ_0)/a: their \
          rates (by e_1, e_2, e_3) per time D_c/V_0 with the {} law",

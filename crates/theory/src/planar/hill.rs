@@ -5,7 +5,7 @@ use slipmode_algebra::{Expression, Refutation};
 
 /// Every motion is periodic.
 pub(super) fn periodic(steps: &mut Steps<'_>, quantity: &Expression) -> Result<(), Refutation> {
-    let rate = steps.system.rate(quantity);
+    let rate = steps.system.rate_of(quantity);
     steps.identity("the rate of the quantity along the motion", &rate, &Expression::integer(0))?;
     hilltop(steps, quantity)?;
     // The motion runs along the level lines with this speed: it stops only where the gradient vanishes.
@@ -74,14 +74,13 @@ fn lyapunov(
     zero: &Expression,
     towards: i8,
 ) -> Result<(), Refutation> {
-    let rate = steps.system.rate(quantity);
+    let rate = steps.system.rate_of(quantity);
     let says = "the rate of the quantity along the motion is a factor times a square";
-    let factor = steps.quotient(says, &rate, &zero.clone().power(2))?;
-    let refused =
-        |steps: &Steps<'_>, factor: &Expression| steps.refuse(says, format!("the factor would be {factor}"));
+    let square = zero.clone().power(2);
+    let factor = steps.quotient(says, &rate, &square)?;
     steps
-        .identity(says, &rate, &(factor.clone() * zero.clone().power(2)))
-        .map_err(|_| refused(steps, &factor))?;
+        .identity(says, &rate, &(factor.clone() * square))
+        .map_err(|_| steps.refuse(says, format!("the factor would be {factor}")))?;
     let curvature = hilltop(steps, quantity)?;
     let direction = if towards > 0 { "towards" } else { "away from" };
     let sign = -curvature * towards;
@@ -111,13 +110,10 @@ fn off_the_curve(steps: &mut Steps<'_>, zero: &Expression) -> Result<(), Refutat
     steps.some_sign("the slope of the curve's expression in one variable, so that each value of the other has one point of the curve,", &slope)?;
     let on_curve = steps.quotient(says, &-rest, &slope)?;
     let name = &system.state[solved];
-    let leaving = system.rate(zero).with(name, &on_curve);
-    let steady =
-        system.steady.as_ref().ok_or_else(|| steps.refuse(says, "the system has no steady state".into()))?;
-    let distance = system.variable(1 - solved) - steady[1 - solved].clone();
+    let leaving = system.rate_of(zero).with(name, &on_curve);
+    let distance = system.variable(1 - solved) - steps.steady(says)?[1 - solved].clone();
     let says = "the rate at which a motion leaves the curve is a factor times the distance from the steady state along it";
-    let factor = steps.quotient(says, &leaving, &distance)?;
-    steps.identity(says, &leaving, &(factor.clone() * distance))?;
+    let factor = steps.multiple(says, &leaving, &distance)?;
     steps.some_sign("that factor", &factor).map(|_| ())
 }
 
@@ -126,9 +122,7 @@ fn off_the_curve(steps: &mut Steps<'_>, zero: &Expression) -> Result<(), Refutat
 fn hilltop(steps: &mut Steps<'_>, quantity: &Expression) -> Result<i8, Refutation> {
     let says = "the quantity has its extreme value at the steady state";
     let system = steps.system;
-    let steady =
-        system.steady.as_ref().ok_or_else(|| steps.refuse(says, "the system has no steady state".into()))?;
-    let values = system.state.iter().cloned().zip(steady.clone()).collect();
+    let steady = steps.steady(says)?;
     let zero = Expression::integer(0);
     let slopes = [0, 1].map(|index| steps.slope(quantity, index));
     for index in [0, 1] {
@@ -138,12 +132,12 @@ fn hilltop(steps: &mut Steps<'_>, quantity: &Expression) -> Result<i8, Refutatio
         }
         steps.identity(
             &format!("the rate of {name} at the steady state"),
-            &system.rates[index].substitute(&values),
+            &system.at_rest(&system.rates[index]),
             &zero,
         )?;
         steps.identity(
             &format!("the slope of the quantity along {name} there"),
-            &slopes[index].substitute(&values),
+            &system.at_rest(&slopes[index]),
             &zero,
         )?;
     }

@@ -12,19 +12,8 @@ mod region;
 mod steps;
 
 use super::System;
-use slipmode_algebra::{Domain, Expression, Proof, Refutation, Symbol};
+use slipmode_algebra::{Domain, Expression, Proof, Refutation};
 use steps::Steps;
-
-/// Two equations of first order.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct PlanarSystem {
-    /// The two state variables.
-    pub state: [Symbol; 2],
-    /// Their rates.
-    pub rates: [Expression; 2],
-    /// Where the rates vanish, if the system has a steady state.
-    pub steady: Option<[Expression; 2]>,
-}
 
 slipmode_algebra::named! {
     /// The lemmas, by what they conclude.
@@ -79,45 +68,6 @@ pub struct MotionLemma {
     expressions: Vec<Expression>,
 }
 
-impl PlanarSystem {
-    /// A system of two equations.
-    #[must_use]
-    pub fn of(system: &System) -> Option<Self> {
-        let both = [&system.rates, &system.steady].map(|list| <[Expression; 2]>::try_from(list.clone()).ok());
-        let [rates, steady] = both;
-        Some(Self { state: system.state.clone().try_into().ok()?, rates: rates?, steady })
-    }
-
-    /// The rate of an expression along the motion.
-    #[must_use]
-    pub fn rate(&self, expression: &Expression) -> Expression {
-        self.gradient(expression)
-            .into_iter()
-            .zip(&self.rates)
-            .fold(Expression::integer(0), |sum, (slope, rate)| sum + slope * rate.clone())
-    }
-
-    /// The system with each of its expressions changed.
-    #[must_use]
-    pub fn map(&self, change: impl Fn(&Expression) -> Expression) -> Self {
-        let changed = |both: &[Expression; 2]| both.each_ref().map(&change);
-        Self {
-            state: self.state.clone(),
-            rates: changed(&self.rates),
-            steady: self.steady.as_ref().map(changed),
-        }
-    }
-
-    fn gradient(&self, expression: &Expression) -> [Expression; 2] {
-        [0, 1].map(|index| expression.derivative(&self.state[index]))
-    }
-
-    /// A state variable as an expression.
-    fn variable(&self, index: usize) -> Expression {
-        Expression::Variable(self.state[index].clone())
-    }
-}
-
 impl MotionLemma {
     /// The lemma with its expressions in the order of their words.
     #[must_use]
@@ -127,7 +77,7 @@ impl MotionLemma {
 
     /// The region in which a hypothesis is used, as an expression that is positive there.
     #[must_use]
-    pub fn region(&self, system: &PlanarSystem) -> Option<Expression> {
+    pub fn region(&self, system: &System) -> Option<Expression> {
         match (self.word, &self.expressions[..]) {
             (MotionWord::Runaway | MotionWord::Deceleration, [region, ..]) => Some(region.clone()),
             (MotionWord::Escape, [_, _, threshold, _]) => {
@@ -154,13 +104,13 @@ impl MotionLemma {
     ///
     /// # Errors
     /// The hypothesis that is refused, with what remains of it. The claim may be true for another reason.
-    pub fn prove(
-        &self,
-        start: Proof,
-        system: &PlanarSystem,
-        domains: &[Domain],
-    ) -> Result<Proof, Refutation> {
+    pub fn prove(&self, start: Proof, system: &System, domains: &[Domain]) -> Result<Proof, Refutation> {
         let mut steps = Steps::new(start, system, domains);
+        if system.state.len() != 2 {
+            return Err(
+                steps.refuse("the system has two equations", format!("it has {}", system.state.len()))
+            );
+        }
         match (self.word, &self.expressions[..]) {
             (MotionWord::Periodic, [quantity]) => hill::periodic(&mut steps, quantity)?,
             (MotionWord::Attraction, [quantity, zero]) => hill::attraction(&mut steps, quantity, zero)?,

@@ -16,8 +16,7 @@ pub(super) fn late_deceleration(
         return Err(steps.refuse(&says, "a state variable is free".into()));
     }
     let product = system.variable(falls) * system.variable(other);
-    let factor = steps.quotient(&says, quantity, &product)?;
-    steps.identity(&says, quantity, &(factor.clone() * product))?;
+    let factor = steps.multiple(&says, quantity, &product)?;
     steps.positive_constant("that constant is positive", &factor)?;
     // The quantity w as a parameter of the certificates.
     let ratio = steps.fresh();
@@ -33,7 +32,7 @@ pub(super) fn late_deceleration(
         let back = in_ratio.with(&ratio, quantity);
         steps.identity(&says, &expression, &back).map(|()| in_ratio)
     };
-    let relative = system.rate(quantity) / quantity.clone();
+    let relative = system.rate_of(quantity) / quantity.clone();
     let fall = by_itself(
         steps,
         format!("{x} times the rate of ln w depends on w alone"),

@@ -102,7 +102,7 @@ pub(super) fn unbounded(
 
 /// The expression of a region rises in the region.
 fn stays(steps: &mut Steps<'_>, region: &Expression) -> Result<(), Refutation> {
-    let rate = steps.system.rate(region);
+    let rate = steps.system.rate_of(region);
     steps.sign_where("in the region, the rate of the region's expression", region, &rate, 1)
 }
 

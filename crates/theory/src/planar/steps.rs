@@ -1,6 +1,6 @@
 //! The steps that the lemmas share.
 
-use super::PlanarSystem;
+use crate::System;
 use crate::notation::first_success;
 use slipmode_algebra::{
     Certificate, Domain, Expression, Proof, RationalFunction, Refutation, Relation, Symbol,
@@ -9,12 +9,12 @@ use slipmode_algebra::{
 /// A proof that grows, the system it is about, and the forms of the domain in which a step may be certified.
 pub(super) struct Steps<'a> {
     pub proof: Proof,
-    pub system: &'a PlanarSystem,
+    pub system: &'a System,
     domains: &'a [Domain],
 }
 
 impl<'a> Steps<'a> {
-    pub fn new(proof: Proof, system: &'a PlanarSystem, domains: &'a [Domain]) -> Self {
+    pub fn new(proof: Proof, system: &'a System, domains: &'a [Domain]) -> Self {
         Self { proof, system, domains }
     }
 
@@ -49,12 +49,8 @@ impl<'a> Steps<'a> {
         expression: &Expression,
         sign: i8,
     ) -> Result<(), Refutation> {
-        self.sign_in(
-            says,
-            expression,
-            sign,
-            self.domains.iter().flat_map(|domain| self.inside(domain, region)).collect(),
-        )
+        let domains = self.domains.iter().flat_map(|domain| self.inside(domain, region)).collect();
+        self.sign_in(says, expression, sign, domains)
     }
 
     /// Adds the step that an expression is of one sign, and returns the sign.
@@ -99,6 +95,23 @@ impl<'a> Steps<'a> {
         let quotient = self.rational(says, left)?.checked_div(&self.rational(says, right)?);
         let quotient = quotient.ok_or_else(|| self.refuse(says, format!("{right} is zero everywhere")))?;
         Ok(Expression::from(&quotient))
+    }
+
+    /// Shows that the left side is a factor times the right one, and gives the factor.
+    pub fn multiple(
+        &mut self,
+        says: &str,
+        left: &Expression,
+        right: &Expression,
+    ) -> Result<Expression, Refutation> {
+        let factor = self.quotient(says, left, right)?;
+        self.identity(says, left, &(factor.clone() * right.clone())).map(|()| factor)
+    }
+
+    /// The values of the state variables at the steady state.
+    pub fn steady(&self, says: &str) -> Result<&'a [Expression], Refutation> {
+        let steady = Some(&self.system.steady[..]).filter(|steady| !steady.is_empty());
+        steady.ok_or_else(|| self.refuse(says, "the system has no steady state".into()))
     }
 
     /// The rate of a coordinate: of the logarithm of a positive variable, of a free variable itself.

@@ -2,27 +2,32 @@
 
 use super::*;
 use crate::notation::formula;
-use slipmode_algebra::Relation;
+use slipmode_algebra::{Relation, Symbol};
 
 /// What the sliders without mass conserve at the critical stiffness.
 const HILL: &str = "ln(V) - V*theta/L - K*V_l*theta/A + (K*L/A + 1)*ln(theta)";
 
-fn system(state: [&'static str; 2], rates: [&str; 2], steady: Option<[&str; 2]>) -> PlanarSystem {
-    let steady = steady.map(|steady| steady.map(formula));
-    PlanarSystem { state: state.map(Symbol::from), rates: rates.map(formula), steady }
+fn system(state: [&'static str; 2], rates: [&str; 2], steady: Option<[&str; 2]>) -> System {
+    let steady = steady.map_or_else(Vec::new, |steady| steady.map(formula).into());
+    System {
+        name: String::new(),
+        state: state.map(Symbol::from).into(),
+        rates: rates.map(formula).into(),
+        steady,
+    }
 }
 
-fn loaded() -> PlanarSystem {
+fn loaded() -> System {
     let rates = ["V*(K*(V_l - V) - B*(1/theta - V/L))/A", "1 - V*theta/L"];
     system(["V", "theta"], rates, Some(["V_l", "L/V_l"]))
 }
 
-fn at_rest() -> PlanarSystem {
+fn at_rest() -> System {
     system(["V", "theta"], ["V*(-K*V - B*(1/theta - V/L))/A", "1 - V*theta/L"], None)
 }
 
 /// The slip law with g = ln(V θ/L) in place of θ.
-fn slip_law() -> PlanarSystem {
+fn slip_law() -> System {
     let rates = ["V*(K*(V_l - V) + B*V*g/L)/A", "(K*(V_l - V) + B*V*g/L)/A - V*g/L"];
     system(["V", "g"], rates, Some(["V_l", "0"]))
 }
@@ -56,14 +61,14 @@ fn soft(example: &[(&'static str, &str)]) -> Vec<Domain> {
     domains("B - A - K*L", ["B", "A + K*L + gap"], example)
 }
 
-fn prove(lemma: &MotionLemma, system: &PlanarSystem, domains: &[Domain]) -> Result<Proof, Refutation> {
+fn prove(lemma: &MotionLemma, system: &System, domains: &[Domain]) -> Result<Proof, Refutation> {
     let proof = lemma.prove(Proof::new("motion", "How it moves."), system, domains)?;
     assert_eq!(proof.recheck(), Ok(()));
     assert!(!proof.is_certified(), "the conclusion is argued");
     Ok(proof)
 }
 
-fn critical(system: &PlanarSystem) -> PlanarSystem {
+fn critical(system: &System) -> System {
     system.map(|expression| expression.with("B", &formula("A + K*L")))
 }
 

@@ -67,40 +67,26 @@ fn lemma(degree: usize) -> Result<Proof, Refutation> {
         &format!("crossing-pair-of-degree-{degree}"),
         "±iω are roots exactly when real and imaginary part of the polynomial vanish there; with c2 ≠ 0 the other root is not on the \
          axis. By implicit differentiation the slope of the pair's real part is −Re(∂P/∂K conj ∂P/∂s)/|∂P/∂s|².",
-    )
-    .identity(
-        "real and imaginary part at iω",
-        &[],
-        &at_root.with("s", &imaginary),
-        &none_above(formula("(c_0 - c_2*omega^2) + i*omega*(c_1 - c_3*omega^2)")),
-        &Domain::default(),
-    )?
-    .identity("∂P/∂K conj ∂P/∂s at iω", &[], &(by_parameter * conjugate), &(rate + rest), &Domain::default())?;
+    );
+    let parts = none_above(formula("(c_0 - c_2*omega^2) + i*omega*(c_1 - c_3*omega^2)"));
     let on_pair = |one: Expression| {
         one.with("c_0", &formula("c_2*omega^2")).with("c_1", &none_above(formula("c_3*omega^2")))
     };
-    match degree {
-        3 => proof
-            .identity(
-                "where both vanish the third root is −c2/c3, or there is none",
-                &[],
-                &on_pair(at_root),
-                &formula("(s^2 + omega^2)*(c_3*s + c_2)"),
-                &Domain::default(),
-            )?
-            .identity(
-                "and ∂P/∂s at iω is not zero for ω ≠ 0, c2 ≠ 0: its imaginary part is 2 c2 ω",
-                &[],
-                &on_pair(by_root).with("s", &imaginary),
-                &formula("-2*c_3*omega^2 + i*2*c_2*omega"),
-                &Domain::default(),
-            ),
-        _ => proof.identity(
-            "where both vanish the polynomial is c2 (s² + ω²), with a slope 2 c2 iω that is not zero",
-            &[],
-            &on_pair(at_root),
-            &formula("c_2*(s^2 + omega^2)"),
-            &Domain::default(),
-        ),
+    let mut steps = vec![
+        ("real and imaginary part at iω", at_root.with("s", &imaginary), parts),
+        ("∂P/∂K conj ∂P/∂s at iω", by_parameter * conjugate, rate + rest),
+    ];
+    if degree == 3 {
+        let says = "where both vanish the third root is −c2/c3, or there is none";
+        steps.push((says, on_pair(at_root), formula("(s^2 + omega^2)*(c_3*s + c_2)")));
+        let says = "and ∂P/∂s at iω is not zero for ω ≠ 0, c2 ≠ 0: its imaginary part is 2 c2 ω";
+        let slope = on_pair(by_root).with("s", &imaginary);
+        steps.push((says, slope, formula("-2*c_3*omega^2 + i*2*c_2*omega")));
+    } else {
+        let says = "where both vanish the polynomial is c2 (s² + ω²), with a slope 2 c2 iω that is not zero";
+        steps.push((says, on_pair(at_root), formula("c_2*(s^2 + omega^2)")));
     }
+    steps.iter().try_fold(proof, |proof, (says, left, right)| {
+        proof.identity(says, &[], left, right, &Domain::default())
+    })
 }

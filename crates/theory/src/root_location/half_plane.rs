@@ -11,27 +11,15 @@ type Even = (&'static [&'static str], &'static str, Option<&'static str>);
 
 /// Of degree 4 to 6: what is positive exactly when all roots have negative real parts, by the names of the coefficients and of
 /// determinants, and the cases with even powers.
-fn rule(degree: usize) -> (&'static [&'static str], &'static [Even]) {
+fn rule(degree: usize) -> (&'static str, &'static [Even]) {
     match degree {
-        4 => (
-            &["c_0", "c_1", "c_3", "determinant_of_quartic"],
-            &[(&["c_1", "c_3"], "c_2^2 - 4*c_0*c_4", None)],
-        ),
+        4 => ("c_0 c_1 c_3 determinant_of_quartic", &[(&["c_1", "c_3"], "c_2^2 - 4*c_0*c_4", None)]),
         5 => (
-            &["c_0", "c_2", "c_4", "first_determinant_of_quintic", "second_determinant_of_quintic"],
+            "c_0 c_2 c_4 first_determinant_of_quintic second_determinant_of_quintic",
             &[(&["first_determinant_of_quintic", "c_1*c_4 - c_0*c_5"], "c_3^2 - 4*c_1*c_5", None)],
         ),
         _ => (
-            &[
-                "c_0",
-                "c_1",
-                "c_2",
-                "c_3",
-                "c_4",
-                "c_5",
-                "first_determinant_of_sextic",
-                "second_determinant_of_sextic",
-            ],
+            "c_0 c_1 c_2 c_3 c_4 c_5 first_determinant_of_sextic second_determinant_of_sextic",
             &[
                 (
                     &["c_1", "c_3", "c_5"],
@@ -61,7 +49,7 @@ pub(super) fn stable(coefficients: &[Expression]) -> Vec<Expression> {
             vec![c0.clone(), c1.clone(), c2.clone(), hurwitz]
         }
         [_, lower @ ..] => {
-            rule(lower.len()).0.iter().map(|text| of_coefficients(text, coefficients)).collect()
+            rule(lower.len()).0.split(' ').map(|name| of_coefficients(name, coefficients)).collect()
         }
     }
 }
@@ -73,8 +61,8 @@ pub(super) fn unstable(coefficients: &[Expression]) -> SignFormula {
         return SignFormula::Any(stable(coefficients).iter().map(below_zero).collect());
     }
     let (conditions, even) = rule(lower.len());
-    let determinants = conditions.iter().filter(|text| text.contains("determinant"));
-    let determinants = determinants.map(|text| of_coefficients(text, coefficients));
+    let determinants = conditions.split(' ').filter(|name| name.contains("determinant"));
+    let determinants = determinants.map(|name| of_coefficients(name, coefficients));
     let negative = lower.iter().cloned().chain(determinants).map(|one| below_zero(&one));
     let even = even.iter().map(|(zero, negative, positive)| {
         let sign = |text: &&str, sign| SignFormula::sign(&of_coefficients(text, coefficients), sign);

@@ -64,14 +64,13 @@ impl RootStatement {
         let vanishing = SignFormula::All(vec![SignFormula::sign(leading, Sign::Zero), self.signs(lower)]);
         let with_leading = match self {
             Self::AllReal => {
-                let discriminant = match coefficients.len() {
-                    3 => Some("discriminant_of_quadratic"),
-                    4 => Some("discriminant_of_cubic"),
-                    _ => None,
-                };
                 let not_negative =
                     |name| SignFormula::sign(&of_coefficients(name, coefficients), Sign::NonNegative);
-                let signs = discriminant.map_or(SignFormula::All(Vec::new()), not_negative);
+                let signs = match coefficients.len() {
+                    3 => not_negative("discriminant_of_quadratic"),
+                    4 => not_negative("discriminant_of_cubic"),
+                    _ => SignFormula::All(Vec::new()),
+                };
                 vec![SignFormula::All(vec![SignFormula::sign(leading, Sign::NonZero), signs])]
             }
             _ => {

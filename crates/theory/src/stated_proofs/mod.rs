@@ -63,15 +63,14 @@ impl StatedProofs {
             }
         }
         for file in files {
-            for (text, is_block) in
-                file.block.iter().map(|one| (one, true)).chain(file.proof.iter().map(|one| (one, false)))
-            {
-                let kind = if is_block { "block" } else { "proof" };
-                faults.under(&format!("{kind} {}", text.id), |faults| {
-                    let read = StatedProof::read(text, faults);
-                    let known = if is_block { &mut all.blocks } else { &mut all.proofs };
-                    faults.once(known.insert(text.id.clone(), read).is_some());
-                });
+            let kinds = [("block", file.block, &mut all.blocks), ("proof", file.proof, &mut all.proofs)];
+            for (kind, texts, known) in kinds {
+                for text in texts {
+                    faults.under(&format!("{kind} {}", text.id), |faults| {
+                        let read = StatedProof::read(&text, faults);
+                        faults.once(known.insert(text.id.clone(), read).is_some());
+                    });
+                }
             }
         }
         for (key, proof) in all.blocks.iter().chain(&all.proofs) {

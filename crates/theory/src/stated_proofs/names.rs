@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use slipmode_algebra::{Domain, Expression, Proof, Symbol};
 
 use super::super::Equation;
-use super::super::derivation::{Operation, Work, derive, read_name};
+use super::super::derivation::{Operation, Work, derive, exchanged, read_name};
 use super::super::names::circle;
 use super::{Faults, StatedProof, StatedProofs};
 
@@ -64,9 +64,8 @@ impl<'p> Named<'p> {
     pub fn new(all: &'p StatedProofs, proof: &'p StatedProof, equations: &[&'p Equation]) -> Self {
         let mut sides = BTreeMap::new();
         for equation in equations {
-            for (side, expression) in equation.sides() {
-                sides.insert(format!("{side}_{}", equation.word()), (expression, equation.number.as_str()));
-            }
+            let number = equation.number.as_str();
+            sides.extend(equation.sides().map(|(name, expression)| (name, (expression, number))));
         }
         let order = equations.iter().map(|equation| equation.number.as_str()).collect();
         Self { all, proof, sides, order }
@@ -118,14 +117,11 @@ impl<'p> Named<'p> {
         for (_, value) in &mut form.values {
             *value = meant(value)?;
         }
-        let variable = |name: &Symbol| Expression::Variable(name.clone());
         let found = match (form.operation, &form.expressions[..], &form.variables[..]) {
             (None, [f], _) => f.clone(),
             (Some(Operation::At), [f], _) => f.substitute(&form.values.iter().cloned().collect()),
             (Some(Operation::Derivative), [f], [x]) => f.derivative(x),
-            (Some(Operation::Exchange), [f], [x, y]) => {
-                f.substitute(&BTreeMap::from([(x.clone(), variable(y)), (y.clone(), variable(x))]))
-            }
+            (Some(Operation::Exchange), [f], [x, y]) => exchanged(f, [x, y]),
             _ => {
                 let over = self.all.domain(&self.proof.over, self)?;
                 let in_domain = |domain: Domain| {

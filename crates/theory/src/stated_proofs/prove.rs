@@ -60,25 +60,25 @@ impl StatedProofs {
     /// The numbers of the equations that a proof reaches, in the order of the file.
     #[must_use]
     pub fn reached<'e>(&self, id: &str, equations: &'e Equations) -> Vec<&'e str> {
-        let mut sides = BTreeSet::new();
-        self.proofs.get(id).into_iter().for_each(|proof| self.sides_of(proof, 0, &mut sides));
-        let is_reached = |equation: &&Equation| {
-            equation.sides().iter().any(|(side, _)| sides.contains(&format!("{side}_{}", equation.word())))
-        };
+        let sides = self.sides(id);
+        let is_reached = |equation: &&Equation| equation.sides().iter().any(|(name, _)| sides.contains(name));
         equations.iter().filter(is_reached).map(|equation| equation.number.as_str()).collect()
     }
 
     /// What a proof names and the file does not have: a sentence for each.
     #[must_use]
     pub fn missing(&self, id: &str, equations: &Equations) -> Vec<String> {
+        let known: BTreeSet<String> =
+            equations.iter().flat_map(Equation::sides).map(|(name, _)| name).collect();
+        let missing = &self.sides(id) - &known;
+        missing.into_iter().map(|side| format!("there is no equation for the name `{side}`")).collect()
+    }
+
+    /// The names of sides of equations that a proof rests on.
+    fn sides(&self, id: &str) -> BTreeSet<String> {
         let mut sides = BTreeSet::new();
         self.proofs.get(id).into_iter().for_each(|proof| self.sides_of(proof, 0, &mut sides));
-        for equation in equations.iter() {
-            for (side, _) in equation.sides() {
-                sides.remove(&format!("{side}_{}", equation.word()));
-            }
-        }
-        sides.into_iter().map(|side| format!("there is no equation for the name `{side}`")).collect()
+        sides
     }
 
     /// The sides of equations that a proof names, by its steps, their domains, and what both refer to.
