@@ -13,7 +13,7 @@
 //! s u_1 times a number in s(ℓT_1 ± |ℓT_2| γ_2 ± |ℓT_3| γ_3).
 
 use crate::interval::{Interval, generously_up, worse};
-use crate::linear::{Square, apply, inverse, multiply, points};
+use crate::linear::{Square, apply, inverse, multiply, norm, points};
 use slipmode_core::roots::{Pair, bounded_roots};
 
 /// The sides γ_i over what the state, and the coupling of the modes, need at least.
@@ -114,23 +114,15 @@ fn determinant(m: &[[f64; 3]; 3]) -> f64 {
 
 /// A vector that the matrix less the eigenvalue nearly maps to zero: the longest product of two of its rows, at length one.
 fn eigenvector(matrix: &[[f64; 3]; 3], rate: f64) -> [f64; 3] {
-    let row = |i: usize| -> [f64; 3] {
-        let shifted: [f64; 3] =
-            std::array::from_fn(|j| if i == j { matrix[i][j] - rate } else { matrix[i][j] });
-        unit(shifted)
-    };
-    let rows = [row(0), row(1), row(2)];
+    let shifted = |i: usize, j: usize| if i == j { matrix[i][j] - rate } else { matrix[i][j] };
+    let rows = [0, 1, 2].map(|i| unit(std::array::from_fn(|j| shifted(i, j))));
     let products = [(0, 1), (0, 2), (1, 2)].map(|(i, j)| cross(rows[i], rows[j]));
-    let longest = products.into_iter().max_by(|a, b| length(a).total_cmp(&length(b)));
+    let longest = products.into_iter().max_by(|a, b| norm(a).total_cmp(&norm(b)));
     unit(longest.unwrap_or_default())
 }
 
-fn length(v: &[f64; 3]) -> f64 {
-    v.iter().map(|c| c * c).sum::<f64>().sqrt()
-}
-
 fn unit(v: [f64; 3]) -> [f64; 3] {
-    let length = length(&v);
+    let length = norm(&v);
     v.map(|c| c / length)
 }
 

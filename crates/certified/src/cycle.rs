@@ -2,7 +2,7 @@
 
 use crate::guess::{Guess, guess};
 use crate::interval::{Interval, generously_up, up, worse};
-use crate::linear::{Square, apply, multiply, points};
+use crate::linear::{Square, apply, multiply, points, unit};
 use crate::manifold::Manifold;
 use crate::motion::{CrossingSet, Motion, States};
 use crate::observed::Observed;
@@ -130,10 +130,9 @@ impl Test {
     /// Newton's steps, with a box that is a point but for ψ.
     fn correct(&mut self, constants: &Constants) -> Result<(), Reason> {
         let is_tube = |i: usize| self.found.is_on_slow_manifold && i == 1;
-        let map = self.map(constants);
         let mut radius = [0.0; COORDINATES];
         for _ in 0..CORRECTIONS {
-            let (crossing, _) = map.image(self.found.point, radius)?;
+            let (crossing, _) = self.found.image(constants, radius, self.longest)?;
             let value = krawczyk(&crossing, &self.centre(), radius);
             let change = value.map(|c| c.mid);
             radius = std::array::from_fn(|i| if is_tube(i) { 2.0 * value[i].magnitude() } else { 0.0 });
@@ -168,18 +167,13 @@ impl Test {
         Err(Reason::NotContained)
     }
 
-    fn map<'c>(&self, constants: &'c Constants) -> ReturnMap<'c> {
-        let Guess { section, is_on_slow_manifold: is_slow, .. } = self.found;
-        ReturnMap { constants, section, is_slow, longest: self.longest }
-    }
-
     /// The return of the box, and Krawczyk's operator.
     fn mapped(
         &self,
         constants: &Constants,
     ) -> Result<(CrossingSet, Observed, [Interval; COORDINATES]), Reason> {
         let radius = self.radius();
-        let (crossing, observed) = self.map(constants).image(self.found.point, radius)?;
+        let (crossing, observed) = self.found.image(constants, radius, self.longest)?;
         let value = krawczyk(&crossing, &self.centre(), radius);
         Ok((crossing, observed, value))
     }
@@ -242,23 +236,21 @@ impl Test {
 }
 
 /// The return map of an upward crossing of a section.
-struct ReturnMap<'c> {
-    constants: &'c Constants,
-    section: f64,
-    is_slow: bool,
-    longest: f64,
-}
-
-impl ReturnMap<'_> {
-    /// The image of a box around a point.
-    fn image(&self, point: [f64; 2], radius: [f64; COORDINATES]) -> Result<(CrossingSet, Observed), Reason> {
-        let mut motion = Motion::new(self.constants, States::Inertial(self.start(point, radius)), MOST_STEPS);
-        motion.may_stick = self.is_slow;
-        motion.longest = self.longest;
+impl Guess {
+    /// The image of a box around the point.
+    fn image(
+        &self,
+        constants: &Constants,
+        radius: [f64; COORDINATES],
+        longest: f64,
+    ) -> Result<(CrossingSet, Observed), Reason> {
+        let mut motion = Motion::new(constants, States::Inertial(self.start(constants, radius)), MOST_STEPS);
+        motion.may_stick = self.is_on_slow_manifold;
+        motion.longest = longest;
         loop {
             if let Some(crossing) = motion.advance(Some(self.section))? {
                 let ends_slow = matches!(motion.states, States::Stuck(..));
-                if ends_slow != self.is_slow {
+                if ends_slow != self.is_on_slow_manifold {
                     return Err(Reason::LeftTheTube);
                 }
                 return Ok((crossing, motion.observed));
@@ -266,15 +258,15 @@ impl ReturnMap<'_> {
         }
     }
 
-    fn start(&self, [y, force]: [f64; 2], radius: [f64; COORDINATES]) -> Set<3> {
+    fn start(&self, constants: &Constants, radius: [f64; COORDINATES]) -> Set<3> {
         let (zero, one) = (Interval::ZERO, Interval::ONE);
         let section = radius.map(Interval::symmetric);
-        let [x, y] = [self.section, y].map(Interval::point);
-        if !self.is_slow {
-            return Set::new(section, [x, y, Interval::point(force)], [[zero; 2], [one, zero], [zero, one]]);
+        let [x, y, force] = [self.section, self.point[0], self.point[1]].map(Interval::point);
+        if !self.is_on_slow_manifold {
+            return Set::new(section, [x, y, force], [[zero; 2], [one, zero], [zero, one]]);
         }
-        let centre = Manifold::over(self.constants, &[x, y]);
-        let whole = Manifold::over(self.constants, &[x, y.widened(radius[0])]);
+        let centre = Manifold::over(constants, &[x, y]);
+        let whole = Manifold::over(constants, &[x, y.widened(radius[0])]);
         let force = centre.inertia * centre.rate;
         let slope = whole.inertia * whole.rate_gradient[1];
         Set::new(section, [x, y, force], [[zero; 2], [one, zero], [slope, whole.inertia]])
@@ -289,13 +281,12 @@ fn krawczyk(
     centre: &[f64; COORDINATES],
     radius: [f64; COORDINATES],
 ) -> [Interval; COORDINATES] {
-    let one = |i: usize, j: usize| if i == j { Interval::ONE } else { Interval::ZERO };
-    let slope: Square<COORDINATES> =
-        std::array::from_fn(|i| std::array::from_fn(|j| one(i, j) - crossing.derivative[i][j]));
+    let less = |from: Square<COORDINATES>, other: &Square<COORDINATES>| -> Square<COORDINATES> {
+        std::array::from_fn(|i| std::array::from_fn(|j| from[i][j] - other[i][j]))
+    };
+    let slope = less(unit(), &crossing.derivative);
     let inverse = points(&inverse(&slope.map(|row| row.map(|entry| entry.mid))));
-    let product = multiply(&inverse, &slope);
-    let rest: Square<COORDINATES> =
-        std::array::from_fn(|i| std::array::from_fn(|j| one(i, j) - product[i][j]));
+    let rest = less(unit(), &multiply(&inverse, &slope));
     let moved = std::array::from_fn(|i| crossing.centre[i] - Interval::point(centre[i]));
     let newton = apply(&inverse, &moved);
     let of_box = apply(&rest, &radius.map(Interval::symmetric));

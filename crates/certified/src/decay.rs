@@ -48,28 +48,12 @@ pub(super) fn certify(constants: &Constants, start: Start, units: &Units) -> Res
     })
 }
 
-/// Bounds of all that follows: of x, ζ and −ζ.
-struct Bounds {
-    x: f64,
-    highest: f64,
-    lowest: f64,
-}
-
-impl Bounds {
-    /// Whether what follows cannot widen the enclosures by more than [`NEGLIGIBLE`].
-    fn are_seen(&self, observed: &Observed) -> bool {
-        let [highest, lowest] = observed.least_extremes();
-        let is_seen = |bound: f64, seen: f64| bound <= worse(seen, NEGLIGIBLE);
-        is_seen(self.x, observed.peak()[0]) && is_seen(self.highest, highest) && is_seen(self.lowest, lowest)
-    }
-}
-
-/// What the whole motion shows, if what follows from here on cannot widen it much.
+/// What the whole motion shows, if what follows from here on cannot widen the enclosures by more than [`NEGLIGIBLE`].
 fn completed(motion: &Motion<'_>, ellipsoid: &Ellipsoid) -> Option<Observed> {
-    let bounds = captured(motion, ellipsoid).filter(|bounds| bounds.are_seen(&motion.observed))?;
-    let mut observed = motion.observed.clone();
-    observed.rest(bounds.x, [bounds.highest, bounds.lowest]);
-    Some(observed)
+    let bounds = captured(motion, ellipsoid)?;
+    let seen = motion.observed.least_extremes();
+    let are_seen = bounds.iter().zip(seen).all(|(bound, seen)| *bound <= worse(seen, NEGLIGIBLE));
+    are_seen.then(|| motion.observed.clone().with_rest(bounds))
 }
 
 /// x, y and F/η of all states.
@@ -93,18 +77,17 @@ fn extremes(constants: &Constants) -> [[Interval; 3]; 3] {
     [[Interval::ONE, Interval::ZERO, Interval::ZERO], stress, stress.map(|c| -c)]
 }
 
-/// Bounds of x and ζ from here on, when every state lies inside the ellipsoid or a cone.
-fn captured(motion: &Motion<'_>, ellipsoid: &Ellipsoid) -> Option<Bounds> {
+/// Bounds of x, ζ and −ζ from here on, when every state lies inside the ellipsoid or a cone.
+fn captured(motion: &Motion<'_>, ellipsoid: &Ellipsoid) -> Option<[f64; 3]> {
     let z = coordinates(motion);
     // Nearly along the slowest mode x and ζ keep their signs.
     if let Some(cone) = ellipsoid.cone(motion.constants, &z) {
-        let [x, highest, lowest] = extremes(motion.constants).map(|form| cone.largest(&form));
-        return Some(Bounds { x, highest, lowest });
+        return Some(extremes(motion.constants).map(|form| cone.largest(&form)));
     }
     let [x, y, w] = ellipsoid.reach_from(&z)?;
     let Constants { inertia, effect_ratio, .. } = motion.constants;
     let stress = generously_up(x + effect_ratio.magnitude() * y + inertia.magnitude() * w);
-    Some(Bounds { x, highest: stress, lowest: stress })
+    Some([x, stress, stress])
 }
 
 /// x, y and F at V = V_l/10.
@@ -177,13 +160,9 @@ mod tests {
                     }
                     let [x, highest, lowest] = member.largest;
                     let holds = |bound: f64, value: f64| value <= bound * (1.0 + 1e-9) + 1e-15;
-                    assert!(holds(bounds.x, x), "{slider:?} {state:?} {x} {}", bounds.x);
-                    assert!(
-                        holds(bounds.highest, highest),
-                        "{slider:?} {state:?} {highest} {}",
-                        bounds.highest
-                    );
-                    assert!(holds(bounds.lowest, lowest), "{slider:?} {state:?} {lowest} {}", bounds.lowest);
+                    assert!(holds(bounds[0], x), "{slider:?} {state:?} {x} {}", bounds[0]);
+                    assert!(holds(bounds[1], highest), "{slider:?} {state:?} {highest} {}", bounds[1]);
+                    assert!(holds(bounds[2], lowest), "{slider:?} {state:?} {lowest} {}", bounds[2]);
                 }
             }
         }
@@ -249,7 +228,7 @@ mod tests {
                 let motion = Motion::new(&constants, states, 1);
                 let Some(bounds) = captured(&motion, &ellipsoid) else { continue };
                 captures[usize::from(is_stuck)] += 1;
-                by_cone += usize::from(bounds.highest != bounds.lowest);
+                by_cone += usize::from(bounds[1] != bounds[2]);
                 for corner in 0..9_u32 {
                     let sign = |i: u32| {
                         if corner == 8 {
@@ -269,18 +248,15 @@ mod tests {
                     };
                     let stress = force + x + slider.effect_ratio * y;
                     let holds = |bound: f64, value: f64| value <= bound * (1.0 + 1e-9) + 1e-15;
-                    assert!(holds(bounds.x, x), "{slider:?} {at:?} {radius:?} {x} {}", bounds.x);
-                    assert!(holds(bounds.highest, stress), "{slider:?} {at:?} {stress} {}", bounds.highest);
-                    assert!(holds(bounds.lowest, -stress), "{slider:?} {at:?} {stress} {}", bounds.lowest);
+                    assert!(holds(bounds[0], x), "{slider:?} {at:?} {radius:?} {x} {}", bounds[0]);
+                    assert!(holds(bounds[1], stress), "{slider:?} {at:?} {stress} {}", bounds[1]);
+                    assert!(holds(bounds[2], -stress), "{slider:?} {at:?} {stress} {}", bounds[2]);
                     // A hair inside, for the rounding of this state.
                     let inside = [x, y, force].map(|c| Interval::point(c * (1.0 - 1e-9)));
                     let state = [inside[0], inside[1], inside[2] * constants.inertia.reciprocal()];
                     let is_inside = ellipsoid.reach_from(&state).is_some();
                     // A cone bounds ζ from both sides by different numbers.
-                    assert!(
-                        is_inside || bounds.highest != bounds.lowest,
-                        "{slider:?} {at:?} {radius:?} {corner}"
-                    );
+                    assert!(is_inside || bounds[1] != bounds[2], "{slider:?} {at:?} {radius:?} {corner}");
                 }
                 break;
             }
@@ -312,8 +288,8 @@ mod tests {
                         );
                         let mut motion = Motion::new(&constants, States::Inertial(set), 1);
                         motion.observed.state(Interval::ZERO, Interval::ZERO);
-                        let bounds = captured(&motion, &ellipsoid).unwrap();
-                        by_cone += usize::from(bounds.highest != bounds.lowest);
+                        let [_, highest, lowest] = captured(&motion, &ellipsoid).unwrap();
+                        by_cone += usize::from(highest != lowest);
                         let observed = completed(&motion, &ellipsoid).unwrap();
                         let mut member = slider.member(state);
                         (0..4000).for_each(|_| member = slider.step(member, 0.02));
@@ -326,11 +302,8 @@ mod tests {
                             "{slider:?} {state:?} {highest} {lowest} {drop}"
                         );
                         // Each end counts alone.
-                        let [above, below] = [[0.0, 1.0], [1.0, 0.0]].map(|rest| {
-                            let mut observed = observed.clone();
-                            observed.rest(0.0, rest);
-                            observed.stress_drop()[1] - 1.0
-                        });
+                        let [above, below] = [[0.0, 0.0, 1.0], [0.0, 1.0, 0.0]]
+                            .map(|rest| observed.clone().with_rest(rest).stress_drop()[1] - 1.0);
                         assert!(above >= highest - 1e-14 && below >= lowest - 1e-14, "{slider:?} {state:?}");
                     }
                 }
@@ -403,15 +376,15 @@ mod tests {
                         else {
                             continue;
                         };
-                        if bounds.highest == bounds.lowest {
+                        if bounds[1] == bounds[2] {
                             continue;
                         }
                         by_cone += 1;
                         let stress = force + x + 1.5 * y;
                         let holds = |bound: f64, value: f64| value <= bound * (1.0 + 1e-9) + 1e-16;
-                        assert!(holds(bounds.x, x), "{slider:?} {member:?} {}", bounds.x);
-                        assert!(holds(bounds.highest, stress), "{slider:?} {stress} {}", bounds.highest);
-                        assert!(holds(bounds.lowest, -stress), "{slider:?} {stress} {}", bounds.lowest);
+                        assert!(holds(bounds[0], x), "{slider:?} {member:?} {}", bounds[0]);
+                        assert!(holds(bounds[1], stress), "{slider:?} {stress} {}", bounds[1]);
+                        assert!(holds(bounds[2], -stress), "{slider:?} {stress} {}", bounds[2]);
                         if x.abs() < 1e-9 {
                             break;
                         }

@@ -58,13 +58,15 @@ pub(super) struct Frame<const N: usize> {
     pub inverse: Square<N>,
 }
 
+/// The unit matrix.
+pub(super) fn unit<const N: usize>() -> Square<N> {
+    std::array::from_fn(|i| std::array::from_fn(|j| if i == j { Interval::ONE } else { Interval::ZERO }))
+}
+
 impl<const N: usize> Frame<N> {
     /// The unit vectors.
     pub fn identity() -> Self {
-        let unit: Square<N> = std::array::from_fn(|i| {
-            std::array::from_fn(|j| if i == j { Interval::ONE } else { Interval::ZERO })
-        });
-        Self { columns: unit, inverse: unit }
+        Self { columns: unit(), inverse: unit() }
     }
 
     /// Gram-Schmidt, twice, on the columns of a matrix in the order of their lengths times `weights`.
@@ -105,31 +107,26 @@ pub(super) fn largest_row<const N: usize, const M: usize>(matrix: &[[Interval; M
     matrix.iter().map(|row| generously_up(row.iter().map(|entry| entry.magnitude()).sum())).fold(0.0, worse)
 }
 
-fn norm<const N: usize>(v: &[f64; N]) -> f64 {
+pub(super) fn norm<const N: usize>(v: &[f64; N]) -> f64 {
     v.iter().map(|c| c * c).sum::<f64>().sqrt()
 }
 
 /// The unit vector of the part of a vector that is orthogonal to others; none where rounding leaves nothing of it.
-fn orthogonal_part<const N: usize>(mut v: [f64; N], others: &[[f64; N]]) -> Option<[f64; N]> {
-    let before = norm(&v);
-    // A vector of extreme length is brought to about one first.
-    let scale = 1.0 / before;
-    v = v.map(|c| c * scale);
-    for _ in 0..2 {
-        for other in others {
+fn orthogonal_part<const N: usize>(v: [f64; N], others: &[[f64; N]]) -> Option<[f64; N]> {
+    let projected = |v: [f64; N]| {
+        others.iter().fold(v, |v, other| {
             let along: f64 = v.iter().zip(other).map(|(a, b)| a * b).sum();
-            v = std::array::from_fn(|i| v[i] - along * other[i]);
-        }
-    }
+            std::array::from_fn(|i| v[i] - along * other[i])
+        })
+    };
+    // A vector of extreme length is brought to about one first.
+    let scale = 1.0 / norm(&v);
+    let v = projected(projected(v.map(|c| c * scale)));
     let left = norm(&v);
     if !(left > 1e-12) {
         return None;
     }
-    let mut unit = v.map(|c| c / left);
-    for other in others {
-        let along: f64 = unit.iter().zip(other).map(|(a, b)| a * b).sum();
-        unit = std::array::from_fn(|i| unit[i] - along * other[i]);
-    }
+    let unit = projected(v.map(|c| c / left));
     let length = norm(&unit);
     Some(unit.map(|c| c / length))
 }

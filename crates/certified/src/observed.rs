@@ -22,10 +22,6 @@ impl Maximum {
     pub fn at_most(&mut self, bound: f64) {
         self.high = worse(self.high, bound);
     }
-
-    const fn interval(self) -> [f64; 2] {
-        [self.low, self.high]
-    }
 }
 
 /// One state on the boundary of a step.
@@ -61,15 +57,6 @@ impl Passed {
     }
 }
 
-/// A short time, before or after now.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Wait {
-    pub x: Interval,
-    pub stress: Interval,
-    pub stress_change: Interval,
-    pub duration: Interval,
-}
-
 /// What a motion has shown so far.
 #[derive(Debug, Clone)]
 pub(super) struct Observed {
@@ -94,10 +81,11 @@ impl Observed {
     }
 
     /// Bounds of x, of ζ and of −ζ for all that follows.
-    pub fn rest(&mut self, x: f64, [highest, lowest]: [f64; 2]) {
+    pub fn with_rest(mut self, [x, highest, lowest]: [f64; 3]) -> Self {
         self.peak.at_most(x);
         self.highest_stress.at_most(highest);
         self.lowest_stress.at_most(lowest);
+        self
     }
 
     /// Notes a step.
@@ -107,44 +95,38 @@ impl Observed {
         }
         self.peak.at_most(highest(step));
         if step.x.may_contain(0.0) {
-            let change = stress_beyond_ends(step);
-            let ends = step.start.stress.hull(step.end.stress);
-            match change {
-                Some((moment, change)) => {
-                    self.highest_stress.at_most((moment.stress.upper() + change).next_up());
-                    self.lowest_stress.at_most((change - moment.stress.lower()).next_up());
-                }
+            let (stress, change) = match stress_beyond_ends(step) {
+                Some((moment, change)) => (moment.stress, change),
                 None => {
-                    let change = generously_up(
-                        step.loading.magnitude() * (Interval::ONE - step.x.exp()).magnitude() * step.length,
-                    );
-                    self.highest_stress.at_most((ends.upper() + change).next_up());
-                    self.lowest_stress.at_most((change - ends.lower()).next_up());
+                    let rate = step.loading.magnitude() * (Interval::ONE - step.x.exp()).magnitude();
+                    (step.start.stress.hull(step.end.stress), generously_up(rate * step.length))
                 }
-            }
+            };
+            self.highest_stress.at_most((stress.upper() + change).next_up());
+            self.lowest_stress.at_most((change - stress.lower()).next_up());
         }
         self.duration = self.duration + step.duration;
     }
 
     /// Notes a short time in which x may rise or fall.
-    pub fn wait(&mut self, wait: Wait) {
-        self.peak.at_most(wait.x.upper());
-        if wait.x.may_contain(0.0) {
-            let stress = wait.stress.widened(wait.stress_change.magnitude());
+    pub fn wait(&mut self, x: Interval, [stress, change]: [Interval; 2], duration: Interval) {
+        self.peak.at_most(x.upper());
+        if x.may_contain(0.0) {
+            let stress = stress.widened(change.magnitude());
             self.highest_stress.at_most(stress.upper());
             self.lowest_stress.at_most(-stress.lower());
         }
-        self.duration = self.duration + wait.duration;
+        self.duration = self.duration + duration;
     }
 
     /// Lower and upper bound of the largest x.
     pub const fn peak(&self) -> [f64; 2] {
-        self.peak.interval()
+        [self.peak.low, self.peak.high]
     }
 
     /// Lower bounds of the largest ζ and of the largest −ζ.
-    pub const fn least_extremes(&self) -> [f64; 2] {
-        [self.highest_stress.low, self.lowest_stress.low]
+    pub const fn least_extremes(&self) -> [f64; 3] {
+        [self.peak.low, self.highest_stress.low, self.lowest_stress.low]
     }
 
     /// Lower and upper bound of the largest less the least ζ.
@@ -337,7 +319,7 @@ mod tests {
         observed.state(Interval { mid: 1.0, rad: 0.5 }, Interval { mid: 2.0, rad: 0.25 });
         let [low, high] = observed.peak();
         assert!((0.49..=0.5).contains(&low) && (1.5..1.51).contains(&high), "{low} {high}");
-        let [highest, lowest] = observed.least_extremes();
+        let [_, highest, lowest] = observed.least_extremes();
         assert!((1.74..=1.75).contains(&highest) && (-2.26..=-2.25).contains(&lowest), "{highest} {lowest}");
     }
 
@@ -346,16 +328,12 @@ mod tests {
     fn waits_and_the_rest_of_a_run_are_observed() {
         let mut observed = Observed::new();
         observed.state(Interval::point(-1.0), Interval::point(0.0));
-        observed.wait(Wait {
-            x: Interval { mid: 0.0, rad: 0.1 },
-            stress: Interval { mid: 0.0, rad: 0.5 },
-            stress_change: Interval::symmetric(0.25),
-            duration: Interval::symmetric(0.125),
-        });
+        let [x, stress, change, duration] = [0.1, 0.5, 0.25, 0.125].map(Interval::symmetric);
+        observed.wait(x, [stress, change], duration);
         let holds = |[low, high]: [f64; 2], ends: [f64; 2]| low <= ends[0] && ends[1] <= high;
         assert!(holds(observed.peak(), [-1.0, 0.1]) && holds(observed.stress_drop(), [0.0, 1.5]));
         assert!(observed.duration.lower() <= -0.125 && observed.duration.upper() >= 0.125);
-        observed.rest(1.0, [2.0, 3.0]);
+        let observed = observed.with_rest([1.0, 2.0, 3.0]);
         assert!(holds(observed.peak(), [-1.0, 1.0]) && holds(observed.stress_drop(), [0.0, 5.0]));
     }
 }

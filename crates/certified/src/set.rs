@@ -4,7 +4,7 @@
 //! value problems*, 1987).
 
 use crate::interval::{Interval, worse};
-use crate::linear::{Frame, Square, apply, multiply};
+use crate::linear::{Frame, Square, apply, multiply, unit};
 
 /// The coordinates of the section.
 pub(super) const COORDINATES: usize = 2;
@@ -86,11 +86,9 @@ impl<const N: usize> Set<N> {
         extra: &Derivative<M>,
     ) -> Set<M> {
         let moved = multiply(slope, &self.frame.columns);
-        let padded: Square<M> = std::array::from_fn(|i| {
-            std::array::from_fn(|j| {
-                moved[i].get(j).copied().unwrap_or(if i == j { Interval::ONE } else { Interval::ZERO })
-            })
-        });
+        let unit: Square<M> = unit();
+        let padded =
+            std::array::from_fn(|i| std::array::from_fn(|j| *moved[i].get(j).unwrap_or(&unit[i][j])));
         self.seen_in(Frame::of(&padded, [1.0; M]), image, &moved, extra)
     }
 

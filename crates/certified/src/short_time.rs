@@ -5,7 +5,7 @@
 
 use crate::Reason;
 use crate::interval::{Interval, generously_up};
-use crate::linear::{Frame, Square, apply};
+use crate::linear::{Square, apply, unit};
 use crate::manifold::{Manifold, Tube};
 
 /// The largest t = ‖J‖τ. Below it e^t < 1.65.
@@ -60,7 +60,7 @@ impl<const N: usize, T> ShortTime<N, T> {
 
     /// I − f nᵀ/(n·f), for all rates f.
     pub fn projection(&self) -> Square<N> {
-        let (one, inverse) = (Frame::<N>::identity().columns, along(&self.normal, &self.rates).reciprocal());
+        let (one, inverse) = (unit::<N>(), along(&self.normal, &self.rates).reciprocal());
         let removed = |i: usize, j: usize| self.rates[i] * self.normal[j] * inverse;
         std::array::from_fn(|i| std::array::from_fn(|j| one[i][j] - removed(i, j)))
     }

@@ -4,10 +4,9 @@
 
 use crate::inertial::Inertial;
 use crate::interval::{Interval, generously_up};
-use crate::linear::{Frame, largest_row, multiply};
+use crate::linear::{largest_row, multiply, unit};
 use crate::manifold::{Manifold, Tube};
 use crate::motion::Motion;
-use crate::observed::Wait;
 use crate::set::{COORDINATES, Set};
 use crate::short_time::{ShortStick, ShortTime, along};
 use crate::sticking::LastStep;
@@ -31,12 +30,8 @@ impl Motion<'_> {
         let Constants { inertia, stiffness, .. } = *self.constants;
         let (x, time) = (short.during[0], Interval::symmetric(short.time));
         let velocity = x.exp();
-        self.observed.wait(Wait {
-            x,
-            stress: self.moment(&hull).stress,
-            stress_change: stiffness * inertia * velocity * (Interval::ONE - velocity) * time,
-            duration: time * inertia * velocity,
-        });
+        let change = stiffness * inertia * velocity * (Interval::ONE - velocity) * time;
+        self.observed.wait(x, [self.moment(&hull).stress, change], time * inertia * velocity);
         Some(moved)
     }
 
@@ -61,12 +56,9 @@ impl Motion<'_> {
         let moved = shifted_slowly(set, &short).ok()?;
         let (x, time) = (short.during[0], Interval::symmetric(short.time));
         let (manifold, tube) = &short.around;
-        self.observed.wait(Wait {
-            x,
-            stress: self.slow_moment(&hull, manifold, tube.distance).stress,
-            stress_change: self.constants.stiffness * (Interval::ONE - x.exp()) * time,
-            duration: time,
-        });
+        let change = self.constants.stiffness * (Interval::ONE - x.exp()) * time;
+        let stress = self.slow_moment(&hull, manifold, tube.distance).stress;
+        self.observed.wait(x, [stress, change], time);
         Some(moved)
     }
 }
@@ -78,7 +70,7 @@ impl Motion<'_> {
 pub(super) fn shifted_slowly(set: &Set<2>, short: &ShortStick) -> Result<(Set<2>, Tube), Reason> {
     let (manifold, tube) = &short.around;
     let (turning, tube_rate) = (short.turning(manifold.largest_slope)?, manifold.tube_rate(tube.distance));
-    let turned = Frame::<2>::identity().columns.map(|row| row.map(|c| c.widened(turning)));
+    let turned = unit::<2>().map(|row| row.map(|c| c.widened(turning)));
     let gained = [tube.slopes.map(|slope| Interval::symmetric(generously_up(1.65 * short.time * slope))); 2];
     let removed = short.projection();
     let (slope, extra) = (multiply(&removed, &turned), multiply(&removed, &gained));

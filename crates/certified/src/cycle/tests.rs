@@ -263,10 +263,10 @@ fn the_start_of_a_return_holds_each_point_of_its_box() {
         let members = sliders.map(|slider| (slider.constants(), both)).into_iter();
         for (constants, over) in members.chain([(slider.constants(), slider.constants())]) {
             let (section, point, radius) = (-0.5, [0.8, 0.01], [0.0, 0.02]);
-            let map = ReturnMap { constants: &over, section, is_slow: true, longest: LONGEST };
+            let from = Guess { section, point, is_on_slow_manifold: true };
             let rate = Manifold::over(&constants, &[section, point[0]].map(Interval::point)).rate.mid;
             let force = slider.inertia * libm::exp(section) * rate;
-            let start = map.start(point, radius);
+            let start = from.start(&over, radius);
             assert!(
                 start.at_centre()[2].widened(1e-14).may_contain(force),
                 "{force} {:?}",
@@ -280,8 +280,8 @@ fn the_start_of_a_return_holds_each_point_of_its_box() {
             (0.0, [0.5, 0.3], [0.0, 0.3]),
         ] {
             for is_slow in [true, false] {
-                let map = ReturnMap { constants: &constants, section, is_slow, longest: LONGEST };
-                let set = map.start(point, radius);
+                let from = Guess { section, point, is_on_slow_manifold: is_slow };
+                let set = from.start(&constants, radius);
                 let (hull, derivative, at_centre) = (set.hull(), set.derivative(), set.at_centre());
                 let force = |p: [f64; 2]| {
                     if !is_slow {
@@ -338,8 +338,8 @@ fn a_return_that_ends_off_the_slow_manifold_is_refused_there() {
     for law in EvolutionLaw::ALL {
         let constants = Slider { inertia: 0.5, stiffness: 0.3, effect_ratio: 1.5, law }.constants();
         let image = |is_slow: bool, point: [f64; 2]| {
-            ReturnMap { constants: &constants, section: 0.0, is_slow, longest: LONGEST }
-                .image(point, [1e-9; 2])
+            let from = Guess { section: 0.0, point, is_on_slow_manifold: is_slow };
+            from.image(&constants, [1e-9; 2], LONGEST)
         };
         assert!(image(false, [0.0, 0.2]).is_ok());
         assert_eq!(image(true, [0.3, 0.0]).map(|_| ()), Err(Reason::LeftTheTube));
