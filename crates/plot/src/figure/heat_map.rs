@@ -193,23 +193,17 @@ impl HeatMap {
 
     fn legend_entries(&self) -> Vec<Entry<'_>> {
         let mut entries = legend_entries(&self.lines);
-        entries.push(Entry {
-            label: self.colours.contour_label.clone(),
-            key: Box::new(|svg, (x, y)| {
-                let brightest = palette::value_colour(self.steps() - 1, self.steps());
-                svg.rect((x - 1.0, y - 7.0), (KEY_WIDTH - 5.0, 14.0), &[("fill", brightest.as_str())]);
-                let data = line_data(&[(x, y), (x + KEY_WIDTH - 7.0, y)]);
-                svg.leaf("path", &[("d", data.as_str()), ("stroke", CONTOUR[0]), ("stroke-width", "1")]);
-            }),
-        });
-        entries.push(Entry {
-            label: self.zero_label.clone(),
-            key: Box::new(|svg, (x, y)| {
-                let attributes =
-                    [("class", "zero-key"), ("fill", palette::PLATE), ("stroke", palette::FAINT_INK)];
-                svg.rect((x + 3.0, y - 7.0), (KEY_WIDTH - 13.0, 14.0), &attributes);
-            }),
-        });
+        entries.push(Entry::new(&self.colours.contour_label, |svg, (x, y)| {
+            let brightest = palette::value_colour(self.steps() - 1, self.steps());
+            svg.rect((x - 1.0, y - 7.0), (KEY_WIDTH - 5.0, 14.0), &[("fill", brightest.as_str())]);
+            let data = line_data(&[(x, y), (x + KEY_WIDTH - 7.0, y)]);
+            svg.leaf("path", &[("d", data.as_str()), ("stroke", CONTOUR[0]), ("stroke-width", "1")]);
+        }));
+        entries.push(Entry::new(&self.zero_label, |svg, (x, y)| {
+            let attributes =
+                [("class", "zero-key"), ("fill", palette::PLATE), ("stroke", palette::FAINT_INK)];
+            svg.rect((x + 3.0, y - 7.0), (KEY_WIDTH - 13.0, 14.0), &attributes);
+        }));
         entries
     }
 }

@@ -132,24 +132,20 @@ impl LayeredGraph {
     fn legend_entries(&self) -> Vec<Entry<'_>> {
         let boxes = self.looks.iter().enumerate();
         let used = boxes.filter(|(index, _)| self.nodes.iter().any(|node| node.look == *index));
-        let curves = Entry {
-            label: self.curve_words.clone(),
-            key: Box::new(|svg: &mut Svg, (x, y): Point| {
-                let data = line_data(&[(x, y), (x + KEY_WIDTH - 8.0, y)]);
-                svg.leaf("path", &curve_attributes(&data));
-            }),
-        };
+        let curves = Entry::new(&self.curve_words, |svg, (x, y)| {
+            let data = line_data(&[(x, y), (x + KEY_WIDTH - 8.0, y)]);
+            svg.leaf("path", &curve_attributes(&data));
+        });
         used.map(|(_, look)| legend_entry(look)).chain(std::iter::once(curves)).collect()
     }
 }
 
 fn legend_entry(look: &BoxLook) -> Entry<'_> {
-    let key = move |svg: &mut Svg, (x, y): Point| {
+    Entry::new(&look.words, move |svg, (x, y)| {
         svg.open("g", &[("class", &format!("node {}", look.class))]);
         draw_box(svg, (x, y), (KEY_WIDTH - 10.0, 14.0), look);
         svg.close();
-    };
-    Entry { label: look.words.clone(), key: Box::new(key) }
+    })
 }
 
 /// A box with the middle of its left side at a point.

@@ -17,14 +17,20 @@ const ROW: f64 = 22.0;
 const GAP: f64 = 20.0;
 
 /// Draws a sample at a point.
-pub(crate) type Key<'a> = Box<dyn Fn(&mut Svg, Point) + 'a>;
+type Key<'a> = Box<dyn Fn(&mut Svg, Point) + 'a>;
 
 /// One entry: a sample drawn around a point, and its words.
 pub(crate) struct Entry<'a> {
     /// Words in figure markup.
-    pub label: String,
+    label: String,
     /// Draws the sample, given the left end of its middle line; it is [`KEY_WIDTH`] − 6 wide.
-    pub key: Key<'a>,
+    key: Key<'a>,
+}
+
+impl<'a> Entry<'a> {
+    pub fn new(label: &str, key: impl Fn(&mut Svg, Point) + 'a) -> Self {
+        Self { label: label.to_owned(), key: Box::new(key) }
+    }
 }
 
 /// Rows of entries that fit a width.

@@ -75,13 +75,13 @@ impl LineChart {
     }
 
     fn legend_entries(&self) -> Vec<Entry<'_>> {
-        let bands = self.bands().enumerate().map(|(index, (_, label))| Entry {
-            label: label.clone(),
-            key: Box::new(move |svg: &mut Svg, (x, y): Point| {
+        let key = |index| {
+            move |svg: &mut Svg, (x, y): Point| {
                 let (class, fill) = band_look(index);
                 svg.rect((x + 3.0, y - 7.0), (KEY_WIDTH - 13.0, 14.0), &[("class", &class), ("fill", fill)]);
-            }),
-        });
+            }
+        };
+        let bands = self.bands().enumerate().map(|(index, (_, label))| Entry::new(label, key(index)));
         series_entries(&self.series).into_iter().chain(bands).collect()
     }
 }

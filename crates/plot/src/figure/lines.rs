@@ -102,21 +102,19 @@ fn looks(all: &[Series]) -> impl Iterator<Item = (Look, &Series)> {
 }
 
 /// Legend entries of the series.
-pub(super) fn series_entries(all: &[Series]) -> Vec<Entry<'_>> {
-    looks(all)
-        .map(|(look, series)| Entry {
-            label: series.label.clone(),
-            key: Box::new(move |svg: &mut Svg, (x, y): Point| {
-                let end = x + KEY_WIDTH - 7.0;
-                look.open(svg);
-                if series.joined {
-                    look.stroke(svg, &line_data(&[(x, y), (end, y)]));
-                }
-                draw_markers(svg, look, &[((x + end) / 2.0, y)]);
-                svg.close();
-            }),
+pub(super) fn series_entries<'s>(all: &'s [Series]) -> Vec<Entry<'s>> {
+    let entry = |(look, series): (Look, &'s Series)| {
+        Entry::new(&series.label, move |svg, (x, y)| {
+            let end = x + KEY_WIDTH - 7.0;
+            look.open(svg);
+            if series.joined {
+                look.stroke(svg, &line_data(&[(x, y), (end, y)]));
+            }
+            draw_markers(svg, look, &[((x + end) / 2.0, y)]);
+            svg.close();
         })
-        .collect()
+    };
+    looks(all).map(entry).collect()
 }
 
 /// Draws reference lines, the series over them, and the references' words over both.

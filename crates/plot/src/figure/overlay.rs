@@ -185,39 +185,29 @@ fn draw_stroke(svg: &mut Svg, role: LineRole, (tag, name, value): (&str, &str, &
     let casing_class = format!("{class}-casing");
     let passes = [(casing_class.as_str(), casing, casing_width), (class, colour, width)];
     for (class, colour, width) in passes {
-        svg.leaf(
-            tag,
-            &[
-                ("class", class),
-                (name, value),
-                ("stroke", colour),
-                ("stroke-width", width),
-                ("stroke-dasharray", dash),
-            ],
-        );
+        let shape = [("class", class), (name, value)];
+        let stroke = [("stroke", colour), ("stroke-width", width), ("stroke-dasharray", dash)];
+        svg.leaf(tag, &[&shape[..], &stroke].concat());
     }
 }
 
 /// Legend entries of the lines, one for each label.
 pub(crate) fn legend_entries(lines: &[Line]) -> Vec<Entry<'_>> {
-    lines
-        .iter()
-        .map(|line| Entry {
-            label: line.label.clone(),
-            key: Box::new(move |svg, (x, y)| {
-                // A dark page would turn casing and line around; the sample keeps the map's own ground.
-                let plate = [("class", "key-plate"), ("fill", palette::PLATE)];
-                svg.rect((x - 1.0, y - 7.0), (KEY_WIDTH - 5.0, 14.0), &plate);
-                let right = x + KEY_WIDTH - 7.0;
-                if matches!(line.role, LineRole::BoundaryBand | LineRole::TransitionBand) {
-                    let corners = [(x, y - 5.0), (right, y - 5.0), (right, y + 5.0), (x, y + 5.0)];
-                    fill_band(svg, line.role, ("path", "d", &outline_data(&corners)));
-                } else {
-                    draw_stroke(svg, line.role, ("path", "d", &line_data(&[(x, y), (right, y)])));
-                }
-            }),
-        })
-        .collect()
+    let key = |role: LineRole| {
+        move |svg: &mut Svg, (x, y): Point| {
+            // A dark page would turn casing and line around; the sample keeps the map's own ground.
+            let plate = [("class", "key-plate"), ("fill", palette::PLATE)];
+            svg.rect((x - 1.0, y - 7.0), (KEY_WIDTH - 5.0, 14.0), &plate);
+            let right = x + KEY_WIDTH - 7.0;
+            if matches!(role, LineRole::BoundaryBand | LineRole::TransitionBand) {
+                let corners = [(x, y - 5.0), (right, y - 5.0), (right, y + 5.0), (x, y + 5.0)];
+                fill_band(svg, role, ("path", "d", &outline_data(&corners)));
+            } else {
+                draw_stroke(svg, role, ("path", "d", &line_data(&[(x, y), (right, y)])));
+            }
+        }
+    };
+    lines.iter().map(|line| Entry::new(&line.label, key(line.role))).collect()
 }
 
 /// Draws marked points, then their labels.

@@ -87,10 +87,8 @@ impl RangeChart {
     }
 
     fn legend_entries(&self) -> Vec<Entry<'_>> {
-        let entry = |(level, words): (usize, &String)| Entry {
-            label: words.clone(),
-            key: Box::new(move |svg: &mut Svg, at: Point| draw_bar(svg, at, (KEY_WIDTH - 8.0, 14.0), level))
-                as Box<_>,
+        let entry = |(level, words): (usize, &String)| {
+            Entry::new(words, move |svg, at| draw_bar(svg, at, (KEY_WIDTH - 8.0, 14.0), level))
         };
         self.levels.iter().enumerate().map(entry).collect()
     }

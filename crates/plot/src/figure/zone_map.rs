@@ -98,24 +98,21 @@ impl ZoneMap {
             svg.open("g", &[("class", "ink"), ("fill", palette::INK), ("font-size", "13")]);
             svg.words((corner.0, PAIR_TOP - 9.0), headings[index], SMALL);
             svg.close();
-            if let Some(readout) = readout.filter(|_| index == 0) {
-                readout.draw(&mut svg, &frame);
-            }
+            readout.filter(|_| index == 0).iter().for_each(|readout| readout.draw(&mut svg, &frame));
         }
         legend.draw(&mut svg, (PAIR_LEFT[0], height));
         svg.finish()
     }
 
     fn legend_entries(&self) -> Vec<Entry<'_>> {
-        let zones = self.zones.iter().map(|zone| Entry {
-            label: zone.label.clone(),
-            key: Box::new(|svg: &mut Svg, (x, y): Point| {
-                let style = look(zone.style);
+        let key = |style: usize| {
+            move |svg: &mut Svg, (x, y): Point| {
                 let fill = svg.url(&pattern_name(style));
                 let attributes = [("fill", fill.as_str()), ("stroke", palette::ZONE_INKS[style])];
                 svg.rect((x + 1.0, y - 7.5), (KEY_WIDTH - 9.0, 15.0), &attributes);
-            }),
-        });
+            }
+        };
+        let zones = self.zones.iter().map(|zone| Entry::new(&zone.label, key(look(zone.style))));
         zones.chain(legend_entries(&self.lines)).collect()
     }
 }

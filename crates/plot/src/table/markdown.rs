@@ -12,25 +12,17 @@ impl Table {
     /// The first `count` rows of the table as a pipe table.
     #[must_use]
     pub fn first_rows_to_markdown(&self, count: usize) -> String {
-        let headings: Vec<String> =
-            self.columns.iter().map(|column| escape_cell(&column.heading())).collect();
-        let rules: Vec<String> = self.columns.iter().map(|column| rule(column.kind).into()).collect();
-        let mut text = line(&headings) + &line(&rules);
-        for row in self.rows.iter().take(count) {
-            text += &line(&row.iter().map(|cell| escape_cell(&cell.text)).collect::<Vec<_>>());
-        }
-        text
+        let headings = line(self.columns.iter().map(|column| escape_cell(&column.heading())));
+        let rules = line(self.columns.iter().map(|column| rule(column.kind).into()));
+        let rows = self.rows.iter().take(count);
+        let rows = rows.map(|row| line(row.iter().map(|cell| escape_cell(&cell.text))));
+        [headings, rules].into_iter().chain(rows).collect()
     }
 }
 
-fn line(cells: &[String]) -> String {
-    let mut text = String::from("|");
-    for cell in cells {
-        text.push(' ');
-        text += cell;
-        text += if cell.is_empty() { "|" } else { " |" };
-    }
-    text + "\n"
+fn line(cells: impl Iterator<Item = String>) -> String {
+    let cell = |cell: String| if cell.is_empty() { " |".to_owned() } else { format!(" {cell} |") };
+    format!("|{}\n", cells.map(cell).collect::<String>())
 }
 
 fn rule(kind: Kind) -> &'static str {

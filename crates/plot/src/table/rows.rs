@@ -85,45 +85,21 @@ impl<R: Copy> TableRows<R> {
     }
 }
 
-impl From<&str> for Cell {
-    fn from(words: &str) -> Self {
-        Self::text(words)
-    }
+macro_rules! cells {
+    ($($value:ty => $kind:ident),+) => {$(
+        impl From<$value> for Cell {
+            fn from(value: $value) -> Self {
+                Self::$kind(value.to_string())
+            }
+        }
+    )+};
 }
 
-impl From<&String> for Cell {
-    fn from(words: &String) -> Self {
-        Self::text(words)
-    }
-}
-
-impl From<String> for Cell {
-    fn from(words: String) -> Self {
-        Self::text(words)
-    }
-}
+cells!(&str => text, &String => text, String => text, u64 => number, usize => number, u32 => number);
 
 impl From<bool> for Cell {
     fn from(is: bool) -> Self {
         Self::text(if is { "yes" } else { "no" })
-    }
-}
-
-impl From<u64> for Cell {
-    fn from(count: u64) -> Self {
-        Self::number(count.to_string())
-    }
-}
-
-impl From<usize> for Cell {
-    fn from(count: usize) -> Self {
-        Self::from(count as u64)
-    }
-}
-
-impl From<u32> for Cell {
-    fn from(count: u32) -> Self {
-        Self::from(u64::from(count))
     }
 }
 
