@@ -11,18 +11,12 @@ pub(super) const BITS: u32 = 96;
 
 /// How a difference compares with zero; none where its error could turn it.
 pub(super) fn compared(difference: &Ball, comparison: Comparison) -> Option<bool> {
-    if let Some(sign) = difference.sign() {
-        return Some(comparison.holds(sign));
-    }
-    match comparison {
-        Comparison::AtMost | Comparison::Greater if difference.upper() <= 0 => {
-            Some(comparison == Comparison::AtMost)
-        }
-        Comparison::AtLeast | Comparison::Less if difference.lower() >= 0 => {
-            Some(comparison == Comparison::AtLeast)
-        }
-        _ => None,
-    }
+    let below = (difference.lower() < 0).then_some(Ordering::Less);
+    let above = (difference.upper() > 0).then_some(Ordering::Greater);
+    let zero = difference.contains_zero().then_some(Ordering::Equal);
+    let mut found = [below, zero, above].into_iter().flatten().map(|order| comparison.holds(order));
+    let first = found.next()?;
+    found.all(|other| other == first).then_some(first)
 }
 
 /// The absolute value.

@@ -132,10 +132,7 @@ impl All<'_> {
                 left_out = left_out.max(Some(chosen.is.map_or(truth, |_| chosen).strength));
             }
         }
-        match met.is_empty() {
-            true => self.nothing(of.trim_end_matches('s')),
-            false => self.conclude(of, met, left_out),
-        }
+        if met.is_empty() { self.nothing(of.trim_end_matches('s')) } else { self.conclude(of, met, left_out) }
     }
 
     /// The finding that between neighbours that both meet the condition the values change so.
