@@ -81,8 +81,7 @@ fn warn(lines: impl Iterator<Item = String>) {
 /// When there is none.
 pub fn listed<'c>(list: &str, claims: &'c [ClaimEntry], id: &str) -> Result<&'c ClaimEntry, Failure> {
     claims.iter().find(|claim| claim.id == id).ok_or_else(|| {
-        let listed = claims.iter().map(|claim| claim.id.as_str());
-        let near = match nearest(id, listed) {
+        let near = match nearest(id, claims.iter().map(|claim| claim.id.as_str())) {
             _ if list == "report" && library_ids().any(|known| known == id) => {
                 "; it is a claim of the paper that claims.toml leaves out".into()
             }

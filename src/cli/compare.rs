@@ -11,6 +11,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use slipmode::report::ProvenanceView;
 use slipmode::scene::{AllowedRange, first_lines};
 use slipmode_core::number::nearest_f64;
 
@@ -20,6 +21,7 @@ use crate::cli::failure::Failure;
 use crate::cli::input::open_csv;
 use crate::cli::options::Arguments;
 use crate::cli::output::{Output, OutputFolder, is_stream};
+use crate::cli::path_text::word_of;
 use crate::cli::points::{Started, print_warnings};
 use crate::cli::progress::Progress;
 use crate::cli::simulate::over_box::BoxOptions;
@@ -86,7 +88,9 @@ pub fn run(options: &Options, progress: Progress) -> Result<(), Failure> {
         None => (started.work(&mut io::sink())?, None),
     };
     if let Some(folder) = folder {
-        folder.commit(&page::files(&options.runs, &done, &environment)?)?;
+        let (command, inputs) = (options.words(), inputs::inputs(&options.runs, &done.kept)?);
+        let provenance = ProvenanceView { command, inputs, ..ProvenanceView::default() };
+        folder.commit(&page::files(provenance, &done, &environment)?)?;
     }
     let takes_stdout = options.output.as_deref().is_some_and(is_stream);
     output.map_or(Ok(()), Output::commit)?;
@@ -102,6 +106,20 @@ pub fn run(options: &Options, progress: Progress) -> Result<(), Failure> {
 }
 
 impl Options {
+    /// The command that makes the report, without the folders of this machine.
+    fn words(&self) -> String {
+        let file = self.runs.file_name().and_then(|name| name.to_str()).unwrap_or("-");
+        let (DialectOptions { delimiter, decimal }, BoxOptions { box_runs }) =
+            (&self.dialect, &self.within_error_bars);
+        let given =
+            [("law", &self.law), ("delimiter", delimiter), ("decimal", decimal), ("box-runs", box_runs)];
+        let given = given.iter().filter_map(|(option, value)| Some((*option, value.as_deref()?)));
+        let all = [("runs", file), ("tolerance", &self.tolerance)].into_iter().chain(given);
+        let all: String =
+            all.map(|(option, value)| format!("--{option} {} ", word_of(value.as_ref()))).collect();
+        format!("slipmode compare {all}{}--report DIR", if self.keep_going { "--keep-going " } else { "" })
+    }
+
     fn command(&self) -> Result<CompareRows, Failure> {
         let mut arguments = Arguments::default();
         let law = self.law.as_ref().and_then(|word| arguments.number("--law", word, law_of_word));

@@ -13,13 +13,13 @@ const DELIMITERS: [(&str, u8); 4] = [(",", b','), (";", b';'), ("|", b'|'), ("ta
 pub struct DialectOptions {
     /// What separates the columns of the CSV files that are read [default: ,]
     #[arg(long, value_name = "C", value_parser = DELIMITERS.map(|(word, _)| word))]
-    delimiter: Option<String>,
+    pub delimiter: Option<String>,
     /// What stands in the decimals of the CSV files that are read [default: .]
     ///
     /// With a comma, a cell that is a number gets a point in its place, and a number with a point is refused: it may separate
     /// thousands. What is written has commas between columns and points in decimals.
     #[arg(long, value_name = "C", value_parser = [".", ","])]
-    decimal: Option<String>,
+    pub decimal: Option<String>,
 }
 
 impl DialectOptions {

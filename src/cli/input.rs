@@ -23,8 +23,7 @@ pub fn open_csv(path: &Path, dialect: Dialect) -> Result<RowReader, Fault> {
     if let Ok(stdin) = io::stdin().as_fd().try_clone_to_owned() {
         note_input(None, &File::from(stdin)).map_err(|error| unreadable(Path::new(name), &error))?;
     }
-    let input = Input { name: name.into(), reader: Box::new(io::stdin()), size: None };
-    Ok(RowReader::new(input, dialect))
+    Ok(RowReader::new(Input { name: name.into(), reader: Box::new(io::stdin()), size: None }, dialect))
 }
 
 /// Opens a CSV file that another file names: a regular one.
@@ -46,8 +45,7 @@ fn rows_of(path: &Path, file: io::Result<File>, dialect: Dialect) -> Result<RowR
         let size = metadata.is_file().then_some(metadata.len());
         Ok(Input { name: path.display().to_string(), reader: Box::new(file), size })
     };
-    let input = open().map_err(|error| unreadable(path, &error))?;
-    Ok(RowReader::new(input, dialect))
+    Ok(RowReader::new(open().map_err(|error| unreadable(path, &error))?, dialect))
 }
 
 /// The bytes of a scene, report, claims or prose file.

@@ -25,8 +25,7 @@ thread_local! {
 pub fn written_by<T>(work: impl FnOnce() -> T) -> (T, Captured) {
     STREAMS.with_borrow_mut(|streams| *streams = Some(Captured::default()));
     HAS_OUTPUT.set(false);
-    let done = work();
-    (done, STREAMS.with_borrow_mut(Option::take).unwrap_or_default())
+    (work(), STREAMS.with_borrow_mut(Option::take).unwrap_or_default())
 }
 
 /// Whether this thread captures what a command writes.

@@ -51,7 +51,7 @@ pub enum CsvProblem {
     UnknownError(String),
     /// A header of one cell that has another separator.
     #[error(
-        "columns are separated by {found} (classify, simulate, solve and compare: {option}; decimal commas: add --decimal ,)"
+        "columns are separated by {found} (classify, simulate, solve, compare and fit: {option}; decimal commas: add --decimal ,)"
     )]
     OtherSeparator {
         /// The separators' name.

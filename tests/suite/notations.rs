@@ -188,7 +188,7 @@ fn semicolons_and_decimal_commas_are_read_with_the_options_that_a_message_names(
     let lab = LAB.replace(',', ";").replace('.', ",").replace("g 1;2", "g 1,2");
     place.write("lab.csv", &lab);
     place.run(["classify", "--points", "lab.csv"]).expect_refusal(&[
-        "lab.csv:1: header: columns are separated by semicolons (classify, simulate, solve and compare: add --delimiter ';'; decimal commas: add --decimal ,)",
+        "lab.csv:1: header: columns are separated by semicolons (classify, simulate, solve, compare and fit: add --delimiter ';'; decimal commas: add --decimal ,)",
     ]);
     place.run(["classify", "--points", "lab.csv", "--delimiter", ";"]).expect_refusal(&[
         "row 1, column a = \"0,009\": not a decimal number: a comma stands in place of the point (in a CSV file, --decimal , reads it)",

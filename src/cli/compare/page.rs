@@ -1,18 +1,14 @@
 //! The report folder of a comparison: the page, its Markdown, tables and figures.
 
-use std::path::Path;
-
 use slipmode::report::{
     ChapterView, ProvenanceView, ReportView, figure_and_table_files, render_html, render_markdown,
 };
 
 use crate::cli::compare::figures::figures;
-use crate::cli::compare::inputs::inputs;
 use crate::cli::compare::rows::{ComparedRow, counts, within_error_bars};
 use crate::cli::compare::tables::tables;
 use crate::cli::environment::{ENVIRONMENT_FILE, Environment};
 use crate::cli::failure::Failure;
-use crate::cli::path_text::word_of;
 use crate::cli::points::Done;
 use crate::cli::tree::Files;
 
@@ -23,8 +19,8 @@ const WITHIN: &str = "\nParameters with error bars: a value that differs at the 
 /// All files of the folder.
 ///
 /// # Errors
-/// When an input cannot be read again for its digest, or the page cannot be rendered: an error of this program.
-pub fn files(runs: &Path, done: &Done<ComparedRow>, environment: &Environment) -> Result<Files, Failure> {
+/// When the page cannot be rendered: an error of this program.
+pub fn files(made: ProvenanceView, done: &Done<ComparedRow>, on: &Environment) -> Result<Files, Failure> {
     let rows = &done.kept;
     let (figures, tables) = (figures(rows), tables(rows));
     let mut files = figure_and_table_files(&figures, &tables);
@@ -47,25 +43,15 @@ pub fn files(runs: &Path, done: &Done<ComparedRow>, environment: &Environment) -
         ],
         figures,
         tables,
-        provenance: ProvenanceView {
-            command: command(runs),
-            inputs: inputs(runs, rows)?,
-            ..ProvenanceView::default()
-        },
-        environment: environment.facts(),
+        provenance: made,
+        environment: on.facts(),
         ..ReportView::default()
     };
     let unrenderable = |error| Failure::machine("the report cannot be made", &error);
     files.insert("index.html".into(), render_html(&view).map_err(unrenderable)?);
     files.insert("report.md".into(), render_markdown(&view).map_err(unrenderable)?);
-    files.insert(ENVIRONMENT_FILE.into(), environment.to_json());
+    files.insert(ENVIRONMENT_FILE.into(), on.to_json());
     Ok(files)
-}
-
-/// The command without the folders of this machine.
-fn command(runs: &Path) -> String {
-    let name = runs.file_name().map_or_else(|| "-".into(), |name| word_of(name.as_ref()));
-    format!("slipmode compare --runs {name} --report DIR")
 }
 
 fn summary(rows: &[ComparedRow], faulty: u64) -> String {

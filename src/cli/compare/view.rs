@@ -65,8 +65,7 @@ fn heading(row: &ComparedRow) -> String {
 }
 
 fn line(finding: &Finding) -> String {
-    let unit = finding.observable.unit();
-    let shown = |value: Value| shown_value(value, unit);
+    let shown = |value: Value| shown_value(value, finding.observable.unit());
     let mut text = format!(
         "  {:<14} {:<12} {:<10} {:<10} {} | {}",
         finding.observable.words(),

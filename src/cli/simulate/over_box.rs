@@ -30,7 +30,7 @@ pub struct BoxOptions {
     /// One value with an error bar has 2 corners, seven have 128. Ranges over these runs are sampled: no proof says that other
     /// values within the error bars stay inside. The points are the same in every run.
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
-    box_runs: Option<String>,
+    pub box_runs: Option<String>,
 }
 
 impl BoxOptions {

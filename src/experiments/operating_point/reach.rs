@@ -1,7 +1,8 @@
 //! What can be reached, and numbers in the units of a laboratory: a number out of reach is replaced by words.
 
 use crate::scene::{Quantity, unit_of};
-use slipmode_core::number::format::{Side, round_digits, rounded};
+use slipmode_core::number::format::{Side, rational_to_decimal, round_digits, rounded};
+use slipmode_core::number::parse_decimal;
 
 /// The least and the greatest value that an experiment or a fault can have, in SI; all seven limits are wide.
 ///
@@ -38,18 +39,18 @@ const PREFIXES: [&str; 8] = ["n", "µ", "m", "", "k", "M", "G", "T"];
 
 /// The number and the unit of a value, such as `5` and `MPa`; rounded to one side, or else to nearest.
 fn parts(value: f64, unit: &str, side: Option<Side>) -> (String, String) {
-    let shown = |value: f64| match side {
-        Some(side) => rounded(value, DIGITS, side),
-        None => round_digits(value, DIGITS),
-    };
+    let shown = side.map_or_else(|| round_digits(value, DIGITS), |side| rounded(value, DIGITS, side));
     // A kilogram has a prefix, and a number without unit can have none.
     let takes_a_prefix = !unit.is_empty() && unit != "1" && !unit.starts_with("kg");
     let thousands = if takes_a_prefix { libm::floor(libm::log10(value) / 3.0 + 1e-12) } else { 0.0 };
     // Nobody counts in kiloseconds.
     let thousands = thousands.clamp(-3.0, if unit == "s" { 0.0 } else { 4.0 });
-    let prefix = PREFIXES[(thousands + 3.0) as usize];
-    let unit = if unit == "1" { String::new() } else { format!("{prefix}{}", unit.replace("^2", "²")) };
-    (shown(value * libm::exp10(-3.0 * thousands)), unit)
+    let prefixed = || format!("{}{}", PREFIXES[(thousands + 3.0) as usize], unit.replace("^2", "²"));
+    let unit = if unit == "1" { String::new() } else { prefixed() };
+    // The digits are those of the value itself: a product may be rounded across them.
+    let scale = parse_decimal(&format!("1e{}", -3.0 * thousands));
+    let scaled = parse_decimal(&shown).and_then(|value| Ok(value * scale?));
+    (scaled.map_or(shown, |value| rational_to_decimal(&value, DIGITS)), unit)
 }
 
 /// A value with three digits and the unit that a laboratory uses: `5 MPa`, `10 µm/s`.
@@ -58,7 +59,7 @@ pub(crate) fn in_words(value: f64, unit: &str) -> String {
     format!("{number} {unit}").trim_end().into()
 }
 
-/// A range, rounded outward: `3.71 to 5.47 MPa`; one number where its ends agree, and words where an end is out of reach.
+/// A range, rounded outward: `3.71 to 5.47 MPa`; one number where its ends agree, and one end where the other is out of reach.
 pub(crate) fn range_in_words(quantity: Quantity, [low, high]: [f64; 2]) -> String {
     let ends = [(low, Side::Below), (high, Side::Above)].map(|(value, side)| {
         is_within_reach(quantity, value).then(|| parts(value, unit_of(quantity), Some(side)))
@@ -71,9 +72,8 @@ pub(crate) fn range_in_words(quantity: Quantity, [low, high]: [f64; 2]) -> Strin
             format!("{low} to {high} {of_high}")
         }
         [Some((low, of_low)), Some((high, of_high))] => format!("{low} {of_low} to {high} {of_high}"),
-        [Some((number, unit)), None] | [None, Some((number, unit))] => {
-            format!("{number} {unit} or a value out of reach")
-        }
+        [Some((number, unit)), None] => format!("{number} {unit} or more"),
+        [None, Some((number, unit))] => format!("{number} {unit} or less"),
         _ => "a value out of reach".into(),
     }
 }
@@ -103,7 +103,9 @@ mod tests {
         assert_eq!(of([3.7142e6, 5.46667e6]), "3.71 to 5.47 MPa");
         assert_eq!(of([8.05e5, 1.3149e6]), "805 kPa to 1.32 MPa");
         assert_eq!(of([5e6, 5e6]), "5 MPa");
-        assert_eq!(of([6.39e6, f64::INFINITY]), "6.39 MPa or a value out of reach");
+        assert_eq!(of([4.9e6, 5.1e6]), "4.9 to 5.1 MPa");
+        assert_eq!(of([0.0, 703_006.6]), "704 kPa or less");
+        assert_eq!(of([6.39e6, f64::INFINITY]), "6.39 MPa or more");
         assert_eq!(of([1e-48, 2e-40]), "a value out of reach");
     }
 
