@@ -75,12 +75,10 @@ fn line(finding: &Finding) -> String {
         shown(finding.run),
         shown(finding.ours),
     );
-    if let (Some(difference), Some(allowed)) = (finding.difference, finding.allowed) {
-        text += &format!(
-            "  difference {}, allowed {}",
-            round_digits(difference, ERROR_DIGITS),
-            round_digits(allowed, ERROR_DIGITS)
-        );
+    let allowed = finding.allowed.filter(|allowed| allowed.is_finite());
+    if let (Some(difference), Some(allowed)) = (finding.difference, allowed) {
+        let [difference, allowed] = [difference, allowed].map(|number| round_digits(number, ERROR_DIGITS));
+        text += &format!("  difference {difference}, allowed {allowed}");
     }
     if !finding.why.is_empty() {
         text += &format!("  ({})", finding.why);
