@@ -81,7 +81,7 @@ fn every_way_to_get_a_scene_wrong_is_named() {
 fn files_that_are_no_scenes_are_refused() {
     let place = Workplace::new();
     place.run(["run", "none.toml", "-o", "out"]).expect_refusal(&["none.toml: cannot be read"]);
-    place.run(["run", ".", "-o", "out"]).expect_refusal(&["cannot be read"]);
+    place.run(["run", ".", "-o", "out"]).expect_refusal(&[".: is a folder"]);
     refuse(vec![b' '; (1 << 20) + 1], &["1048577 bytes (allowed: at most 1048576)"]);
     refuse(b"\xff\xfen\0", &["s.toml:1: UTF-16 text (wanted: UTF-8"]);
     refuse(format!("a = {}", "[".repeat(100_000)), &["s.toml:1: not valid TOML"]);

@@ -150,12 +150,12 @@ fn samples_are_the_same_from_any_shards_and_lists_are_kept_row_by_row() {
     }
     let classified = place.run(["classify", "--points", "points.csv", "--keep-going", "-o", "direct.csv"]);
     assert_eq!(classified.code, 0);
-    // `classify --points` also appends what follows from these columns: four before the last one.
+    // `classify --points` also appends what follows from these columns: five before the last one.
     let direct = place.read("direct.csv");
     let columns = direct.lines().next().unwrap().split(',').count();
     let without_derived = |line: &str| {
         let cells = line.splitn(columns, ',').enumerate();
-        let kept = cells.filter(|(index, _)| !(columns - 5..columns - 1).contains(index));
+        let kept = cells.filter(|(index, _)| !(columns - 6..columns - 1).contains(index));
         kept.map(|(_, cell)| cell).collect::<Vec<_>>().join(",") + "\n"
     };
     assert_eq!(merged(&place, "list-1"), direct.lines().map(without_derived).collect::<String>());

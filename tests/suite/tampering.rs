@@ -154,7 +154,7 @@ const KINDS: &[Kind] = &[
                 l["claims"].as_array_mut().unwrap().push(more)
             })
         },
-        "lists a claim twice",
+        "it lists claim S1 twice",
     ),
     (
         "claims in another order",

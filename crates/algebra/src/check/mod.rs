@@ -81,22 +81,21 @@ impl Certificate {
     }
 }
 
+/// Sides of different normal forms are the same or not: a point at which they differ decides it.
 fn check_identity(left: &Expression, right: &Expression, domain: &Domain) -> Result<(), Failure> {
     // The difference is reduced as a whole, because a root may vanish only between the two sides.
-    if domain.difference(left, right)?.is_zero() {
-        return Ok(());
-    }
-    compare(&domain.rational_function(left)?, &domain.rational_function(right)?, domain)
-}
-
-fn compare(left: &RationalFunction, right: &RationalFunction, domain: &Domain) -> Result<(), Failure> {
-    let difference = left - right;
+    let difference = domain.difference(left, right)?;
     if difference.is_zero() {
         return Ok(());
     }
-    let counter_example = CounterExample::search(left, right, domain).map(Box::new);
-    let false_fact = Failure::of_a_false_fact(Expression::from(&difference).to_string());
-    Err(Failure { counter_example, ..false_fact })
+    let sides = [domain.rational_function(left)?, domain.rational_function(right)?];
+    let remainder = Expression::from(&(&sides[0] - &sides[1])).to_string();
+    match CounterExample::search(&sides, &difference, domain) {
+        Some(found) => {
+            Err(Failure { counter_example: Some(found.into()), ..Failure::of_a_false_fact(remainder) })
+        }
+        None => Err(Failure::remainder(format!("it is not decided whether {remainder} is zero"))),
+    }
 }
 
 fn check_sign(expression: &Expression, sign: i8, domain: &Domain) -> Result<(), Failure> {
@@ -146,7 +145,7 @@ fn check_value(
     let domain = Domain::default();
     let stated = domain.rational_function(value)?;
     let there = expression.at_point(&numbers.collect()).substitute(&values);
-    compare(&domain.rational_function(&there)?, &stated, &domain)?;
+    check_identity(&there, value, &domain)?;
     stated.as_constant().ok_or_else(|| Failure::remainder(format!("the value {value} is not a number")))
 }
 
@@ -219,7 +218,8 @@ fn check_connected(image: &[(Symbol, Expression)], domain: &Domain) -> Result<()
     })
 }
 
-/// What vanishes at 0 and has a positive slope is positive; so is what has such a slope and vanishes there, and so on.
+/// What vanishes at 0 and has a positive slope is positive; so is what has such a slope and vanishes there, and so on. The order is the
+/// stated one if the last slope is positive at 0, too.
 fn check_growth(expression: &Expression, name: &Symbol, order: u32, domain: &Domain) -> Result<(), Failure> {
     if !domain.leaves_free(name) {
         return Err(Failure::remainder(format!("{name} is not free to be any positive number")));
@@ -227,9 +227,14 @@ fn check_growth(expression: &Expression, name: &Symbol, order: u32, domain: &Dom
     let zero = Expression::integer(0);
     let mut derivative = expression.clone();
     for _ in 0..order {
-        let start = domain.rational_function(&derivative.with(name, &zero))?;
-        compare(&start, &RationalFunction::from(0), domain)?;
+        check_identity(&derivative.with(name, &zero), &zero, domain)?;
         derivative = derivative.derivative(name);
     }
-    check_sign(&derivative, 1, domain)
+    let at_zero = derivative.with(name, &zero);
+    if domain.rational_function(&at_zero)?.is_zero() {
+        let which = format!("derivative {order} of {expression} is zero at {name} = 0, too");
+        return Err(Failure::of_a_false_fact(format!("{which}: the order is another one")));
+    }
+    check_sign(&derivative, 1, domain)?;
+    check_sign(&at_zero, 1, domain)
 }

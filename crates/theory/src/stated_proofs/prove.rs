@@ -5,7 +5,16 @@ use std::collections::BTreeSet;
 use super::names::Named;
 use super::{DEEPEST, DomainForm, NONE, StatedProof, StatedProofs, StepForm, lemmas, names};
 use crate::{Equation, Equations};
-use slipmode_algebra::{Domain, Expression, Proof, Refutation};
+use slipmode_algebra::{Domain, Expression, Proof, Refutation, within_budget};
+
+/// The most steps of algebra that one step of a proof takes: as many as the decision of a formula.
+const STEPS: u64 = 6_000_000;
+
+/// What a part of a proof gives, if it takes no more steps than allowed.
+fn limited<T>(id: &str, says: &str, work: impl FnOnce() -> Result<T, Refutation>) -> Result<T, Refutation> {
+    let found = within_budget(STEPS, work);
+    found.unwrap_or_else(|large| Err(Proof::new(id, "").refute(says, &[], large.to_string())))
+}
 
 impl StatedProofs {
     /// Carries out a proof on these equations.
@@ -22,7 +31,8 @@ impl StatedProofs {
         };
         let proof = Proof::new(id, "");
         let named = Named::new(self, stated, equations);
-        let says = named.filled(&stated.says).map_err(|reason| proof.refute(&stated.says, &[], reason))?;
+        let filled = || named.filled(&stated.says).map_err(|reason| proof.refute(&stated.says, &[], reason));
+        let says = limited(id, &stated.says, filled)?;
         self.add_steps(Proof::new(id, says), stated, equations, 0)
     }
 
@@ -35,7 +45,10 @@ impl StatedProofs {
     ) -> Result<Proof, Refutation> {
         let named = Named::new(self, stated, equations);
         stated.steps.iter().try_fold(proof, |proof, step| {
-            let Some(name) = step.refers_to() else { return step.add(proof, &named) };
+            let id = proof.id.clone();
+            let Some(name) = step.refers_to() else {
+                return limited(&id, &step.says, || step.add(proof, &named));
+            };
             if depth == DEEPEST {
                 return Err(proof.refute(&step.says, &[], "lemmas stand too deep in each other"));
             }

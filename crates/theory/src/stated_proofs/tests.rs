@@ -203,3 +203,21 @@ fn the_example_of_the_documentation_is_a_proof() {
     let proof = read(example).expect("sound").prove("frequency-bound", &paper()).expect("true");
     assert_eq!(proof.steps.len(), 2);
 }
+
+#[test]
+fn a_sign_of_what_is_exactly_zero_ends_after_a_number_of_steps() {
+    for (base, says, step) in [
+        ("1", "S.", "root = { of = \"(F)*p + 1\", in = \"p\" }"),
+        ("1", "S.", "positive = \"x*(F) + y\""),
+        ("1", "S.", "limit = { of = \"x*(F)\", in = \"x\", to = \"infinity\", is = \"0\" }"),
+        ("limit(x*y*F, y, infinity)", "It is {G}.", "argued = true"),
+    ] {
+        let text = format!(
+            "[let]\nF = \"sqrt(3 + 2*sqrt(2)) - 1 - sqrt(2)\"\nG = \"{base}\"\n[[domain]]\nname = \"d\"\n\
+             positive = [\"x\", \"y\"]\n[[proof]]\nid = \"p\"\nsays = \"{says}\"\nover = \"d\"\n\
+             [[proof.step]]\nsays = \"t\"\n{step}\n"
+        );
+        let refused = read(&text).expect("sound").prove("p", &paper()).expect_err("too much work");
+        assert!(!refused.is_false && refused.remainder.contains("more than 6000000 steps"), "{refused}");
+    }
+}
