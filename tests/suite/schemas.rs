@@ -233,7 +233,8 @@ fn the_schemas_follow_from_the_outputs() {
         let bars = name.ends_with("error-bars");
         if name == "verify" {
             let claims = place.read("altered/claims.toml");
-            place.write("altered/claims.toml", claims.replace("expected = \"holds\"", "expected = \"fails\""));
+            place
+                .write("altered/claims.toml", claims.replace("expected = \"holds\"", "expected = \"fails\""));
         }
         for line in lines.lines().flat_map(|line| invocations(line, bars)).filter(|line| !line.is_empty()) {
             let found = output(&place, &line);

@@ -116,8 +116,8 @@ fn a_step_is_refuted_only_where_the_assumptions_hold() {
     // A parameter has the value that the domain gives it: alpha > 1.
     let shifted = Domain::positive("a").with("a", parse("(alpha - 1)^2"));
     let shifted = shifted.parameter("alpha", parse("1 + sqrt(a)"));
-    assert_eq!(identity("sqrt(a) = alpha - 1", &shifted)[1], false);
-    assert_eq!(identity("sqrt(a) = alpha - 2", &shifted)[1], true);
+    assert!(!identity("sqrt(a) = alpha - 1", &shifted)[1]);
+    assert!(identity("sqrt(a) = alpha - 2", &shifted)[1]);
     // A half of the unit circle.
     let circle = domain("", &["-C"], &[("C", "-3/5"), ("S", "4/5")]).with_square("S", parse("1 - C^2"));
     assert_eq!(identity("S^2 + C^2 = 1", &circle), [true, false]);
