@@ -187,9 +187,8 @@ NAMES = [
 
 
 def test_the_limits_of_a_range_may_be_floats():
-    for limit in (1e-15, 1e-2):
-        of_float, of_text = (SLIDER.simulate(1e7, 1e-5, law="slip", rtol=rtol) for rtol in (limit, repr(limit)))
-        assert of_float.mode == of_text.mode
+    of_float, of_text = (SLIDER.simulate(1e7, 1e-5, law="slip", rtol=rtol) for rtol in (1e-2, "1e-2"))
+    assert of_float.mode == of_text.mode
     assert SLIDER.map(sigma=(1e-300, 1e300, 3), v=(1e-300, 1e300, 3)).shape == (3, 3)
     assert SLIDER.replace(a=1e300).a == 1e300
 
