@@ -160,7 +160,8 @@ impl Outcome {
     }
 
     /// The slip mode, from the trajectory alone: what it ends in, and how fast it oscillates against √(K/M).
-    pub(crate) fn slip_mode(&self) -> SlipMode {
+    #[must_use]
+    pub fn slip_mode(&self) -> SlipMode {
         let natural_squared = self.groups.natural_angular_frequency_squared();
         let inertial = |angular: f64| 2.0 * angular * angular > natural_squared;
         match &self.long_term {

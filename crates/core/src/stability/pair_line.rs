@@ -116,7 +116,8 @@ impl PairLine {
     }
 
     /// Where the line crosses K = K_c: η = T/(1 − T), κ = (β − 1)(1 + η); none for a ≥ b, and none of a damping ratio.
-    pub(crate) fn transition(&self) -> Option<PairLinePoint> {
+    #[must_use]
+    pub fn transition(&self) -> Option<PairLinePoint> {
         let excess = Rational::from(&self.effect_ratio - 1_u32);
         let PairRatio::Frequency(threshold) = &self.ratio else { return None };
         let squared_ratio = threshold.squared_ratio();
