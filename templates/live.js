@@ -21,7 +21,7 @@
     const ranges = [...live.querySelectorAll("input[type=range]")];
     const letters = fields.map((field) => field.name);
     const initial = fields.map((field) => field.value);
-    const points = model.points.map(([name, s, v]) => ({ name, s, v }));
+    const points = model.points.map(([name, s, v]) => ({ name: name.replaceAll("-", " "), s, v }));
     const names = [...live.querySelectorAll(".live-modes li span")].map((item) => item.textContent).concat(model.neutral);
     const fills = [...live.querySelectorAll(".live-modes li")].map((item) => [1, 3, 5].map((at) => parseInt(item.dataset.fill.slice(at, at + 2), 16)));
     const ink = [31, 35, 40];
@@ -136,14 +136,14 @@
         pen.lineWidth = index === chosen ? 3 : 1.5;
         pen.stroke();
       });
-      // Points at one place share a label; a label has the first place beside its point where no other is.
+      // Points at one place share a label; a label has the first place beside its point where no other label and no point is.
       const labels = new Map();
       for (const point of points) {
         const at = [left + share("v", point.v) * width, top + (1 - share("s", point.s)) * height];
         const near = [...labels.keys()].find(([x, y]) => Math.hypot(x - at[0], y - at[1]) < 3) || at;
         labels.set(near, [...(labels.get(near) || []), point.name]);
       }
-      const taken = [];
+      const taken = [...labels.keys()].map(([x, y]) => [x - 7, y + 7, 14]);
       [pen.textAlign, pen.textBaseline, pen.fillStyle] = ["left", "bottom", dark];
       for (const [[x, y], of] of labels) {
         const words = of.join(", ");

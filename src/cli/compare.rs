@@ -108,15 +108,14 @@ pub fn run(options: &Options, progress: Progress) -> Result<(), Failure> {
 impl Options {
     /// The command that makes the report, without the folders of this machine.
     fn words(&self) -> String {
-        let file = self.runs.file_name().and_then(|name| name.to_str()).unwrap_or("-");
+        let file = self.runs.file_name().map_or(&*self.runs, Path::new);
         let (DialectOptions { delimiter, decimal }, BoxOptions { box_runs }) =
             (&self.dialect, &self.within_error_bars);
         let given =
             [("law", &self.law), ("delimiter", delimiter), ("decimal", decimal), ("box-runs", box_runs)];
-        let given = given.iter().filter_map(|(option, value)| Some((*option, value.as_deref()?)));
-        let all = [("runs", file), ("tolerance", &self.tolerance)].into_iter().chain(given);
-        let all: String =
-            all.map(|(option, value)| format!("--{option} {} ", word_of(value.as_ref()))).collect();
+        let given = given.iter().filter_map(|(option, value)| Some((*option, value.as_ref()?.as_ref())));
+        let all = [("runs", file), ("tolerance", self.tolerance.as_ref())].into_iter().chain(given);
+        let all: String = all.map(|(option, value)| format!("--{option} {} ", word_of(value))).collect();
         format!("slipmode compare {all}{}--report DIR", if self.keep_going { "--keep-going " } else { "" })
     }
 

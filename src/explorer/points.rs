@@ -17,7 +17,7 @@ pub fn points(
     own: Option<&OperatingPoint<Rational>>,
     window: Window,
 ) -> (Vec<NamedPoint>, String) {
-    let own_point = own.map(|own| named("command", own.clone(), false));
+    let own_point = own.map(|own| named("given", own.clone(), false));
     let of_the_scene = parameters.point().map(|point| named("scene", point, true));
     let trajectories = scene.trajectories.iter().flat_map(|section| &section.points).map(|point| {
         let place = [&point.normal_stress_pa, &point.loading_velocity_m_per_s].map(Rational::clone);
@@ -34,9 +34,7 @@ pub fn points(
         _ if stated > MOST_POINTS => {
             format!("The points are the first {MOST_POINTS} of the {stated} points of the scene.")
         }
-        _ if own.is_some() => {
-            "The points are the operating point of the command and the points of the scene.".into()
-        }
+        _ if own.is_some() => "The points are the given operating point and the points of the scene.".into(),
         _ => "The points are the points of the scene.".into(),
     };
     (points, words)

@@ -77,7 +77,7 @@ fn new_run_and_explore_name_what_they_wrote() {
     let explored = object(&place, &["explore", "s.toml", "-s", "1kPa", "-v", "2e-3", "--json"], 0);
     let point = json!({ "normal_stress_pa": 1000.0, "loading_velocity_m_per_s": 0.002 });
     assert_eq!(explored["inputs"], json!({ "scene": "s.toml", "operating_point": point }));
-    assert_eq!(explored["points"], json!({ "command": point }));
+    assert_eq!(explored["points"], json!({ "given": point }));
     assert_eq!(
         (&explored["slider"]["direct_effect"], &explored["output"]),
         (&json!(0.004), &json!("s.html"))

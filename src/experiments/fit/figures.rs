@@ -130,7 +130,8 @@ fn profile_panel(words: &Words, estimate: &Estimate) -> Option<Panel> {
     let (unit, size) = unit_of(estimate);
     let points: Vec<(f64, f64)> =
         estimate.profile.iter().map(|point| (point.value / size, point.distance)).collect();
-    let mut panel = words.panel(&[("symbol", estimate.parameter.symbol()), ("unit", unit)])?;
+    let symbol = estimate.parameter.symbol().replace("mu", "μ");
+    let mut panel = words.panel(&[("symbol", &symbol), ("unit", unit)])?;
     let ends = [-estimate.half_width, estimate.half_width];
     panel.x = over(&panel.x, points.iter().map(|point| point.0))?;
     panel.y = over(&panel.y, points.iter().map(|point| point.1).chain(ends))?;

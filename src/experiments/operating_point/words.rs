@@ -134,13 +134,18 @@ pub(crate) fn range_words(outcome: &Outcome) -> Option<String> {
     };
     // A boundary belongs to the side on which its middle is.
     let is_above = |range: &[f64; 2]| range[0] * range[1] > stress * stress;
-    let below = of(false).rfind(|range| !is_above(range) && within_reach(range));
-    let above = of(false).find(|range| is_above(range) && within_reach(range));
+    let [mut below, mut above] = [false, true]
+        .map(|side| of(false).filter(move |range| is_above(range) == side && within_reach(range)));
     let [here, there] =
         if at_point.boundary_sign < 0 { ["oscillate", "stop"] } else { ["do not oscillate", "begin"] };
-    let sides = [("below", below), ("above", above)];
-    let sides: Vec<String> =
-        sides.into_iter().filter_map(|(side, range)| Some(format!("{side} {}", place(range?)))).collect();
+    // From the nearest boundary to the next one, where there is one.
+    let sides = [("below", below.next_back(), below.next_back()), ("above", above.next(), above.next())];
+    let sides = sides.into_iter().filter_map(|(side, nearest, next)| {
+        let Some(next) = next else { return Some(format!("{side} {}", place(nearest?))) };
+        let [low, high] = if side == "below" { [next, nearest?] } else { [nearest?, next] };
+        Some(format!("between {} and {}", place(low), place(high)))
+    });
+    let sides: Vec<String> = sides.collect();
     let oscillation = match sides.is_empty() {
         true => format!("small disturbances {here} at any of them"),
         false => format!("small disturbances {there} oscillating {}", sides.join(" and ")),
@@ -235,6 +240,12 @@ mod tests {
         assert!(said.contains("is overdamped stable sliding: sliding is linearly stable"), "{said}");
         assert!(said.ends_with("and small disturbances do not oscillate."), "{said}");
         assert_eq!(what_decides_words(&still), None);
+        // The boundary is at 492.48 Pa, 5.0535 kPa and 494.95 kPa.
+        let oscillating =
+            outcome(&format!("{EFFECTS}normal_stress_pa = 1e5\nloading_velocity_m_per_s = 1e-5"));
+        let said = range_words(&oscillating).unwrap();
+        let wanted = "stop oscillating between 492 Pa and 5.05 kPa and above 495 kPa.";
+        assert!(said.ends_with(wanted), "{said}");
         let equal = "direct_effect = 0.004\nevolution_effect = 0.004\nnormal_stress_pa = 1e3\nloading_velocity_m_per_s = 1e-5";
         let equal = outcome(equal);
         assert!(operating_point_words(&equal).unwrap().contains("no transition, because a ≥ b"));
