@@ -1,6 +1,6 @@
 //! How a CSV file is written: what separates its columns, and whether its decimals have commas.
 
-use slipmode_core::number::parse_decimal;
+use slipmode_core::number::{parse_decimal, parse_decimal_to_dd};
 
 use crate::scene::{CsvProblem, has_between_digits, read_unit, split_unit};
 
@@ -43,6 +43,10 @@ pub fn with_points(cell: &str) -> Result<Option<String>, CsvProblem> {
 
 /// Whether a cell is a number, with or without an error bar and units.
 fn is_numeric(cell: &str) -> bool {
+    // Nearly all cells are plain decimals, which need no rational.
+    if parse_decimal_to_dd(cell).is_some() {
+        return true;
+    }
     let is_range = cell.trim_start().starts_with('[');
     let plain = cell.replace("+/-", "±").replace("+-", "±");
     let is_mark = |character: char| "±[]()%;".contains(character) || (is_range && character == ',');

@@ -1,7 +1,8 @@
 //! The header of a points file: a contract on names and units.
 
-use slipmode_core::number::Rational;
+use rug::Integer;
 use slipmode_core::number::format::exact_text;
+use slipmode_core::number::{Dd, Rational, parse_decimal_times_power_to_dd};
 
 use crate::scene::{
     AllowedRange, CsvProblem, Fault, Faults, Problem, Quantity, UNITS_DIFFER, forbidden_character, with_unit,
@@ -81,9 +82,9 @@ impl Header {
         })
     }
 
-    /// Whether the seven quantities are in SI, without columns of errors.
-    pub fn is_plain(&self) -> bool {
-        self.units.iter().all(Option::is_none) && self.errors.iter().all(Option::is_none)
+    /// Where errors of the seven quantities stand.
+    pub fn error_positions(&self) -> impl Iterator<Item = usize> {
+        self.errors.iter().flatten().map(|(position, _)| *position)
     }
 
     /// Where the errors of a quantity stand.
@@ -131,6 +132,22 @@ impl Header {
 /// A factor of a unit, in words.
 fn times(size: Option<&Rational>) -> String {
     size.map_or(String::new(), |size| format!(" times {}", exact_text(size)))
+}
+
+/// A number in SI to within a relative [`Dd::UNIT`], of a positive decimal of ordinary size in SI or in a unit that is a power of ten;
+/// products with the sizes of other units are exact only in rationals.
+pub fn dd_in_unit(text: &str, unit: Option<&Rational>) -> Option<Dd> {
+    parse_decimal_times_power_to_dd(text, unit.map_or(Some(0), power_of_ten)?)
+}
+
+/// The power of ten that this is.
+fn power_of_ten(size: &Rational) -> Option<i64> {
+    let power = |part: &Integer| {
+        let part = part.to_u64()?;
+        let power = part.checked_ilog10()?;
+        (10u64.pow(power) == part).then(|| i64::from(power))
+    };
+    Some(power(size.numer())? - power(size.denom())?)
 }
 
 /// The value in SI of a cell, in its own unit, or in this one.
@@ -282,4 +299,28 @@ fn column_faults(names: &[String], appended: &[&str]) -> Vec<(String, Problem)> 
         }
     }
     faults
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::unit_for;
+    use slipmode_core::number::nearest_f64;
+
+    #[test]
+    fn units_that_are_powers_of_ten_need_no_rationals() {
+        for (unit, of, power) in [
+            ("um", "m", Some(-6)),
+            ("MPa/mm", "Pa/m", Some(9)),
+            ("kg/cm2", "kg/m^2", Some(4)),
+            ("kg/50cm2", "kg/m^2", None),
+            ("mm/yr", "m/s", None),
+        ] {
+            let size = unit_for(unit, of).unwrap();
+            assert_eq!(power_of_ten(&size), power, "{unit}");
+            let exact = size.clone() * Rational::from((37, 8));
+            let found = dd_in_unit("4.625", Some(&size)).map(|value| value.hi());
+            assert_eq!(found, power.map(|_| nearest_f64(&exact)), "{unit}");
+        }
+    }
 }

@@ -2,9 +2,9 @@
 
 use crate::scene::{CsvProblem, Fault, Faults, Problem, Quantity, Uncertain, all_of};
 use slipmode_core::friction::{ParameterBox, Parameters};
-use slipmode_core::number::{Dd, Rational, parse_decimal_to_dd};
+use slipmode_core::number::{Dd, Rational};
 
-use crate::csv::header::{Beyond, ERROR_COLUMN, Header};
+use crate::csv::header::{Beyond, ERROR_COLUMN, Header, dd_in_unit};
 use crate::csv::rows::Row;
 
 /// A command's part in the rows.
@@ -103,15 +103,15 @@ pub struct Cells<'r, P = [usize; 7]> {
 }
 
 impl<'r> Cells<'r> {
-    /// The seven numbers to within a relative [`Dd::UNIT`], when all are positive and of ordinary size, as nearly all are.
+    /// The seven numbers to within a relative [`Dd::UNIT`], when all are positive, of ordinary size and without an error, as nearly
+    /// all are.
     pub fn dd_parameters(self) -> Option<Parameters<Dd>> {
-        // Products with the sizes of units are exact only in rationals.
-        if !self.header.is_plain() {
+        if self.header.error_positions().any(|position| !self.text(position).is_empty()) {
             return None;
         }
         let mut values = [Dd::from(0.0); 7];
-        for (value, position) in values.iter_mut().zip(self.header.positions) {
-            *value = parse_decimal_to_dd(self.text(position))?;
+        for (index, value) in values.iter_mut().enumerate() {
+            *value = dd_in_unit(self.text(self.header.positions[index]), self.header.unit(index))?;
         }
         Some(Parameters::from(values))
     }

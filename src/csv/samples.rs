@@ -1,12 +1,12 @@
 //! Samples over time, streamed: a time and other numbers on each row, with every fault named by line and column.
 
-use crate::csv::header::{Beyond, Header};
+use crate::csv::header::{Beyond, Header, dd_in_unit};
 use crate::csv::name::Wanted;
 use crate::csv::row_work::Cells;
 use crate::csv::rows::RowReader;
 use crate::csv::work::cell_problem;
 use crate::scene::{AllowedRange, CsvProblem, Fault, Faults, Problem, not_a_number};
-use slipmode_core::number::{Dd, Rational, nearest_f64, parse_decimal, parse_decimal_to_dd};
+use slipmode_core::number::{Dd, Rational, nearest_f64, parse_decimal};
 
 /// Rows read at a time.
 const BLOCK_ROWS: usize = 4096;
@@ -103,8 +103,7 @@ pub fn number(cell: &[u8], is_physical: bool, unit: Option<&Rational>) -> Result
         return Err(problem);
     }
     let text = std::str::from_utf8(cell.trim_ascii()).unwrap_or_default();
-    if unit.is_none()
-        && let Some(value) = parse_decimal_to_dd(text)
+    if let Some(value) = dd_in_unit(text, unit)
         && value.rounds_surely(Dd::UNIT * value.hi())
     {
         return Ok(value.hi());

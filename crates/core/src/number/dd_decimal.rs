@@ -28,6 +28,12 @@ const POWERS: [f64; 23] = [
 /// `None` for anything else, and for large exponents: [`parse_decimal`](super::parse_decimal) has the last word on those.
 #[must_use]
 pub fn parse_decimal_to_dd(text: &str) -> Option<Dd> {
+    parse_decimal_times_power_to_dd(text, 0)
+}
+
+/// As [`parse_decimal_to_dd`], times a power of ten, such as the size of a unit: only the exponent of the decimal moves.
+#[must_use]
+pub fn parse_decimal_times_power_to_dd(text: &str, power_of_ten: i64) -> Option<Dd> {
     let bytes = text.as_bytes();
     let (whole, rest) = split_digits(bytes);
     let (fraction, rest) = match rest {
@@ -44,7 +50,7 @@ pub fn parse_decimal_to_dd(text: &str) -> Option<Dd> {
     }
     let (whole, fraction) = without_leading_zeros(whole, fraction);
     let digits = whole.len() + fraction.1.len();
-    let power = exponent - fraction.0 as i64;
+    let power = exponent - fraction.0 as i64 + power_of_ten;
     if digits <= DIGITS_OF_WORD {
         let mantissa = word(word(0, whole), fraction.1);
         return (mantissa != 0).then(|| scaled(from_word(mantissa), power)).flatten();
@@ -137,8 +143,13 @@ mod tests {
     use crate::number::parse_decimal;
 
     fn assert_near(text: &str) {
-        let Some(found) = parse_decimal_to_dd(text) else { return };
+        assert_near_times(text, 0);
+    }
+
+    fn assert_near_times(text: &str, power_of_ten: i64) {
+        let Some(found) = parse_decimal_times_power_to_dd(text, power_of_ten) else { return };
         let exact = parse_decimal(text).unwrap_or_else(|error| panic!("{text}: {error}"));
+        let exact = exact * parse_decimal(&format!("1e{power_of_ten}")).unwrap();
         let [hi, lo] = [found.hi(), found.lo()].map(|part| Rational::from_f64(part).unwrap());
         let error = (hi + lo - &exact).abs();
         assert!(error <= exact * Rational::from_f64(Dd::UNIT).unwrap(), "{text}");
@@ -151,8 +162,8 @@ mod tests {
 
     proptest! {
         #[test]
-        fn what_is_accepted_is_the_same_number(text in "[0-9]{0,12}(\\.[0-9]{0,10})?([eE][+-]?[0-9]{1,3})?") {
-            assert_near(&text);
+        fn what_is_accepted_is_the_same_number(text in "[0-9]{0,12}(\\.[0-9]{0,10})?([eE][+-]?[0-9]{1,3})?", power in -20..20i64) {
+            assert_near_times(&text, power);
         }
 
         #[test]

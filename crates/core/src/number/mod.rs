@@ -19,7 +19,7 @@ pub mod split_mix;
 mod wide;
 
 pub(crate) use complex::{Complex, Rectangle};
-pub use dd_decimal::parse_decimal_to_dd;
+pub use dd_decimal::{parse_decimal_times_power_to_dd, parse_decimal_to_dd};
 pub use double_double::Dd;
 pub(crate) use double_double::select;
 pub(crate) use fields::fields;
