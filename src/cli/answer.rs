@@ -96,7 +96,7 @@ impl Answer {
 
     /// Adds the columns of a result as keys.
     pub fn columns<T>(self, columns: &[Column<T>], result: &T) -> Self {
-        columns.iter().fold(self, |answer, (name, cell)| answer.with(name, cell(result).json()))
+        columns.iter().fold(self, |answer, (name, cell)| answer.with(name, cell(result)))
     }
 
     /// Gives the object for programs.

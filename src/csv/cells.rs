@@ -1,6 +1,5 @@
 //! Cells of the output: quoted where CSV needs it, and harmless in a spreadsheet.
 
-use serde_json::Value;
 use slipmode_core::number::format::{shortest, shortest_pieces};
 use slipmode_core::number::parse_decimal;
 
@@ -35,8 +34,9 @@ fn starts_a_formula(cell: &[u8]) -> bool {
     std::str::from_utf8(cell).map_or(true, |text| parse_decimal(text).is_err())
 }
 
-/// What stands in an appended cell.
-#[derive(Debug, Clone, PartialEq)]
+/// What stands in an appended cell, and under its name in JSON.
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+#[serde(untagged)]
 pub enum Datum {
     /// A text.
     Text(String),
@@ -48,20 +48,6 @@ pub enum Datum {
     Count(u64),
     /// `true` or `false`.
     Flag(bool),
-}
-
-impl Datum {
-    /// The value in JSON.
-    #[must_use]
-    pub fn json(self) -> Value {
-        match self {
-            Self::Text(text) => text.into(),
-            Self::Number(number) => number.into(),
-            Self::Range(ends) => ends.map_or(Value::Null, |ends| ends.to_vec().into()),
-            Self::Count(count) => count.into(),
-            Self::Flag(flag) => flag.into(),
-        }
-    }
 }
 
 /// An appended column: its name, and its cell of a result.

@@ -142,11 +142,7 @@ pub fn dd_in_unit(text: &str, unit: Option<&Rational>) -> Option<Dd> {
 
 /// The power of ten that this is.
 fn power_of_ten(size: &Rational) -> Option<i64> {
-    let power = |part: &Integer| {
-        let part = part.to_u64()?;
-        let power = part.checked_ilog10()?;
-        (10u64.pow(power) == part).then(|| i64::from(power))
-    };
+    let power = |part: &Integer| (0..=18).find(|power| *part == 10u64.pow(*power)).map(i64::from);
     Some(power(size.numer())? - power(size.denom())?)
 }
 

@@ -1,7 +1,6 @@
 //! A table of peak velocities over the velocity of the load point, perhaps with their errors and normal stresses.
 
-use crate::csv::name::Unit;
-use crate::csv::name::Wanted;
+use crate::csv::name::{Unit, Wanted};
 use crate::csv::rows::RowReader;
 use crate::csv::samples::{SampleCells, Samples, number};
 use crate::fitting::{PeakFailure, PeakRow};
@@ -76,13 +75,11 @@ impl PeakTable {
             if let Some((position, _)) = header.error_place(0).or(header.error_place(2)) {
                 return Err((Some(*position), Problem::Needs(NEEDS_FOR_ERRORS.into())));
             }
-            match (header.positions[2], self.normal_stress_pa) {
-                (Some(position), Some(_)) => {
-                    let reason = "--normal-stress-pa is given, too (wanted: one of the two)";
-                    return Err((Some(position), record(reason)));
-                }
-                _ => self.normal_stress_pa = self.normal_stress_pa.or(values[2]),
+            if let (Some(position), Some(_)) = (header.positions[2], self.normal_stress_pa) {
+                let reason = "--normal-stress-pa is given, too (wanted: one of the two)";
+                return Err((Some(position), record(reason)));
             }
+            self.normal_stress_pa = self.normal_stress_pa.or(values[2]);
         }
         for (value, position) in values.into_iter().zip(header.positions) {
             if value.is_some_and(|value| value <= 0.0) {

@@ -126,15 +126,12 @@ impl<W: RowWork> Work<W> {
     /// The header line of the output.
     pub fn header_line(&self) -> Vec<u8> {
         let mut out = Vec::new();
-        for name in &self.header.names {
+        let appended = W::APPENDED.iter().copied().chain(self.keep_going.then_some(ERROR_COLUMN));
+        for name in self.header.names.iter().map(String::as_str).chain(appended) {
             push_cell(&mut out, name.as_bytes());
             out.push(b',');
         }
-        out.extend_from_slice(W::APPENDED.join(",").as_bytes());
-        if self.keep_going {
-            out.push(b',');
-            out.extend_from_slice(ERROR_COLUMN.as_bytes());
-        }
+        out.pop();
         out.push(b'\n');
         out
     }

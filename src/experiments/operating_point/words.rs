@@ -62,8 +62,7 @@ pub(crate) fn operating_point_words(outcome: &Outcome) -> Option<String> {
     let OperatingPoint { normal_stress_pa, loading_velocity_m_per_s } = &parameters.point;
     let [stress, velocity] = [(normal_stress_pa, "Pa"), (loading_velocity_m_per_s, "m/s")]
         .map(|(value, unit)| in_words(nearest_f64(value), unit));
-    let mode = format!("the slip mode is {}", at_point.slip_mode.words());
-    let within = within.unwrap_or_else(|| format!("{mode}:"));
+    let within = within.unwrap_or_else(|| format!("the slip mode is {}:", at_point.slip_mode.words()));
     Some(format!("At {stress} and {velocity}, {within} {}", words(&parameters, &at_point)))
 }
 
@@ -126,11 +125,9 @@ pub(crate) fn range_words(outcome: &Outcome) -> Option<String> {
     let [least, most] = reach(Quantity::NormalStress);
     let within_reach = |[low, high]: &[f64; 2]| *low <= most && *high >= least;
     let stability = match of(true).find(within_reach) {
-        Some(range) => format!("sliding is unstable above {}", place(range)),
-        None if at_point.transition_sign < 0 => {
-            "sliding is unstable at every normal stress within reach".into()
-        }
-        None => "sliding is stable at every normal stress within reach".into(),
+        Some(range) => format!("unstable above {}", place(range)),
+        None if at_point.transition_sign < 0 => "unstable at every normal stress within reach".into(),
+        None => "stable at every normal stress within reach".into(),
     };
     // A boundary belongs to the side on which its middle is.
     let is_above = |range: &[f64; 2]| range[0] * range[1] > stress * stress;
@@ -145,13 +142,13 @@ pub(crate) fn range_words(outcome: &Outcome) -> Option<String> {
         let [low, high] = if side == "below" { [next, nearest?] } else { [nearest?, next] };
         Some(format!("between {} and {}", place(low), place(high)))
     });
-    let sides: Vec<String> = sides.collect();
+    let sides = sides.collect::<Vec<_>>();
     let oscillation = match sides.is_empty() {
         true => format!("small disturbances {here} at any of them"),
         false => format!("small disturbances {there} oscillating {}", sides.join(" and ")),
     };
     let velocity = in_words(nearest_f64(&point.loading_velocity_m_per_s), "m/s");
-    Some(format!("At {velocity}, {stability}; {oscillation}."))
+    Some(format!("At {velocity}, sliding is {stability}; {oscillation}."))
 }
 
 /// The smallest single change that leaves the slip mode.
@@ -196,7 +193,6 @@ pub(crate) fn what_decides_words(outcome: &Outcome) -> Option<String> {
         true => format!("causes {} % of the width of the band", round_digits(100.0 * widest.share, 2)),
         false => "causes a band that has no end".into(),
     };
-    let cause = format!("The error bar of {} {effect}", name(widest.quantity));
     // The measurement that has to improve least.
     let easiest = found.bars.iter().filter_map(|bar| Some((bar.settling_share?, bar)));
     let easiest = easiest.max_by(|one, other| one.0.total_cmp(&other.0));
@@ -207,7 +203,7 @@ pub(crate) fn what_decides_words(outcome: &Outcome) -> Option<String> {
         }
         None => "no better measurement of one value alone would settle the mode".into(),
     };
-    Some(format!("{cause}; {settled}."))
+    Some(format!("The error bar of {} {effect}; {settled}.", name(widest.quantity)))
 }
 
 #[cfg(test)]

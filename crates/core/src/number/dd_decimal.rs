@@ -2,8 +2,7 @@
 //!
 //! Leading zeros are no digits: `0.0001121154052894597` has 16 of them, and costs what `1.121154052894597e-4` does.
 
-use super::Dd;
-use super::MAX_DIGITS;
+use super::{Dd, MAX_DIGITS};
 
 /// Digits that a u64 holds whatever they are.
 const DIGITS_OF_WORD: usize = 19;
@@ -98,15 +97,12 @@ fn word(start: u64, digits: &[u8]) -> u64 {
 
 /// An exponent of one to three digits with an optional sign.
 fn short_exponent(text: &[u8]) -> Option<i64> {
-    let (negative, digits) = match text {
-        [b'-', digits @ ..] => (true, digits),
-        [b'+', digits @ ..] | digits => (false, digits),
-    };
+    let digits = text.strip_prefix(b"-").or(text.strip_prefix(b"+")).unwrap_or(text);
     if !(1..=3).contains(&digits.len()) || !digits.iter().all(u8::is_ascii_digit) {
         return None;
     }
     let magnitude = digits.iter().fold(0, |value, digit| value * 10 + i64::from(digit - b'0'));
-    Some(if negative { -magnitude } else { magnitude })
+    Some(if text.starts_with(b"-") { -magnitude } else { magnitude })
 }
 
 /// Both halves are exact, and so is their sum.
